@@ -210,13 +210,14 @@ static uint32_t symbol_variable(converter *c, uint32_t symbol)
         variable = ttc_system_add_variable(c->system, TTC_VARIABLE_INPUT, s->position);
     } else if (s->role == TTC_ROLE_UNIT) {
         variable = new_unit(c, s->definition, s->name);
+    } else if (s->role < TTC_ROLE_ROOT) { /* a symbol that was not resolved: memory is out */
+        c->system->failed = true;
     } else {
         static const ttc_variable_kind kinds[] = { [TTC_ROLE_ROOT] = TTC_VARIABLE_ROOT, [TTC_ROLE_COSINE] = TTC_VARIABLE_COSINE,
                                                    [TTC_ROLE_SINE] = TTC_VARIABLE_SINE, [TTC_ROLE_EXP] = TTC_VARIABLE_EXP,
                                                    [TTC_ROLE_LOG] = TTC_VARIABLE_LOG };
         uint32_t operand = variable_of(c, s->definition);
-        if (s->role < TTC_ROLE_ROOT) c->system->failed = true;
-        else variable = ttc_system_add_variable(c->system, kinds[s->role], operand);
+        variable = ttc_system_add_variable(c->system, kinds[s->role], operand);
         if (!c->system->failed) c->system->variables[variable].label = s->name;
     }
     c->by_symbol[symbol] = variable + 1;

@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -17,8 +17,8 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
- *      omega3 + gamma3*omega_n*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V,
- *      d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n),
+ *      omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V,
+ *      a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(omega_n)/dt,
  *      d(d(omega_n)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -227,57 +227,57 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t13 = t7*t12; /* 1/Theta*m*R*I1*V */
     const double t14 = -t13; /* -1/Theta*m*R*I1*V */
     out[28] = t14;
-    const double t15 = x[3]*t10; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t16 = x[0]*t15; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t17 = x[4] + t16; /* omega3 + gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t18 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I1*V */
-    const double t19 = x[3]*t13; /* omega_n*1/Theta*m*R*I1*V */
-    const double t20 = -t19; /* -omega_n*1/Theta*m*R*I1*V */
-    out[4] = t20;
-    const double t21 = p[6]*t7; /* (m*R^2*I1 + I1^2)*1/Theta */
-    const double t22 = x[2]*t21; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
-    out[24] = t22;
-    const double t23 = x[4]*t21; /* omega3*(m*R^2*I1 + I1^2)*1/Theta */
-    const double t24 = x[0]*t10; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t25 = t18*t24; /* (omega_tau - 1/Theta*m*R*I1*V)*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    out[23] = t25;
-    const double t26 = x[2]*t24; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t27 = -t26; /* -t26 */
-    out[5] = t27;
-    const double t28 = t10*t15; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t29 = t15*t28; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t28 */
-    const double t30 = t10*t18; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t31 = t28*t30; /* t28*t30 */
-    out[20] = t31;
-    const double t32 = t16*t18; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t33 = JLT_FMA(x[2], t23, t32); /* omega_tau*omega3*(m*R^2*I1 + I1^2)*1/Theta + t32 */
-    out[3] = t33;
-    const double t34 = p[1]*t29; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t28 */
-    out[10] = t34;
-    const double t35 = -t29; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t28 */
-    out[15] = t35;
-    const double t36 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t36;
-    const double t37 = t17*t36; /* t17*omega_n*R */
-    out[1] = t37;
-    const double t38 = x[3]*t17; /* omega_n*t17 */
-    const double t39 = -t38; /* -omega_n*t17 */
-    out[2] = t39;
-    const double t40 = JLT_FMA(2.0, t16, x[4]); /* 2*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
-    const double t41 = t7*t16; /* 1/Theta*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t42 = JLT_FMA(p[9], t41, t23); /* I1^2*t41 + omega3*(m*R^2*I1 + I1^2)*1/Theta */
-    out[22] = t42;
-    const double t43 = p[8]*t41; /* (-m*R*I1)*t41 */
-    out[21] = t43;
-    const double t44 = x[3]*t7; /* omega_n*1/Theta */
-    const double t45 = p[1]*t40; /* R*t40 */
-    out[13] = t45;
-    const double t46 = -t40; /* -t40 */
-    out[18] = t46;
-    const double t47 = p[8]*t44; /* (-m*R*I1)*omega_n*1/Theta */
-    out[26] = t47;
-    const double t48 = p[10]*t44; /* (-m*R^2*I1)*omega_n*1/Theta */
-    out[27] = t48;
+    const double t15 = x[0]*t10; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t16 = x[3]*t15; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t17 = x[3]*t10; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t18 = x[4] + t16; /* omega3 + omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t19 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I1*V */
+    const double t20 = x[3]*t13; /* omega_n*1/Theta*m*R*I1*V */
+    const double t21 = -t20; /* -omega_n*1/Theta*m*R*I1*V */
+    out[4] = t21;
+    const double t22 = t15*t19; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    out[23] = t22;
+    const double t23 = p[6]*t7; /* (m*R^2*I1 + I1^2)*1/Theta */
+    const double t24 = x[3]*t7; /* omega_n*1/Theta */
+    const double t25 = p[8]*t24; /* (-m*R*I1)*omega_n*1/Theta */
+    out[26] = t25;
+    const double t26 = p[10]*t24; /* (-m*R^2*I1)*omega_n*1/Theta */
+    out[27] = t26;
+    const double t27 = t15*t24; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/Theta */
+    const double t28 = x[2]*t15; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t29 = -t28; /* -t28 */
+    out[5] = t29;
+    const double t30 = p[8]*t27; /* (-m*R*I1)*t27 */
+    out[21] = t30;
+    const double t31 = t10*t17; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t32 = t17*t31; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t31 */
+    const double t33 = t10*t19; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    const double t34 = t31*t33; /* t31*t33 */
+    out[20] = t34;
+    const double t35 = t16*t19; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    const double t36 = JLT_FMA(2.0, t16, x[4]); /* 2*omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
+    const double t37 = p[1]*t32; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t31 */
+    out[10] = t37;
+    const double t38 = -t32; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t31 */
+    out[15] = t38;
+    const double t39 = p[1]*t36; /* R*t36 */
+    out[13] = t39;
+    const double t40 = -t36; /* -t36 */
+    out[18] = t40;
+    const double t41 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t41;
+    const double t42 = t18*t41; /* t18*omega_n*R */
+    out[1] = t42;
+    const double t43 = x[3]*t18; /* omega_n*t18 */
+    const double t44 = -t43; /* -omega_n*t18 */
+    out[2] = t44;
+    const double t45 = x[2]*t23; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
+    out[24] = t45;
+    const double t46 = JLT_FMA(x[4], t45, t35); /* omega3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + t35 */
+    out[3] = t46;
+    const double t47 = x[4]*t23; /* omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    const double t48 = JLT_FMA(p[9], t27, t47); /* I1^2*t27 + omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    out[22] = t48;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -725,7 +725,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 21,
@@ -738,7 +738,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .jacobian = { jacobian, 25, { 7, 26, 4, 1, 1, 0, 9, 6 }, { 24, 95, 0, 23, 1, 0, 12, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_n), a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 11, 32, 4, 1, 1, 0, 10, 9 }, { 31, 124, 0, 30, 1, 0, 12, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + gamma3*omega_n*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V, d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
     .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 4 }, { 9, 32, 0, 0, 1, 0, 11, 5 },

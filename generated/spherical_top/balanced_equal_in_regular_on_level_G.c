@@ -4,7 +4,7 @@
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -20,10 +20,10 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V/R = (1/R)*v_nu + omega_tau,
- *      (2)*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3, d(d(omega3)/dtau)/d(gamma3),
+ *      (2)*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3,
  *      omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s,
  *      a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3),
- *      a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3)
+ *      a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -141,16 +141,16 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = 1.0/t3; /* 1/(s*Theta/(m*R^2*I1)) */
     const double t5 = t2*t4; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
     const double t6 = x[4]*t4; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t7 = JLT_FMA(x[3], x[0], p[7]); /* omega3*gamma3 + G_level/(R*I1) */
-    const double t8 = t5*t7; /* 1/s*(omega3*gamma3 + G_level/(R*I1)) */
-    const double t9 = x[0]*t5; /* gamma3*1/s */
-    const double t10 = 2.0*t8; /* 2*1/s*(omega3*gamma3 + G_level/(R*I1)) */
-    const double t11 = JLT_FMA(t9, t10, x[3]); /* gamma3*1/s*2*1/s*(omega3*gamma3 + G_level/(R*I1)) + omega3 */
-    const double t12 = t8*t8; /* 1/s*(omega3*gamma3 + G_level/(R*I1))*1/s*(omega3*gamma3 + G_level/(R*I1)) */
-    const double t13 = t9*t12; /* gamma3*1/s*t12 */
-    const double t14 = JLT_FMA(x[3], t11, t12); /* omega3*(gamma3*1/s*2*1/s*(omega3*gamma3 + G_level/(R*I1)) + omega3) + t12 */
-    const double t15 = JLT_FMA(x[0], t11, t7); /* gamma3*(gamma3*1/s*2*1/s*(omega3*gamma3 + G_level/(R*I1)) + omega3) + omega3*gamma3 + G_level/(R*I1) */
-    const double t16 = t6*t7; /* 1/(Theta/(m*R^2*I1))*(omega3*gamma3 + G_level/(R*I1)) */
+    const double t7 = x[0]*t5; /* gamma3*1/s */
+    const double t8 = JLT_FMA(x[3], x[0], p[7]); /* omega3*gamma3 + G_level/(R*I1) */
+    const double t9 = t5*t8; /* 1/s*(omega3*gamma3 + G_level/(R*I1)) */
+    const double t10 = 2.0*t7; /* 2*gamma3*1/s */
+    const double t11 = JLT_FMA(t9, t10, x[3]); /* 1/s*(omega3*gamma3 + G_level/(R*I1))*2*gamma3*1/s + omega3 */
+    const double t12 = t9*t9; /* 1/s*(omega3*gamma3 + G_level/(R*I1))*1/s*(omega3*gamma3 + G_level/(R*I1)) */
+    const double t13 = t7*t12; /* gamma3*1/s*t12 */
+    const double t14 = JLT_FMA(x[3], t11, t12); /* omega3*(1/s*(omega3*gamma3 + G_level/(R*I1))*2*gamma3*1/s + omega3) + t12 */
+    const double t15 = JLT_FMA(x[0], t11, t8); /* gamma3*(1/s*(omega3*gamma3 + G_level/(R*I1))*2*gamma3*1/s + omega3) + omega3*gamma3 + G_level/(R*I1) */
+    const double t16 = t6*t8; /* 1/(Theta/(m*R^2*I1))*(omega3*gamma3 + G_level/(R*I1)) */
     const double t17 = p[1]*t14; /* R*t14 */
     out[5] = t17;
     const double t18 = -t14; /* -t14 */
@@ -216,58 +216,58 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = x[0]*t5; /* gamma3*1/s */
     const double t10 = t8*t9; /* 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s */
     const double t11 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t12 = t6*t11; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t13 = t6*t7; /* 1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
-    const double t14 = t11*t13; /* V/R*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t12 = t6*t7; /* 1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t13 = t6*t11; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t14 = t11*t12; /* V/R*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
     const double t15 = -t14; /* -V/R*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
     out[3] = t15;
-    const double t16 = p[11]*t13; /* (-1/R)*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t16 = p[11]*t12; /* (-1/R)*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
     out[21] = t16;
-    const double t17 = -t13; /* -1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t17 = -t12; /* -1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
     out[22] = t17;
-    const double t18 = JLT_FMA(2.0, t10, x[3]); /* 2*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3 */
-    const double t19 = 2.0*t12; /* 2*1/(Theta/(m*R^2*I1))*V/R */
-    const double t20 = t13*t19; /* 1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1))*2*1/(Theta/(m*R^2*I1))*V/R */
-    const double t21 = x[4]*t20; /* s*t20 */
-    out[24] = t21;
-    const double t22 = x[0]*t20; /* gamma3*t20 */
-    const double t23 = JLT_FNMA(x[3], t12, t22); /* gamma3*t20 - omega3*1/(Theta/(m*R^2*I1))*V/R */
-    out[20] = t23;
-    const double t24 = x[0]*t12; /* gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t25 = -t24; /* -gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    out[23] = t25;
-    const double t26 = x[4]*x[2]; /* s*omega_tau */
-    const double t27 = x[4]*t26; /* s*s*omega_tau */
-    out[0] = t27;
-    const double t28 = 2.0*t26; /* 2*s*omega_tau */
-    out[9] = t28;
-    const double t29 = -t26; /* -s*omega_tau */
-    out[25] = t29;
-    const double t30 = x[0]*t26; /* gamma3*s*omega_tau */
-    const double t31 = -t30; /* -gamma3*s*omega_tau */
-    out[4] = t31;
-    const double t32 = x[3] + t10; /* omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s */
-    const double t33 = t7*t32; /* (gamma3*omega3 + G_level/(R*I1))*(omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s) */
-    const double t34 = JLT_FMA(x[0], t18, t7); /* gamma3*(2*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3) + gamma3*omega3 + G_level/(R*I1) */
-    const double t35 = x[3]*t18; /* omega3*(2*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3) */
-    const double t36 = JLT_FMA(t8, t8, t35); /* 1/s*(gamma3*omega3 + G_level/(R*I1))*1/s*(gamma3*omega3 + G_level/(R*I1)) + t35 */
-    const double t37 = t8*t10; /* 1/s*(gamma3*omega3 + G_level/(R*I1))*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s */
-    const double t38 = p[1]*t33; /* R*t33 */
-    out[1] = t38;
-    const double t39 = -t33; /* -t33 */
-    out[2] = t39;
-    const double t40 = p[1]*t36; /* R*t36 */
-    out[10] = t40;
-    const double t41 = -t36; /* -t36 */
-    out[15] = t41;
-    const double t42 = p[1]*t34; /* R*t34 */
-    out[13] = t42;
-    const double t43 = -t34; /* -t34 */
-    out[18] = t43;
-    const double t44 = p[10]*t37; /* (-2*R)*t37 */
-    out[14] = t44;
-    const double t45 = 2.0*t37; /* 2*t37 */
-    out[19] = t45;
+    const double t18 = 2.0*t12; /* 2*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t19 = JLT_FMA(2.0, t10, x[3]); /* 2*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3 */
+    const double t20 = x[4]*x[2]; /* s*omega_tau */
+    const double t21 = x[4]*t20; /* s*s*omega_tau */
+    out[0] = t21;
+    const double t22 = 2.0*t20; /* 2*s*omega_tau */
+    out[9] = t22;
+    const double t23 = -t20; /* -s*omega_tau */
+    out[25] = t23;
+    const double t24 = x[0]*t20; /* gamma3*s*omega_tau */
+    const double t25 = -t24; /* -gamma3*s*omega_tau */
+    out[4] = t25;
+    const double t26 = x[3] + t10; /* omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s */
+    const double t27 = t7*t26; /* (gamma3*omega3 + G_level/(R*I1))*(omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s) */
+    const double t28 = JLT_FMA(x[0], t19, t7); /* gamma3*(2*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3) + gamma3*omega3 + G_level/(R*I1) */
+    const double t29 = x[3]*t19; /* omega3*(2*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3) */
+    const double t30 = JLT_FMA(t8, t8, t29); /* 1/s*(gamma3*omega3 + G_level/(R*I1))*1/s*(gamma3*omega3 + G_level/(R*I1)) + t29 */
+    const double t31 = t8*t10; /* 1/s*(gamma3*omega3 + G_level/(R*I1))*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s */
+    const double t32 = p[1]*t27; /* R*t27 */
+    out[1] = t32;
+    const double t33 = -t27; /* -t27 */
+    out[2] = t33;
+    const double t34 = p[1]*t30; /* R*t30 */
+    out[10] = t34;
+    const double t35 = -t30; /* -t30 */
+    out[15] = t35;
+    const double t36 = p[1]*t28; /* R*t28 */
+    out[13] = t36;
+    const double t37 = -t28; /* -t28 */
+    out[18] = t37;
+    const double t38 = p[10]*t31; /* (-2*R)*t31 */
+    out[14] = t38;
+    const double t39 = 2.0*t31; /* 2*t31 */
+    out[19] = t39;
+    const double t40 = JLT_FMS(x[0], t18, x[3]); /* gamma3*2*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1)) - omega3 */
+    const double t41 = t13*t40; /* 1/(Theta/(m*R^2*I1))*V/R*t40 */
+    out[20] = t41;
+    const double t42 = x[0]*t13; /* gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    const double t43 = -t42; /* -gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    out[23] = t43;
+    const double t44 = x[4]*t13; /* s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t45 = t18*t44; /* 2*1/(Theta/(m*R^2*I1))*(gamma3*omega3 + G_level/(R*I1))*s*1/(Theta/(m*R^2*I1))*V/R */
+    out[24] = t45;
     const double t46 = x[4]*x[0]; /* s*gamma3 */
     const double t47 = -t46; /* -s*gamma3 */
     out[27] = t47;
@@ -495,7 +495,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 5, .param_count = 7, .block_count = 19,
@@ -506,9 +506,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .rhs = { rhs, 5, { 3, 10, 5, 1, 0, 0, 8, 5 }, { 9, 36, 0, 2, 0, 0, 10, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V/R = (1/R)*v_nu + omega_tau, a part of d(v_nu)/dtau and of d(omega_tau)/dtau" },
     .jacobian = { jacobian, 25, { 8, 25, 7, 1, 0, 0, 11, 6 }, { 32, 131, 0, 17, 0, 0, 12, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3 + G_level/(R*I1), gamma3*1/s*(2)*1/s*(omega3*gamma3 + G_level/(R*I1)) + omega3, a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), V/R = (1/R)*v_nu + omega_tau, a part of d(d(omega3)/dtau)/d(gamma3)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3 + G_level/(R*I1), 1/s*(omega3*gamma3 + G_level/(R*I1))*(2)*gamma3*1/s + omega3, a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), V/R = (1/R)*v_nu + omega_tau, a part of d(d(omega3)/dtau)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 12, 30, 7, 1, 0, 0, 12, 8 }, { 37, 150, 0, 18, 0, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V/R = (1/R)*v_nu + omega_tau, (2)*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3, d(d(omega3)/dtau)/d(gamma3), omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s, a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V/R = (1/R)*v_nu + omega_tau, (2)*1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s + omega3, omega3 + 1/s*(gamma3*omega3 + G_level/(R*I1))*gamma3*1/s, a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 1, 3, 1, 0, 0, 6, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
         "digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, omega_tau + V/R/Theta/(m*R^2*I1)" },
     .integral_values = { integral_values, 3, { 0, 7, 7, 1, 0, 0, 6, 4 }, { 8, 30, 0, 1, 0, 0, 13, 5 },

@@ -4,13 +4,13 @@
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   13    7    1    0    0      8    6   (63)
- *  jacobian            6   31   13    1    0    0     13   12   (278)
- *  rhs_jacobian        9   37   13    1    0    0     12   12   (319)
+ *  jacobian            7   32   12    1    0    0     13   11   (278)
+ *  rhs_jacobian        12   37   12    1    0    0     12   12   (319)
  *  divergence          2    8    3    1    0    0      8    5   (36)
  *  integral_values     0    7    7    1    0    0      7    4   (39)
  *  integral_gradients  2   15    8    1    0    0      7    8   (72)
@@ -20,12 +20,13 @@
  *  Accuracy
  *    divides by gamma3: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n,
- *      1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n, V/R = (1/R)*v_nu + omega_tau,
- *      omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(omega_tau),
- *      a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s),
+ *      1/gamma3*s*omega_n - 1/gamma3*(G_level/(R*I1) - s*omega_n), V/R = (1/R)*v_nu + omega_tau,
+ *      omega_tau - 1/(Theta/(m*R^2*I1))*V/R,
+ *      a part of d(d(v_nu)/dtau)/d(omega_n) and of d(d(omega_tau)/dtau)/d(omega_n),
+ *      a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau),
  *      s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3,
- *      1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(d(omega_tau)/dtau)/d(omega_n), d(omega_n)/dtau,
- *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)
+ *      1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -72,21 +73,21 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
     const double t4 = params[0]*t3; /* m*R*R */
-    out[20] = t4;
+    out[19] = t4;
     const double t5 = params[4]/t4; /* I1/(m*R*R) */
     out[9] = t5;
-    const double t6 = params[4]*t4; /* I1*m*R*R */
-    const double t7 = params[4]*params[4]; /* I1*I1 */
-    const double t8 = t6 + t7; /* I1*m*R*R + I1*I1 */
-    const double t9 = t8/t6; /* (I1*m*R*R + I1*I1)/(I1*m*R*R) */
-    out[10] = t9;
-    const double t10 = 1.0/params[1]; /* 1/R */
+    const double t6 = 1.0/params[1]; /* 1/R */
+    out[10] = t6;
+    const double t7 = params[4]*t4; /* I1*m*R*R */
+    const double t8 = params[4]*params[4]; /* I1*I1 */
+    const double t9 = t7 + t8; /* I1*m*R*R + I1*I1 */
+    const double t10 = t9/t7; /* (I1*m*R*R + I1*I1)/(I1*m*R*R) */
     out[11] = t10;
     const double t11 = params[0]*params[0]; /* m*m */
     const double t12 = t3*t3; /* R*R*R*R */
     const double t13 = t11*t12; /* m*m*R*R*R*R */
-    const double t14 = t7*t13; /* I1*I1*m*m*R*R*R*R */
-    const double t15 = params[4]*t7; /* I1*I1*I1 */
+    const double t14 = t8*t13; /* I1*I1*m*m*R*R*R*R */
+    const double t15 = params[4]*t8; /* I1*I1*I1 */
     const double t16 = t4*t15; /* m*R*R*I1*I1*I1 */
     const double t17 = t14 + t16; /* I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1 */
     const double t18 = 2.0*t17; /* 2*(I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1) */
@@ -99,53 +100,51 @@ static void prepare(const double *restrict params, double *restrict out)
     out[13] = t23;
     const double t24 = (-1.0)/params[1]; /* (-1)/R */
     out[14] = t24;
-    const double t25 = t17/t14; /* (I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1)/(I1*I1*m*m*R*R*R*R) */
+    const double t25 = params[4]/2.0; /* I1/2 */
     out[15] = t25;
-    const double t26 = params[4]/2.0; /* I1/2 */
+    const double t26 = params[0]/params[4]; /* m/I1 */
     out[16] = t26;
-    const double t27 = params[0]/params[4]; /* m/I1 */
+    const double t27 = t4/params[4]; /* m*R*R/I1 */
     out[17] = t27;
-    const double t28 = t4/params[4]; /* m*R*R/I1 */
+    const double t28 = params[0]*t8; /* m*I1*I1 */
     out[18] = t28;
-    const double t29 = params[0]*t7; /* m*I1*I1 */
-    out[19] = t29;
-    const double t30 = params[0]*2.0; /* m*2 */
-    const double t31 = t7*t30; /* I1*I1*m*2 */
-    out[21] = t31;
-    const double t32 = params[1]*t30; /* R*m*2 */
-    const double t33 = t7*t32; /* I1*I1*R*m*2 */
-    out[22] = t33;
+    const double t29 = params[0]*2.0; /* m*2 */
+    const double t30 = t8*t29; /* I1*I1*m*2 */
+    out[20] = t30;
+    const double t31 = params[1]*t29; /* R*m*2 */
+    const double t32 = t8*t31; /* I1*I1*R*m*2 */
+    out[21] = t32;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I1/(m*R^2) */
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
-    const double t2 = x[0]*t1; /* gamma3*Theta/(m*R^2*I1) */
-    const double t3 = 1.0/t2; /* 1/(gamma3*Theta/(m*R^2*I1)) */
-    const double t4 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
-    const double t5 = t1*t4; /* Theta/(m*R^2*I1)*(G_level/(R*I1) - s*omega_n) */
-    const double t6 = t3*t5; /* 1/(gamma3*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*(G_level/(R*I1) - s*omega_n) */
-    const double t7 = x[0]*t3; /* gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
-    const double t8 = x[4]*x[2]; /* s*omega_tau */
-    const double t9 = x[4]*t8; /* s*s*omega_tau */
-    out[0] = t9;
-    const double t10 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t11 = p[10]*t8; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega_tau */
-    const double t12 = t6*t11; /* t6*(m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega_tau */
-    const double t13 = JLT_FMS(x[4], t6, t10); /* s*t6 - omega_n*gamma3 */
-    const double t14 = x[3]*t13; /* omega_n*(s*t6 - omega_n*gamma3) */
-    out[2] = t14;
-    const double t15 = p[7]*t14; /* (-R)*omega_n*(s*t6 - omega_n*gamma3) */
-    out[1] = t15;
-    const double t16 = x[0]*t8; /* gamma3*s*omega_tau */
-    const double t17 = -t16; /* -gamma3*s*omega_tau */
-    out[4] = t17;
-    const double t18 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t19 = JLT_FMA(t10, t18, t12); /* omega_n*gamma3*V/R + t6*(m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega_tau */
-    const double t20 = x[2]*t10; /* omega_tau*omega_n*gamma3 */
-    const double t21 = JLT_FNMA(t7, t19, t20); /* omega_tau*omega_n*gamma3 - gamma3*1/(gamma3*Theta/(m*R^2*I1))*t19 */
-    out[3] = t21;
+    const double t0 = x[4]*x[2]; /* s*omega_tau */
+    const double t1 = x[4]*t0; /* s*s*omega_tau */
+    out[0] = t1;
+    const double t2 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
+    const double t3 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I1/(m*R^2) */
+    const double t4 = JLT_FMA(x[0], x[0], t3); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
+    const double t5 = x[0]*t4; /* gamma3*Theta/(m*R^2*I1) */
+    const double t6 = 1.0/t5; /* 1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t7 = t2*t4; /* (G_level/(R*I1) - s*omega_n)*Theta/(m*R^2*I1) */
+    const double t8 = t6*t7; /* 1/(gamma3*Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*Theta/(m*R^2*I1) */
+    const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t10 = JLT_FMS(x[4], t8, t9); /* s*t8 - omega_n*gamma3 */
+    const double t11 = x[3]*t10; /* omega_n*(s*t8 - omega_n*gamma3) */
+    out[2] = t11;
+    const double t12 = p[7]*t11; /* (-R)*omega_n*(s*t8 - omega_n*gamma3) */
+    out[1] = t12;
+    const double t13 = JLT_FMA(p[10], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t14 = x[0]*t6; /* 1/(Theta/(m*R^2*I1)) = gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t15 = JLT_FNMA(t13, t14, x[2]); /* omega_tau - V/R*1/(Theta/(m*R^2*I1)) */
+    const double t16 = t9*t15; /* omega_n*gamma3*(omega_tau - V/R*1/(Theta/(m*R^2*I1))) */
+    const double t17 = t0*p[11]; /* s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t18 = t8*t17; /* t8*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t19 = JLT_FNMA(t14, t18, t16); /* omega_n*gamma3*(omega_tau - V/R*1/(Theta/(m*R^2*I1))) - 1/(Theta/(m*R^2*I1))*t8*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    out[3] = t19;
+    const double t20 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t21 = -t20; /* -s*omega_tau*gamma3 */
+    out[4] = t21;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -170,62 +169,63 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t7 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
     const double t8 = x[4]*t5; /* s*1/gamma3 */
     const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t10 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t10 = JLT_FMA(p[10], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t11 = t6*t10; /* 1/(Theta/(m*R^2*I1))*V/R */
     const double t12 = t7*t8; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
     const double t13 = t5*t7; /* 1/gamma3*(G_level/(R*I1) - s*omega_n) */
     const double t14 = JLT_FNMA(x[3], t8, t13); /* 1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3 */
-    const double t15 = x[4]*t8; /* s*s*1/gamma3 */
-    const double t16 = 2.0*t9; /* 2*omega_n*gamma3 */
-    const double t17 = x[2]*t6; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t18 = t11*t16; /* 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
+    const double t15 = 2.0*t9; /* 2*omega_n*gamma3 */
+    const double t16 = x[2]*t6; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t17 = t12*t16; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t18 = t11*t15; /* 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
     const double t19 = x[2] - t11; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
-    const double t20 = JLT_FMS(x[4], t14, t16); /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3) - 2*omega_n*gamma3 */
-    out[13] = t20;
-    const double t21 = p[7]*t20; /* (-R)*t20 */
-    out[8] = t21;
-    const double t22 = t12*t17; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t23 = JLT_FMA(p[12], t22, t18); /* 2*(m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t22 + 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
-    const double t24 = t6*t23; /* 1/(Theta/(m*R^2*I1))*t23 */
-    const double t25 = p[10]*t17; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t26 = JLT_FMA(t5, t12, x[3]); /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n */
-    const double t27 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
-    const double t28 = x[3]*t26; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n) */
-    const double t29 = JLT_FMA(p[10], t12, t9); /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n*gamma3 */
-    const double t30 = JLT_FNMA(t6, t29, t9); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*t29 */
-    out[17] = t30;
-    const double t31 = p[14]*t9; /* (-1/R)*omega_n*gamma3 */
-    const double t32 = t6*t31; /* 1/(Theta/(m*R^2*I1))*(-1/R)*omega_n*gamma3 */
-    out[16] = t32;
-    const double t33 = p[1]*t28; /* R*t28 */
-    out[5] = t33;
-    const double t34 = -t28; /* -t28 */
-    out[10] = t34;
-    const double t35 = x[3]*t19; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t36 = JLT_FMA(t22, t27, t35); /* t22*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t37 = JLT_FMA(x[0], t24, t36); /* gamma3*1/(Theta/(m*R^2*I1))*t23 + t36 */
-    out[15] = t37;
-    const double t38 = x[0]*t19; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t39 = JLT_FMA(t15, t25, t38); /* s*s*1/gamma3*(m*R^2*I1 + I1^2)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    out[18] = t39;
-    const double t40 = x[4]*t24; /* s*1/(Theta/(m*R^2*I1))*t23 */
-    const double t41 = JLT_FNMA(t14, t25, t40); /* s*1/(Theta/(m*R^2*I1))*t23 - (1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3)*(m*R^2*I1 + I1^2)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[19] = t41;
-    const double t42 = x[3]*t14; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3) */
-    out[14] = t42;
-    const double t43 = p[7]*t42; /* (-R)*t42 */
-    out[9] = t43;
-    const double t44 = x[4]*x[2]; /* s*omega_tau */
-    const double t45 = 2.0*t44; /* 2*s*omega_tau */
-    out[4] = t45;
-    const double t46 = -t44; /* -s*omega_tau */
-    out[20] = t46;
-    const double t47 = x[4]*x[0]; /* s*gamma3 */
-    const double t48 = -t47; /* -s*gamma3 */
-    out[22] = t48;
-    const double t49 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t50 = -t49; /* -omega_tau*gamma3 */
-    out[24] = t50;
+    const double t20 = JLT_FMA(p[12], t17, t18); /* 2*(m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t17 + 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
+    const double t21 = t6*t20; /* 1/(Theta/(m*R^2*I1))*t20 */
+    const double t22 = JLT_FMS(x[4], t14, t15); /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3) - 2*omega_n*gamma3 */
+    out[13] = t22;
+    const double t23 = p[7]*t22; /* (-R)*t22 */
+    out[8] = t23;
+    const double t24 = x[4]*x[2]; /* s*omega_tau */
+    const double t25 = t8*t24; /* s*1/gamma3*s*omega_tau */
+    const double t26 = 2.0*t24; /* 2*s*omega_tau */
+    out[4] = t26;
+    const double t27 = -t24; /* -s*omega_tau */
+    out[20] = t27;
+    const double t28 = JLT_FMA(t5, t12, x[3]); /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n */
+    const double t29 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
+    const double t30 = x[3]*t28; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n) */
+    const double t31 = p[1]*t30; /* R*t30 */
+    out[5] = t31;
+    const double t32 = -t30; /* -t30 */
+    out[10] = t32;
+    const double t33 = x[3]*t19; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t34 = JLT_FMA(t17, t29, t33); /* t17*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t35 = JLT_FMA(x[0], t21, t34); /* gamma3*1/(Theta/(m*R^2*I1))*t20 + t34 */
+    out[15] = t35;
+    const double t36 = x[0]*t19; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t37 = x[4]*t21; /* s*1/(Theta/(m*R^2*I1))*t20 */
+    const double t38 = t6*t9; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t39 = p[11]*t6; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t40 = JLT_FMA(t25, t39, t36); /* s*1/gamma3*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    out[18] = t40;
+    const double t41 = t9 - t38; /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t42 = JLT_FNMA(t12, t39, t41); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 - (G_level/(R*I1) - s*omega_n)*s*1/gamma3*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[17] = t42;
+    const double t43 = p[14]*t38; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[16] = t43;
+    const double t44 = x[2]*t39; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t45 = JLT_FNMA(t14, t44, t37); /* s*1/(Theta/(m*R^2*I1))*t20 - (1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3)*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[19] = t45;
+    const double t46 = x[3]*t14; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3) */
+    out[14] = t46;
+    const double t47 = p[7]*t46; /* (-R)*t46 */
+    out[9] = t47;
+    const double t48 = x[4]*x[0]; /* s*gamma3 */
+    const double t49 = -t48; /* -s*gamma3 */
+    out[22] = t49;
+    const double t50 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t51 = -t50; /* -omega_tau*gamma3 */
+    out[24] = t51;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -250,76 +250,78 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t7 = x[4]*x[3]; /* s*omega_n */
     const double t8 = p[8] - t7; /* G_level/(R*I1) - s*omega_n */
     const double t9 = t5*t8; /* 1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    const double t10 = JLT_FNMA(t5, t7, t9); /* 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n */
+    const double t10 = JLT_FMS(t5, t7, t9); /* 1/gamma3*s*omega_n - 1/gamma3*(G_level/(R*I1) - s*omega_n) */
     const double t11 = x[4]*x[2]; /* s*omega_tau */
     const double t12 = 2.0*t11; /* 2*s*omega_tau */
     out[9] = t12;
     const double t13 = -t11; /* -s*omega_tau */
     out[25] = t13;
     const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t15 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t16 = t9*t11; /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
-    const double t17 = x[4]*t9; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    const double t18 = t6*t14; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t19 = p[14]*t18; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    out[21] = t19;
-    const double t20 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
-    const double t21 = t15*t18; /* V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t22 = t14 - t18; /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t23 = p[10]*t6; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t24 = JLT_FNMA(t17, t23, t22); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 - s*1/gamma3*(G_level/(R*I1) - s*omega_n)*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    out[22] = t24;
-    const double t25 = t6*t16; /* 1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
-    const double t26 = JLT_FMA(p[15], t25, t21); /* (m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t25 + V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t27 = 2.0*t6; /* 2*1/(Theta/(m*R^2*I1)) */
-    const double t28 = t26*t27; /* t26*2*1/(Theta/(m*R^2*I1)) */
-    const double t29 = x[4]*t11; /* s*s*omega_tau */
-    out[0] = t29;
-    const double t30 = x[0]*t11; /* gamma3*s*omega_tau */
-    const double t31 = -t30; /* -gamma3*s*omega_tau */
-    out[4] = t31;
-    const double t32 = t5*t29; /* 1/gamma3*s*s*omega_tau */
-    const double t33 = t17 - t14; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3 */
-    const double t34 = JLT_FMA(t5, t17, x[3]); /* 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n */
-    const double t35 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
-    const double t36 = x[3]*t33; /* omega_n*(s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3) */
-    out[2] = t36;
-    const double t37 = p[7]*t36; /* (-R)*t36 */
-    out[1] = t37;
-    const double t38 = x[3]*t34; /* omega_n*(1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n) */
-    const double t39 = p[1]*t38; /* R*t38 */
-    out[10] = t39;
-    const double t40 = -t38; /* -t38 */
-    out[15] = t40;
-    const double t41 = x[4]*t10; /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) */
-    const double t42 = JLT_FNMA(2.0, t14, t41); /* t41 - 2*omega_n*gamma3 */
-    out[18] = t42;
-    const double t43 = p[7]*t42; /* (-R)*(t41 - 2*omega_n*gamma3) */
-    out[13] = t43;
-    const double t44 = t14*t20; /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t45 = JLT_FNMA(t16, t23, t44); /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    out[3] = t45;
-    const double t46 = x[3]*t20; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t47 = JLT_FMA(t25, t35, t46); /* t25*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t48 = JLT_FMA(x[0], t28, t47); /* gamma3*t26*2*1/(Theta/(m*R^2*I1)) + t47 */
-    out[20] = t48;
-    const double t49 = x[0]*t20; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t50 = JLT_FMA(t23, t32, t49); /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*1/gamma3*s*s*omega_tau + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    out[23] = t50;
-    const double t51 = x[2]*t23; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t52 = t10*t51; /* (1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n)*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t53 = JLT_FMS(x[4], t28, t52); /* s*t26*2*1/(Theta/(m*R^2*I1)) - t52 */
-    out[24] = t53;
-    const double t54 = x[3]*t10; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) */
-    out[19] = t54;
-    const double t55 = p[7]*t54; /* (-R)*t54 */
-    out[14] = t55;
-    const double t56 = x[4]*x[0]; /* s*gamma3 */
-    const double t57 = -t56; /* -s*gamma3 */
-    out[27] = t57;
-    const double t58 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t59 = -t58; /* -omega_tau*gamma3 */
-    out[29] = t59;
+    const double t15 = JLT_FMA(p[10], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t16 = t6*t15; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t17 = t9*t11; /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
+    const double t18 = x[4]*t9; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    const double t19 = 2.0*t14; /* 2*omega_n*gamma3 */
+    const double t20 = x[2] - t16; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
+    const double t21 = t16*t19; /* 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
+    const double t22 = JLT_FMA(x[4], t10, t19); /* s*(1/gamma3*s*omega_n - 1/gamma3*(G_level/(R*I1) - s*omega_n)) + 2*omega_n*gamma3 */
+    const double t23 = p[1]*t22; /* R*t22 */
+    out[13] = t23;
+    const double t24 = -t22; /* -t22 */
+    out[18] = t24;
+    const double t25 = p[11]*t6; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t26 = t6*t17; /* 1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
+    const double t27 = JLT_FMA(p[12], t26, t21); /* 2*(m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t26 + 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
+    const double t28 = t6*t27; /* 1/(Theta/(m*R^2*I1))*t27 */
+    const double t29 = t6*t14; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t30 = p[14]*t29; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[21] = t30;
+    const double t31 = t14 - t29; /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t32 = JLT_FNMA(t18, t25, t31); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 - s*1/gamma3*(G_level/(R*I1) - s*omega_n)*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[22] = t32;
+    const double t33 = x[4]*t11; /* s*s*omega_tau */
+    out[0] = t33;
+    const double t34 = x[0]*t11; /* gamma3*s*omega_tau */
+    const double t35 = -t34; /* -gamma3*s*omega_tau */
+    out[4] = t35;
+    const double t36 = t5*t33; /* 1/gamma3*s*s*omega_tau */
+    const double t37 = t18 - t14; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3 */
+    const double t38 = JLT_FMA(t5, t18, x[3]); /* 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n */
+    const double t39 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
+    const double t40 = x[3]*t37; /* omega_n*(s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3) */
+    out[2] = t40;
+    const double t41 = p[7]*t40; /* (-R)*t40 */
+    out[1] = t41;
+    const double t42 = t14*t20; /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t43 = JLT_FNMA(t17, t25, t42); /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[3] = t43;
+    const double t44 = x[3]*t38; /* omega_n*(1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n) */
+    const double t45 = p[1]*t44; /* R*t44 */
+    out[10] = t45;
+    const double t46 = -t44; /* -t44 */
+    out[15] = t46;
+    const double t47 = x[3]*t20; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t48 = JLT_FMA(t26, t39, t47); /* t26*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t49 = JLT_FMA(x[0], t28, t48); /* gamma3*1/(Theta/(m*R^2*I1))*t27 + t48 */
+    out[20] = t49;
+    const double t50 = x[0]*t20; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t51 = JLT_FMA(t25, t36, t50); /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*1/gamma3*s*s*omega_tau + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    out[23] = t51;
+    const double t52 = x[2]*t25; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t53 = t10*t52; /* (1/gamma3*s*omega_n - 1/gamma3*(G_level/(R*I1) - s*omega_n))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t54 = JLT_FMA(x[4], t28, t53); /* s*1/(Theta/(m*R^2*I1))*t27 + t53 */
+    out[24] = t54;
+    const double t55 = x[3]*t10; /* omega_n*(1/gamma3*s*omega_n - 1/gamma3*(G_level/(R*I1) - s*omega_n)) */
+    const double t56 = p[1]*t55; /* R*t55 */
+    out[14] = t56;
+    const double t57 = -t55; /* -t55 */
+    out[19] = t57;
+    const double t58 = x[4]*x[0]; /* s*gamma3 */
+    const double t59 = -t58; /* -s*gamma3 */
+    out[27] = t59;
+    const double t60 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t61 = -t60; /* -omega_tau*gamma3 */
+    out[29] = t61;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -329,10 +331,10 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
     const double t3 = x[0]*t2; /* gamma3*Theta/(m*R^2*I1) */
     const double t4 = 1.0/t3; /* 1/(gamma3*Theta/(m*R^2*I1)) */
-    const double t5 = x[2]*p[10]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t5 = x[2]*p[11]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
     const double t6 = t0*t5; /* s*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
     const double t7 = t2*t6; /* Theta/(m*R^2*I1)*s*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    const double t8 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t8 = JLT_FMA(p[10], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t9 = x[0]*t8; /* gamma3*V/R */
     const double t10 = JLT_FNMA(t4, t7, t9); /* gamma3*V/R - 1/(gamma3*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
     const double t11 = x[0]*t4; /* gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
@@ -347,18 +349,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = t0/x[0]; /* (G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t2 = x[3]*x[3]; /* omega_n*omega_n */
     const double t3 = JLT_FMA(x[2], x[2], t2); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t4 = p[17]*x[1]; /* m/I1*v_nu */
+    const double t4 = p[16]*x[1]; /* m/I1*v_nu */
     const double t5 = JLT_FMA(x[1], t4, t3); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t6 = JLT_FMA(t1, t1, t5); /* (G_level/(R*I1) - omega_n*s)/gamma3*(G_level/(R*I1) - omega_n*s)/gamma3 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t7 = x[4]*t1; /* s*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t8 = JLT_FMS(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)/gamma3 */
-    const double t9 = p[18]*t8; /* m*R^2/I1*v_tau/R */
+    const double t9 = p[17]*t8; /* m*R^2/I1*v_tau/R */
     const double t10 = JLT_FMA(t8, t9, t6); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t6 */
-    const double t11 = p[16]*t10; /* 1/2*I1*energy/(1/2*I1) */
+    const double t11 = p[15]*t10; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t11;
     const double t12 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[2] = t12;
-    const double t13 = p[19]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t13 = p[18]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t14 = t12*t13; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t14;
 }
@@ -374,7 +376,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = x[3] + t4; /* d(v_tau)/d(gamma3)/R = omega_n + s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t6 = x[4]*t2; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t7 = JLT_FMS(x[3], x[0], t6); /* v_tau/R = omega_n*gamma3 - s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t8 = p[20]*t7; /* m*R^2*v_tau/R */
+    const double t8 = p[19]*t7; /* m*R^2*v_tau/R */
     const double t9 = t5*t8; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
     const double t10 = t3*p[4]; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1 */
     const double t11 = JLT_FNMA(t2, t10, t9); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1 */
@@ -385,7 +387,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[2] = t13;
     const double t14 = x[4]*t0; /* s*1/gamma3 */
     const double t15 = JLT_FMA(x[4], t14, x[0]); /* d(v_tau)/d(omega_n)/R = s*s*1/gamma3 + gamma3 */
-    const double t16 = t7*p[18]; /* v_tau/R*m*R^2/I1 */
+    const double t16 = t7*p[17]; /* v_tau/R*m*R^2/I1 */
     const double t17 = x[3] - t4; /* omega_n - s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t18 = JLT_FMA(t15, t16, t17); /* d(energy)/d(omega_n)/I1 = d(v_tau)/d(omega_n)/R*v_tau/R*m*R^2/I1 + omega_n - s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t19 = p[4]*t18; /* I1*d(energy)/d(omega_n)/I1 */
@@ -402,9 +404,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[14] = 0.0;
     out[12] = p[1];
     const double t23 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t24 = p[21]*t23; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t24 = p[20]*t23; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[6] = t24;
-    const double t25 = t23*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t25 = t23*p[21]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[7] = t25;
 }
 
@@ -430,12 +432,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
@@ -443,10 +442,13 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
@@ -459,34 +461,34 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x4, x2, k);
-        t3[k] = jlt_jet_product(x4, t2, k);
-        t7[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x4, x3, k);
-        t10[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
-        t11[k] = jlt_jet_product(x0, x0, k) + t10[k];
-        t12[k] = jlt_jet_product(x0, t11, k);
-        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t12, t14, k);
-        t15[k] = jlt_jet_product(t7, t11, k);
-        t16[k] = jlt_jet_product(t14, t15, k);
-        t17[k] = jlt_jet_product(x3, x0, k);
-        t18[k] = jlt_jet_product(x4, t16, k) - t17[k];
-        t19[k] = jlt_jet_product(x3, t18, k);
-        t20[k] = p[7]*t19[k];
-        t23[k] = p[11]*x1[k] + x2[k];
-        t24[k] = jlt_jet_product(x0, t14, k);
-        t25[k] = x2[k] - jlt_jet_product(t23, t24, k);
-        t26[k] = jlt_jet_product(t17, t25, k);
-        t28[k] = t2[k]*p[10];
-        t29[k] = jlt_jet_product(t16, t28, k);
-        t30[k] = t26[k] - jlt_jet_product(t24, t29, k);
-        t31[k] = jlt_jet_product(t2, x0, k);
-        t32[k] = -t31[k];
+        t11[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
+        t12[k] = jlt_jet_product(x0, x0, k) + t11[k];
+        t13[k] = jlt_jet_product(x0, t12, k);
+        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t13, t14, k);
+        t15[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x4, x3, k);
+        t16[k] = jlt_jet_product(t12, t15, k);
+        t17[k] = jlt_jet_product(t14, t16, k);
+        t18[k] = jlt_jet_product(x0, t14, k);
+        t19[k] = jlt_jet_product(x4, x2, k);
+        t20[k] = jlt_jet_product(x4, t19, k);
+        t21[k] = jlt_jet_product(x3, x0, k);
+        t22[k] = p[11]*t19[k];
+        t23[k] = jlt_jet_product(t17, t22, k);
+        t24[k] = jlt_jet_product(x4, t17, k) - t21[k];
+        t25[k] = jlt_jet_product(x3, t24, k);
+        t26[k] = p[7]*t25[k];
+        t27[k] = jlt_jet_product(x0, t19, k);
+        t28[k] = -t27[k];
+        t29[k] = p[10]*x1[k] + x2[k];
+        t30[k] = jlt_jet_product(t21, t29, k) + t23[k];
+        t31[k] = jlt_jet_product(x2, t21, k);
+        t32[k] = t31[k] - jlt_jet_product(t18, t30, k);
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t20[k]/(k + 1);
-        next[2] = x2[k + 1] = t19[k]/(k + 1);
-        next[3] = x3[k + 1] = t30[k]/(k + 1);
-        next[4] = x4[k + 1] = t32[k]/(k + 1);
+        next[0] = x0[k + 1] = t20[k]/(k + 1);
+        next[1] = x1[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t25[k]/(k + 1);
+        next[3] = x3[k + 1] = t32[k]/(k + 1);
+        next[4] = x4[k + 1] = t28[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -557,20 +559,20 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 23,
+    .state_count = 5, .param_count = 7, .block_count = 22,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 13, 7, 1, 0, 0, 8, 6 }, { 11, 48, 0, 4, 0, 0, 10, 7 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, a part of d(v_nu)/dtau and of d(omega_tau)/dtau, V/R = (1/R)*v_nu + omega_tau, a part of d(omega_n)/dtau, d(omega_n)/dtau" },
-    .jacobian = { jacobian, 25, { 6, 31, 13, 1, 0, 0, 13, 12 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V/R = (1/R)*v_nu + omega_tau, 1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n, a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 9, 37, 13, 1, 0, 0, 12, 12 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n, V/R = (1/R)*v_nu + omega_tau, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3, 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(d(omega_tau)/dtau)/d(omega_n), d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, a part of d(v_nu)/dtau and of d(omega_tau)/dtau, V/R = (1/R)*v_nu + omega_tau, omega_tau - V/R*1/(Theta/(m*R^2*I1)), d(omega_n)/dtau" },
+    .jacobian = { jacobian, 25, { 7, 32, 12, 1, 0, 0, 13, 11 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V/R = (1/R)*v_nu + omega_tau, 1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_tau)/dtau)/d(omega_n), 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 12, 37, 12, 1, 0, 0, 12, 12 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, 1/gamma3*s*omega_n - 1/gamma3*(G_level/(R*I1) - s*omega_n), V/R = (1/R)*v_nu + omega_tau, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, a part of d(d(v_nu)/dtau)/d(omega_n) and of d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau), s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3, 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 8, 3, 1, 0, 0, 8, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, a part of the divergence" },
     .integral_values = { integral_values, 3, { 0, 7, 7, 1, 0, 0, 7, 4 }, { 8, 30, 0, 1, 0, 0, 14, 5 },

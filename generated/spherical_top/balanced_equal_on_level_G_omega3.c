@@ -3,27 +3,28 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   18    3    1    1    0     10    5   (62)
  *  jacobian            6   26    8    1    1    0     13    9   (171)
- *  rhs_jacobian        7   30    9    1    1    0     13   11   (208)
+ *  rhs_jacobian        7   31    9    1    1    0     11   11   (208)
  *  divergence          2   11    2    1    1    0      8    6   (38)
  *  integral_values     2    8    7    1    1    0     10    5   (42)
- *  integral_gradients  3   17    8    1    1    0     12    8   (66)
+ *  integral_gradients  3   17    8    1    1    0     11    9   (66)
  *  eliminated          3    1    1    1    1    0      6    3   (10)
  *
  *  Accuracy
  *    divides by gamma3: values and rounding errors grow without bound where it vanishes
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in (G_level/(R*I1))*1/gamma3 - omega_n*s*1/gamma3,
- *      d(omega3)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n), V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I1)*V,
- *      (G_level/(R*I1))*1/gamma3 - omega_n*s*1/gamma3 - gamma3*omega_n*1/s^2*s,
- *      d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s, d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n),
- *      d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)
+ *    digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu,
+ *      omega_tau - 1/Theta*(m*R*I1)*V,
+ *      d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 - 1/s^2*omega_n*s,
+ *      (G_level/(R*I1) - omega_n*s)*1/gamma3 - gamma3*1/s^2*omega_n*s, d(omega3)/d(gamma3) + 1/s^2*1/s^2*omega_n*s,
+ *      d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(omega_n)/dt,
+ *      d(d(omega_n)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -67,10 +68,10 @@ static void prepare(const double *restrict params, double *restrict out)
     out[7] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
-    out[19] = t2;
+    out[18] = t2;
     const double t3 = t2*params[4]; /* m*R*R*I1 */
     const double t4 = params[4]*params[4]; /* I1*I1 */
-    out[13] = t4;
+    out[12] = t4;
     const double t5 = t3 + t4; /* m*R*R*I1 + I1*I1 */
     out[8] = t5;
     const double t6 = params[1]*params[4]; /* R*I1 */
@@ -79,27 +80,25 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t8 = params[1]*params[0]; /* R*m */
     const double t9 = params[4]*t8; /* I1*R*m */
     out[10] = t9;
-    const double t10 = t5/t9; /* (m*R*R*I1 + I1*I1)/(I1*R*m) */
+    const double t10 = -t9; /* -I1*R*m */
     out[11] = t10;
-    const double t11 = -t9; /* -I1*R*m */
-    out[12] = t11;
-    const double t12 = t5*t5; /* (m*R*R*I1 + I1*I1)*(m*R*R*I1 + I1*I1) */
-    const double t13 = t12/t9; /* (m*R*R*I1 + I1*I1)*(m*R*R*I1 + I1*I1)/(I1*R*m) */
+    const double t11 = t5*t5; /* (m*R*R*I1 + I1*I1)*(m*R*R*I1 + I1*I1) */
+    const double t12 = t11/t9; /* (m*R*R*I1 + I1*I1)*(m*R*R*I1 + I1*I1)/(I1*R*m) */
+    out[13] = t12;
+    const double t13 = params[4]/2.0; /* I1/2 */
     out[14] = t13;
-    const double t14 = params[4]/2.0; /* I1/2 */
+    const double t14 = params[0]/params[4]; /* m/I1 */
     out[15] = t14;
-    const double t15 = params[0]/params[4]; /* m/I1 */
+    const double t15 = t2/params[4]; /* m*R*R/I1 */
     out[16] = t15;
-    const double t16 = t2/params[4]; /* m*R*R/I1 */
+    const double t16 = params[0]*t4; /* m*I1*I1 */
     out[17] = t16;
-    const double t17 = params[0]*t4; /* m*I1*I1 */
-    out[18] = t17;
-    const double t18 = params[0]*2.0; /* m*2 */
-    const double t19 = t4*t18; /* I1*I1*m*2 */
-    out[20] = t19;
-    const double t20 = params[1]*t18; /* R*m*2 */
-    const double t21 = t4*t20; /* I1*I1*R*m*2 */
-    out[21] = t21;
+    const double t17 = params[0]*2.0; /* m*2 */
+    const double t18 = t4*t17; /* I1*I1*m*2 */
+    out[19] = t18;
+    const double t19 = params[1]*t17; /* R*m*2 */
+    const double t20 = t4*t19; /* I1*I1*R*m*2 */
+    out[20] = t20;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -121,19 +120,19 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t13 = p[9] - t11; /* G_level/(R*I1) - omega_n*s */
     const double t14 = p[8]*t8; /* (m*R^2*I1 + I1^2)*1/(gamma3*Theta) */
     const double t15 = t13*t14; /* (G_level/(R*I1) - omega_n*s)*(m*R^2*I1 + I1^2)*1/(gamma3*Theta) */
-    const double t16 = x[2]*p[11]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R*I1) */
-    const double t17 = t15*t16; /* t15*omega_tau*(m*R^2*I1 + I1^2)/(m*R*I1) */
-    const double t18 = t15 - t12; /* t15 - t7*omega_n*s */
-    const double t19 = x[3]*t18; /* omega_n*(t15 - t7*omega_n*s) */
-    out[2] = t19;
-    const double t20 = p[7]*t19; /* (-R)*omega_n*(t15 - t7*omega_n*s) */
-    out[1] = t20;
-    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t22 = JLT_FMA(t12, t21, t17); /* t7*omega_n*s*V + t15*omega_tau*(m*R^2*I1 + I1^2)/(m*R*I1) */
-    const double t23 = x[2]*t12; /* omega_tau*t7*omega_n*s */
-    const double t24 = x[0]*p[10]; /* gamma3*m*R*I1 */
-    const double t25 = t8*t24; /* 1/(gamma3*Theta)*gamma3*m*R*I1 */
-    const double t26 = JLT_FNMA(t22, t25, t23); /* omega_tau*t7*omega_n*s - (t7*omega_n*s*V + t15*omega_tau*(m*R^2*I1 + I1^2)/(m*R*I1))*1/(gamma3*Theta)*gamma3*m*R*I1 */
+    const double t16 = x[0]*t8; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t18 = p[10]*t17; /* m*R*I1*V */
+    const double t19 = JLT_FNMA(t16, t18, x[2]); /* omega_tau - 1/Theta*m*R*I1*V */
+    const double t20 = t12*t19; /* t7*omega_n*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    const double t21 = t15 - t12; /* t15 - t7*omega_n*s */
+    const double t22 = x[3]*t21; /* omega_n*(t15 - t7*omega_n*s) */
+    out[2] = t22;
+    const double t23 = p[7]*t22; /* (-R)*omega_n*(t15 - t7*omega_n*s) */
+    out[1] = t23;
+    const double t24 = x[2]*p[8]; /* omega_tau*(m*R^2*I1 + I1^2) */
+    const double t25 = t16*t24; /* 1/Theta*omega_tau*(m*R^2*I1 + I1^2) */
+    const double t26 = JLT_FNMA(t15, t25, t20); /* t7*omega_n*s*(omega_tau - 1/Theta*m*R*I1*V) - t15*1/Theta*omega_tau*(m*R^2*I1 + I1^2) */
     out[3] = t26;
 }
 
@@ -172,14 +171,14 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t22 = p[7]*t21; /* (-R)*(t15 - 2*gamma3*omega_n*1/s^2*s) */
     out[7] = t22;
     const double t23 = t10*t20; /* 1/Theta*gamma3*omega_n*1/s^2*s */
-    const double t24 = p[12]*t23; /* (-m*R*I1)*1/Theta*gamma3*omega_n*1/s^2*s */
+    const double t24 = p[11]*t23; /* (-m*R*I1)*1/Theta*gamma3*omega_n*1/s^2*s */
     out[13] = t24;
     const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t26 = p[10]*t25; /* m*R*I1*V */
     const double t27 = JLT_FNMA(t10, t26, x[2]); /* omega_tau - 1/Theta*m*R*I1*V */
     const double t28 = p[8]*t10; /* (m*R^2*I1 + I1^2)*1/Theta */
     const double t29 = t14*t28; /* (G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3)*(m*R^2*I1 + I1^2)*1/Theta */
-    const double t30 = JLT_FMS(p[13], t23, t29); /* I1^2*1/Theta*gamma3*omega_n*1/s^2*s - t29 */
+    const double t30 = JLT_FMS(p[12], t23, t29); /* I1^2*1/Theta*gamma3*omega_n*1/s^2*s - t29 */
     out[14] = t30;
     const double t31 = x[2]*t28; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
     const double t32 = t17 + t18; /* d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s */
@@ -219,56 +218,57 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[6] = t8;
     const double t9 = x[2]*t8; /* omega_tau*s */
     out[0] = t9;
-    const double t10 = p[8]*t7; /* 1/gamma3 = (m*R^2*I1 + I1^2)*1/(gamma3*Theta) */
-    const double t11 = x[0]*t7; /* 1/Theta = gamma3*1/(gamma3*Theta) */
-    const double t12 = t8*t10; /* s*1/gamma3 */
-    const double t13 = t6*t8; /* 1/s^2*s */
-    const double t14 = x[3]*t12; /* omega_n*s*1/gamma3 */
-    const double t15 = JLT_FMS(p[9], t10, t14); /* G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t16 = t15 - t14; /* G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t17 = x[3]*t13; /* omega_n*1/s^2*s */
-    const double t18 = JLT_FMS(t10, t15, t17); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3) - omega_n*1/s^2*s */
-    const double t19 = t6*t17; /* 1/s^2*omega_n*1/s^2*s */
-    const double t20 = x[0]*t17; /* gamma3*omega_n*1/s^2*s */
-    const double t21 = x[0]*t13; /* gamma3*1/s^2*s */
-    const double t22 = JLT_FNMA(2.0, t20, t16); /* t16 - 2*gamma3*omega_n*1/s^2*s */
-    out[15] = t22;
-    const double t23 = p[7]*t22; /* (-R)*(t16 - 2*gamma3*omega_n*1/s^2*s) */
-    out[11] = t23;
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t25 = p[10]*t24; /* m*R*I1*V */
-    const double t26 = JLT_FNMA(t11, t25, x[2]); /* omega_tau - 1/Theta*m*R*I1*V */
-    const double t27 = t15 - t20; /* G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3 - gamma3*omega_n*1/s^2*s */
-    const double t28 = x[3]*t27; /* omega_n*t27 */
-    out[2] = t28;
-    const double t29 = p[7]*t28; /* (-R)*omega_n*t27 */
-    out[1] = t29;
-    const double t30 = p[8]*t11; /* (m*R^2*I1 + I1^2)*1/Theta */
-    const double t31 = t11*t20; /* 1/Theta*gamma3*omega_n*1/s^2*s */
-    const double t32 = t20*t26; /* gamma3*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t33 = p[12]*t31; /* (-m*R*I1)*1/Theta*gamma3*omega_n*1/s^2*s */
-    out[17] = t33;
-    const double t34 = t18 + t19; /* d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s */
-    const double t35 = x[3]*t34; /* omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
-    const double t36 = t19*t26; /* 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t37 = t21*t26; /* gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t38 = x[2]*t21; /* omega_tau*gamma3*1/s^2*s */
-    const double t39 = -t38; /* -omega_tau*gamma3*1/s^2*s */
-    out[4] = t39;
-    const double t40 = p[1]*t35; /* R*omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
-    out[8] = t40;
-    const double t41 = -t35; /* -omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
-    out[12] = t41;
-    const double t42 = x[2]*t30; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
-    const double t43 = JLT_FMA(t18, t42, t36); /* d(omega3)/d(gamma3)*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    out[16] = t43;
-    const double t44 = JLT_FMA(t12, t42, t37); /* s*1/gamma3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    out[19] = t44;
-    const double t45 = JLT_FNMA(t15, t42, t32); /* gamma3*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I1*V) - (G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3)*omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
-    out[3] = t45;
-    const double t46 = t15*t30; /* (G_level/(R*I1)*1/gamma3 - omega_n*s*1/gamma3)*(m*R^2*I1 + I1^2)*1/Theta */
-    const double t47 = JLT_FMS(p[13], t31, t46); /* I1^2*1/Theta*gamma3*omega_n*1/s^2*s - t46 */
-    out[18] = t47;
+    const double t10 = x[3]*t8; /* omega_n*s */
+    const double t11 = p[9] - t10; /* G_level/(R*I1) - omega_n*s */
+    const double t12 = t6*t10; /* 1/s^2*omega_n*s */
+    const double t13 = p[8]*t7; /* 1/gamma3 = (m*R^2*I1 + I1^2)*1/(gamma3*Theta) */
+    const double t14 = t11*t13; /* (G_level/(R*I1) - omega_n*s)*1/gamma3 */
+    const double t15 = x[0]*t7; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = p[10]*t16; /* m*R*I1*V */
+    const double t18 = JLT_FNMA(t15, t17, x[2]); /* omega_tau - 1/Theta*m*R*I1*V */
+    const double t19 = x[0]*t12; /* gamma3*1/s^2*omega_n*s */
+    const double t20 = x[0]*t8; /* gamma3*s */
+    const double t21 = t8*t13; /* s*1/gamma3 */
+    const double t22 = JLT_FMS(t13, t14, t12); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 - 1/s^2*omega_n*s */
+    const double t23 = t6*t12; /* 1/s^2*1/s^2*omega_n*s */
+    const double t24 = t6*t20; /* 1/s^2*gamma3*s */
+    const double t25 = t14 - t19; /* (G_level/(R*I1) - omega_n*s)*1/gamma3 - gamma3*1/s^2*omega_n*s */
+    const double t26 = x[3]*t25; /* omega_n*t25 */
+    out[2] = t26;
+    const double t27 = p[7]*t26; /* (-R)*omega_n*t25 */
+    out[1] = t27;
+    const double t28 = p[8]*t15; /* (m*R^2*I1 + I1^2)*1/Theta */
+    const double t29 = t15*t19; /* 1/Theta*gamma3*1/s^2*omega_n*s */
+    const double t30 = p[11]*t29; /* (-m*R*I1)*1/Theta*gamma3*1/s^2*omega_n*s */
+    out[17] = t30;
+    const double t31 = t22 + t23; /* d(omega3)/d(gamma3) + 1/s^2*1/s^2*omega_n*s */
+    const double t32 = x[3]*t31; /* omega_n*(d(omega3)/d(gamma3) + 1/s^2*1/s^2*omega_n*s) */
+    const double t33 = t18*t23; /* (omega_tau - 1/Theta*m*R*I1*V)*1/s^2*1/s^2*omega_n*s */
+    const double t34 = p[1]*t32; /* R*omega_n*(d(omega3)/d(gamma3) + 1/s^2*1/s^2*omega_n*s) */
+    out[8] = t34;
+    const double t35 = -t32; /* -omega_n*(d(omega3)/d(gamma3) + 1/s^2*1/s^2*omega_n*s) */
+    out[12] = t35;
+    const double t36 = JLT_FNMA(x[3], t21, t14); /* (G_level/(R*I1) - omega_n*s)*1/gamma3 - omega_n*s*1/gamma3 */
+    const double t37 = JLT_FNMA(2.0, t19, t36); /* (G_level/(R*I1) - omega_n*s)*1/gamma3 - omega_n*s*1/gamma3 - 2*gamma3*1/s^2*omega_n*s */
+    out[15] = t37;
+    const double t38 = p[7]*t37; /* (-R)*t37 */
+    out[11] = t38;
+    const double t39 = t18*t19; /* (omega_tau - 1/Theta*m*R*I1*V)*gamma3*1/s^2*omega_n*s */
+    const double t40 = t18*t24; /* (omega_tau - 1/Theta*m*R*I1*V)*1/s^2*gamma3*s */
+    const double t41 = x[2]*t24; /* omega_tau*1/s^2*gamma3*s */
+    const double t42 = -t41; /* -omega_tau*1/s^2*gamma3*s */
+    out[4] = t42;
+    const double t43 = x[2]*t28; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
+    const double t44 = JLT_FMA(t22, t43, t33); /* d(omega3)/d(gamma3)*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + (omega_tau - 1/Theta*m*R*I1*V)*1/s^2*1/s^2*omega_n*s */
+    out[16] = t44;
+    const double t45 = JLT_FMA(t21, t43, t40); /* s*1/gamma3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + (omega_tau - 1/Theta*m*R*I1*V)*1/s^2*gamma3*s */
+    out[19] = t45;
+    const double t46 = JLT_FNMA(t14, t43, t39); /* (omega_tau - 1/Theta*m*R*I1*V)*gamma3*1/s^2*omega_n*s - (G_level/(R*I1) - omega_n*s)*1/gamma3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
+    out[3] = t46;
+    const double t47 = t14*t28; /* (G_level/(R*I1) - omega_n*s)*1/gamma3*(m*R^2*I1 + I1^2)*1/Theta */
+    const double t48 = JLT_FMS(p[12], t29, t47); /* I1^2*1/Theta*gamma3*1/s^2*omega_n*s - t47 */
+    out[18] = t48;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -283,9 +283,9 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t7 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
     const double t8 = x[0]*t4; /* gamma3*gamma3*(m*R^2*I1 + I1^2) */
     const double t9 = t7*t8; /* V*gamma3*gamma3*(m*R^2*I1 + I1^2) */
-    const double t10 = x[2]*p[14]; /* omega_tau*(m*R^2*I1 + I1^2)^2/(m*R*I1) */
+    const double t10 = x[2]*p[13]; /* omega_tau*(m*R^2*I1 + I1^2)^2/(m*R*I1) */
     const double t11 = JLT_FNMA(t2, t10, t9); /* V*gamma3*gamma3*(m*R^2*I1 + I1^2) - (1 - gamma3)*(gamma3 + 1)*omega_tau*(m*R^2*I1 + I1^2)^2/(m*R*I1) */
-    const double t12 = p[12]*x[0]; /* (-m*R*I1)*gamma3 */
+    const double t12 = p[11]*x[0]; /* (-m*R*I1)*gamma3 */
     const double t13 = t11*t12; /* t11*(-m*R*I1)*gamma3 */
     const double t14 = t3*t13; /* s*t11*(-m*R*I1)*gamma3 */
     const double t15 = t6*t14; /* 1/(s*gamma3*(m*R^2*I1 + I1^2))*s*t11*(-m*R*I1)*gamma3 */
@@ -305,16 +305,16 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t7 = JLT_FMS(x[3], x[0], t6); /* v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t8 = x[3]*x[3]; /* omega_n*omega_n */
     const double t9 = JLT_FMA(x[2], x[2], t8); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t10 = p[16]*x[1]; /* m/I1*v_nu */
+    const double t10 = p[15]*x[1]; /* m/I1*v_nu */
     const double t11 = JLT_FMA(x[1], t10, t9); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t12 = JLT_FMA(t5, t5, t11); /* (G_level/(R*I1) - omega_n*s)/gamma3*(G_level/(R*I1) - omega_n*s)/gamma3 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
-    const double t13 = p[17]*t7; /* m*R^2/I1*v_tau/R */
+    const double t13 = p[16]*t7; /* m*R^2/I1*v_tau/R */
     const double t14 = JLT_FMA(t7, t13, t12); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t12 */
-    const double t15 = p[15]*t14; /* 1/2*I1*energy/(1/2*I1) */
+    const double t15 = p[14]*t14; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t15;
     const double t16 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[2] = t16;
-    const double t17 = p[18]*t16; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t17 = p[17]*t16; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t18 = t16*t17; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t18;
 }
@@ -322,46 +322,46 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[9] = 1.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*t2; /* gamma3*s^2 */
+    const double t4 = 1.0/t3; /* 1/(gamma3*s^2) */
+    const double t5 = x[0]*t4; /* 1/s^2 = gamma3*1/(gamma3*s^2) */
+    const double t6 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t7 = x[3]*t6; /* omega_n*s */
+    const double t8 = p[9] - t7; /* G_level/(R*I1) - omega_n*s */
+    const double t9 = t2*t4; /* 1/gamma3 = s^2*1/(gamma3*s^2) */
+    const double t10 = t8*t9; /* (G_level/(R*I1) - omega_n*s)*1/gamma3 */
+    const double t11 = t6*t10; /* s*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
+    const double t12 = x[0]*t5; /* gamma3*1/s^2 */
+    const double t13 = t9*t10; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
+    const double t14 = JLT_FNMA(t5, t7, t13); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 - 1/s^2*omega_n*s */
+    const double t15 = JLT_FMA(t11, t12, x[3]); /* s*(G_level/(R*I1) - omega_n*s)*1/gamma3*gamma3*1/s^2 + omega_n */
+    const double t16 = JLT_FMA(t6, t14, t15); /* s*d(omega3)/d(gamma3) + t15 */
+    const double t17 = JLT_FMS(x[3], x[0], t11); /* omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
+    const double t18 = p[18]*t17; /* m*R^2*(omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*1/gamma3) */
+    const double t19 = t16*t18; /* (s*d(omega3)/d(gamma3) + t15)*t18 */
+    const double t20 = t10*p[4]; /* (G_level/(R*I1) - omega_n*s)*1/gamma3*I1 */
+    const double t21 = JLT_FNMA(t14, t20, t19); /* d(energy)/d(gamma3) = (s*d(omega3)/d(gamma3) + t15)*t18 - d(omega3)/d(gamma3)*(G_level/(R*I1) - omega_n*s)*1/gamma3*I1 */
+    out[0] = t21;
+    const double t22 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t22;
+    const double t23 = p[4]*x[2]; /* I1*omega_tau */
+    out[2] = t23;
+    const double t24 = t9*t18; /* 1/gamma3*t18 */
+    const double t25 = JLT_FNMA(t6, t13, x[3]); /* omega_n - s*1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
+    const double t26 = JLT_FMA(p[4], t25, t24); /* d(energy)/d(omega_n) = I1*(omega_n - s*1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3) + 1/gamma3*t18 */
+    out[3] = t26;
     out[4] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
     out[11] = 0.0;
     out[10] = p[1];
-    const double t0 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t0;
-    const double t1 = p[4]*x[2]; /* I1*omega_tau */
-    out[2] = t1;
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = x[0]*t4; /* gamma3*s^2 */
-    const double t6 = 1.0/t5; /* 1/(gamma3*s^2) */
-    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
-    const double t8 = t4*t6; /* 1/gamma3 = s^2*1/(gamma3*s^2) */
-    const double t9 = x[0]*t6; /* 1/s^2 = gamma3*1/(gamma3*s^2) */
-    const double t10 = x[3]*t7; /* omega_n*s */
-    const double t11 = p[9] - t10; /* G_level/(R*I1) - omega_n*s */
-    const double t12 = t8*t11; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t13 = t7*t12; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t14 = JLT_FMS(x[0], x[3], t13); /* gamma3*omega_n - s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t15 = p[19]*t14; /* m*R^2*(gamma3*omega_n - s*1/gamma3*(G_level/(R*I1) - omega_n*s)) */
-    const double t16 = t7*t15; /* s*t15 */
-    const double t17 = JLT_FNMA(p[4], t12, t16); /* s*t15 - I1*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t18 = t8*t12; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t19 = JLT_FNMA(t9, t10, t18); /* d(omega3)/d(gamma3) = 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/s^2*omega_n*s */
-    const double t20 = x[0]*t9; /* gamma3*1/s^2 */
-    const double t21 = JLT_FMA(t13, t20, x[3]); /* s*1/gamma3*(G_level/(R*I1) - omega_n*s)*gamma3*1/s^2 + omega_n */
-    const double t22 = t15*t21; /* t15*t21 */
-    const double t23 = JLT_FMA(t17, t19, t22); /* d(energy)/d(gamma3) = (s*t15 - I1*1/gamma3*(G_level/(R*I1) - omega_n*s))*d(omega3)/d(gamma3) + t15*t21 */
-    out[0] = t23;
-    const double t24 = t8*t15; /* 1/gamma3*t15 */
-    const double t25 = JLT_FNMA(t8, t13, x[3]); /* omega_n - 1/gamma3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t26 = JLT_FMA(p[4], t25, t24); /* d(energy)/d(omega_n) = I1*(omega_n - 1/gamma3*s*1/gamma3*(G_level/(R*I1) - omega_n*s)) + 1/gamma3*t15 */
-    out[3] = t26;
     const double t27 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t28 = p[20]*t27; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t28 = p[19]*t27; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[5] = t28;
-    const double t29 = p[21]*t27; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t29 = t27*p[20]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[6] = t29;
 }
 
@@ -384,6 +384,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
@@ -409,43 +410,42 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
-    double t36[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t11[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t12[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t13[k] = jlt_jet_product(t11, t12, k);
-        t14[k] = jlt_jet_root(t13[k], t14, k);
-        t15[k] = jlt_jet_product(x2, t14, k);
-        t16[k] = jlt_jet_product(x0, t14, k);
-        t17[k] = p[8]*t16[k];
-        t18[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t17, t18, k);
-        t19[k] = p[10]*t16[k];
-        t20[k] = jlt_jet_product(t18, t19, k);
-        t21[k] = p[8]*t18[k];
-        t22[k] = (k == 0 ? p[9] : 0) - jlt_jet_product(x3, t14, k);
-        t23[k] = jlt_jet_product(t14, t22, k);
-        t24[k] = jlt_jet_product(t21, t23, k);
-        t25[k] = jlt_jet_product(x0, x0, k);
-        t26[k] = jlt_jet_product(x3, t25, k);
-        t27[k] = jlt_jet_product(t21, t26, k);
-        t28[k] = x2[k]*p[11];
-        t29[k] = jlt_jet_product(t24, t28, k);
-        t30[k] = t24[k] - t27[k];
+        t10[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t11[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t12[k] = jlt_jet_product(t10, t11, k);
+        t13[k] = jlt_jet_root(t12[k], t13, k);
+        t14[k] = jlt_jet_product(x2, t13, k);
+        t15[k] = jlt_jet_product(x0, t13, k);
+        t16[k] = p[8]*t15[k];
+        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
+        t18[k] = jlt_jet_product(t15, t17, k);
+        t19[k] = p[8]*t17[k];
+        t20[k] = (k == 0 ? p[9] : 0) - jlt_jet_product(x3, t13, k);
+        t21[k] = jlt_jet_product(t13, t20, k);
+        t22[k] = jlt_jet_product(t19, t21, k);
+        t23[k] = jlt_jet_product(x0, x0, k);
+        t24[k] = jlt_jet_product(x3, t23, k);
+        t25[k] = jlt_jet_product(t19, t24, k);
+        t26[k] = x2[k]*p[1] + x1[k];
+        t27[k] = p[10]*t26[k];
+        t28[k] = x2[k] - jlt_jet_product(t18, t27, k);
+        t29[k] = jlt_jet_product(t25, t28, k);
+        t30[k] = t22[k] - t25[k];
         t31[k] = jlt_jet_product(x3, t30, k);
         t32[k] = p[7]*t31[k];
-        t33[k] = x2[k]*p[1] + x1[k];
-        t34[k] = jlt_jet_product(t27, t33, k) + t29[k];
-        t35[k] = jlt_jet_product(x2, t27, k);
-        t36[k] = t35[k] - jlt_jet_product(t20, t34, k);
+        t33[k] = x2[k]*p[8];
+        t34[k] = jlt_jet_product(t18, t33, k);
+        t35[k] = t29[k] - jlt_jet_product(t22, t34, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t15[k]/(k + 1);
+        next[0] = x0[k + 1] = t14[k]/(k + 1);
         next[1] = x1[k + 1] = t32[k]/(k + 1);
         next[2] = x2[k + 1] = t31[k]/(k + 1);
-        next[3] = x3[k + 1] = t36[k]/(k + 1);
+        next[3] = x3[k + 1] = t35[k]/(k + 1);
     }
 }
 
@@ -513,26 +513,26 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 22,
+    .state_count = 4, .param_count = 7, .block_count = 21,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 4, 18, 3, 1, 1, 0, 10, 5 }, { 11, 43, 0, 7, 1, 0, 12, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, a part of d(v_nu)/dt and of d(omega_tau)/dt, V = omega_tau*R + v_nu, a part of d(omega_n)/dt, d(omega_n)/dt" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I1)*V, a part of d(v_nu)/dt and of d(omega_tau)/dt, d(omega_n)/dt" },
     .jacobian = { jacobian, 16, { 6, 26, 8, 1, 1, 0, 13, 9 }, { 30, 113, 0, 27, 1, 0, 13, 9 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (G_level/(R*I1))*1/gamma3 - omega_n*s*1/gamma3, d(omega3)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n), V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I1)*V, d(d(omega_n)/dt)/d(omega_tau), d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s, d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 30, 9, 1, 1, 0, 13, 11 }, { 36, 138, 0, 33, 1, 0, 13, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (G_level/(R*I1))*1/gamma3 - omega_n*s*1/gamma3, d(omega3)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n), V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I1)*V, (G_level/(R*I1))*1/gamma3 - omega_n*s*1/gamma3 - gamma3*omega_n*1/s^2*s, d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s, d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 31, 9, 1, 1, 0, 11, 11 }, { 36, 138, 0, 33, 1, 0, 13, 9 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I1)*V, d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 - 1/s^2*omega_n*s, (G_level/(R*I1) - omega_n*s)*1/gamma3 - gamma3*1/s^2*omega_n*s, d(omega3)/d(gamma3) + 1/s^2*1/s^2*omega_n*s, d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 2, 11, 2, 1, 1, 0, 8, 6 }, { 6, 28, 0, 3, 1, 0, 11, 7 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 3, { 2, 8, 7, 1, 1, 0, 10, 5 }, { 9, 31, 0, 1, 1, 0, 15, 5 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, v_tau/R = omega_n*gamma3 - s*((G_level/(R*I1) - omega_n*s)/gamma3), F_linear" },
-    .integral_gradients = { integral_gradients, 12, { 3, 17, 8, 1, 1, 0, 12, 8 }, { 13, 46, 0, 6, 1, 0, 12, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, gamma3*omega_n - s*1/gamma3*(G_level/(R*I1) - omega_n*s), a part of d(E)/d(gamma3), d(omega3)/d(gamma3) = 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/s^2*omega_n*s, s*1/gamma3*(G_level/(R*I1) - omega_n*s)*gamma3*1/s^2 + omega_n, d(E)/d(gamma3), omega_n - 1/gamma3*s*1/gamma3*(G_level/(R*I1) - omega_n*s), d(E)/d(omega_n), omega_tau*R + v_nu" },
+    .integral_gradients = { integral_gradients, 12, { 3, 17, 8, 1, 1, 0, 11, 9 }, { 13, 46, 0, 6, 1, 0, 12, 9 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3 - 1/s^2*omega_n*s, a part of d(E)/d(gamma3), omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*1/gamma3, d(E)/d(gamma3), omega_n - s*1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3, d(E)/d(omega_n), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   15    7    1    0    0      7    7   (75)
- *  jacobian            7   46   16    1    0    0      9   14   (321)
- *  rhs_jacobian        10   55   17    1    0    0      7   14   (381)
+ *  rhs                 3   16    7    1    0    0      7    7   (75)
+ *  jacobian            7   45   16    1    0    0      9   14   (321)
+ *  rhs_jacobian        10   55   17    1    0    0      7   15   (381)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     0   13   10    0    0    0      6    6   (55)
  *  integral_gradients  0   21    6    0    0    0      4    4   (81)
@@ -18,15 +18,16 @@
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
- *      numerator of d(omega3)/dt over Theta = gamma3*s*omega_tau*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n,
- *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - (m*R*I3)*V*omega_n*gamma3,
- *      omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3),
+ *      numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(I3^2 + m*R^2*I3) - (m*R*I3)*V*omega_n*gamma3,
+ *      omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau,
+ *      numerator of d(omega3)/dt over Theta = (m*R^2*(I1 - I3))*s*omega3*gamma3*s*omega_tau - s*omega_n*(m*R*I1)*V,
  *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = (m*R^2*(I1 - I3))*s*omega3*s*gamma3 - (m*R^2*I1)*s*omega_n,
- *      d(numerator of d(omega3)/dt over Theta)/d(s) = gamma3*s*omega_tau*omega3*(2*m*R^2*(I1 - I3)) - omega_n*(m*R*I1)*V,
- *      omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3,
+ *      d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V,
+ *      omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega3)/dtau)/d(gamma3),
  *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
- *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(gamma3), s*omega3 + omega_n*gamma3,
- *      d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), s*omega3 + omega_n*gamma3,
+ *      d(d(v_nu)/dtau)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -69,18 +70,18 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
     out[41] = t2;
-    const double t3 = params[4]*t2; /* I1*m*R*R */
-    out[22] = t3;
-    const double t4 = params[5]*params[5]; /* I3*I3 */
-    const double t5 = params[5]*t2; /* I3*m*R*R */
-    out[23] = t5;
-    const double t6 = t4 + t5; /* I3*I3 + I3*m*R*R */
-    out[24] = t6;
-    const double t7 = t6/t3; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
-    out[7] = t7;
-    const double t8 = params[5]/t2; /* I3/(m*R*R) */
-    out[8] = t8;
-    const double t9 = 1.0/params[1]; /* 1/R */
+    const double t3 = params[5]/t2; /* I3/(m*R*R) */
+    out[7] = t3;
+    const double t4 = 1.0/params[1]; /* 1/R */
+    out[8] = t4;
+    const double t5 = params[4]*t2; /* I1*m*R*R */
+    out[22] = t5;
+    const double t6 = params[5]*params[5]; /* I3*I3 */
+    const double t7 = params[5]*t2; /* I3*m*R*R */
+    out[23] = t7;
+    const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
+    out[24] = t8;
+    const double t9 = t8/t5; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
     out[9] = t9;
     const double t10 = params[4] - params[5]; /* I1 - I3 */
     const double t11 = t10/params[4]; /* (I1 - I3)/I1 */
@@ -90,16 +91,16 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t13 = -t0; /* -I3/I1 */
     out[12] = t13;
     const double t14 = params[4]*params[4]; /* I1*I1 */
-    const double t15 = t4*2.0; /* I3*I3*2 */
+    const double t15 = t6*2.0; /* I3*I3*2 */
     const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
     out[13] = t16;
     const double t17 = params[0]*params[0]; /* m*m */
     const double t18 = t1*t1; /* R*R*R*R */
     const double t19 = t17*t18; /* m*m*R*R*R*R */
     const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
-    const double t21 = params[5]*t4; /* I3*I3*I3 */
+    const double t21 = params[5]*t6; /* I3*I3*I3 */
     const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
-    const double t23 = t4*t19; /* I3*I3*m*m*R*R*R*R */
+    const double t23 = t6*t19; /* I3*I3*m*m*R*R*R*R */
     const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
     const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
     const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
@@ -110,7 +111,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[33] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
-    const double t30 = t3*t4; /* I1*m*R*R*I3*I3 */
+    const double t30 = t5*t6; /* I1*m*R*R*I3*I3 */
     const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
     const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
     const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
@@ -125,53 +126,52 @@ static void prepare(const double *restrict params, double *restrict out)
     out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
     out[19] = t40;
-    const double t41 = t10*2.0; /* (I1 - I3)*2 */
-    const double t42 = t41/params[4]; /* (I1 - I3)*2/I1 */
-    out[20] = t42;
-    const double t43 = params[4]*params[5]; /* I1*I3 */
-    out[21] = t43;
-    const double t44 = params[0]*params[1]; /* m*R */
-    const double t45 = params[5]*t44; /* I3*m*R */
-    out[25] = t45;
-    const double t46 = params[4]*t44; /* I1*m*R */
-    out[26] = t46;
-    const double t47 = t2*t10; /* m*R*R*(I1 - I3) */
-    out[27] = t47;
-    const double t48 = params[0]*2.0; /* m*2 */
-    const double t49 = t1*t48; /* R*R*m*2 */
-    const double t50 = params[5]*t49; /* I3*R*R*m*2 */
-    out[28] = t50;
-    const double t51 = -t45; /* -I3*m*R */
-    out[29] = t51;
-    const double t52 = params[4]*t49; /* I1*R*R*m*2 */
-    out[30] = t52;
-    const double t53 = -t46; /* -I1*m*R */
-    out[31] = t53;
-    const double t54 = t10*t49; /* (I1 - I3)*R*R*m*2 */
-    out[32] = t54;
-    const double t55 = params[4]/2.0; /* I1/2 */
-    out[34] = t55;
-    const double t56 = params[0]/params[4]; /* m/I1 */
-    out[35] = t56;
-    const double t57 = t2/params[4]; /* m*R*R/I1 */
-    out[36] = t57;
-    const double t58 = params[5]*params[1]; /* I3*R */
-    out[38] = t58;
-    const double t59 = params[0]*t14; /* m*I1*I1 */
-    out[39] = t59;
-    const double t60 = t3*t10; /* I1*m*R*R*(I1 - I3) */
-    out[40] = t60;
-    const double t61 = -t58; /* -I3*R */
-    out[42] = t61;
-    const double t62 = t10*t50; /* (I1 - I3)*I3*R*R*m*2 */
-    out[43] = t62;
-    const double t63 = t14*t48; /* I1*I1*m*2 */
-    out[44] = t63;
-    const double t64 = params[1]*t48; /* R*m*2 */
-    const double t65 = t14*t64; /* I1*I1*R*m*2 */
-    out[45] = t65;
-    const double t66 = t10*t52; /* (I1 - I3)*I1*R*R*m*2 */
-    out[46] = t66;
+    const double t41 = params[4]/t2; /* I1/(m*R*R) */
+    out[20] = t41;
+    const double t42 = params[4]*params[5]; /* I1*I3 */
+    out[21] = t42;
+    const double t43 = params[0]*params[1]; /* m*R */
+    const double t44 = params[5]*t43; /* I3*m*R */
+    out[25] = t44;
+    const double t45 = params[4]*t43; /* I1*m*R */
+    out[26] = t45;
+    const double t46 = t2*t10; /* m*R*R*(I1 - I3) */
+    out[27] = t46;
+    const double t47 = params[0]*2.0; /* m*2 */
+    const double t48 = t1*t47; /* R*R*m*2 */
+    const double t49 = params[5]*t48; /* I3*R*R*m*2 */
+    out[28] = t49;
+    const double t50 = -t44; /* -I3*m*R */
+    out[29] = t50;
+    const double t51 = params[4]*t48; /* I1*R*R*m*2 */
+    out[30] = t51;
+    const double t52 = -t45; /* -I1*m*R */
+    out[31] = t52;
+    const double t53 = t10*t48; /* (I1 - I3)*R*R*m*2 */
+    out[32] = t53;
+    const double t54 = params[4]/2.0; /* I1/2 */
+    out[34] = t54;
+    const double t55 = params[0]/params[4]; /* m/I1 */
+    out[35] = t55;
+    const double t56 = t2/params[4]; /* m*R*R/I1 */
+    out[36] = t56;
+    const double t57 = params[5]*params[1]; /* I3*R */
+    out[38] = t57;
+    const double t58 = params[0]*t14; /* m*I1*I1 */
+    out[39] = t58;
+    const double t59 = t5*t10; /* I1*m*R*R*(I1 - I3) */
+    out[40] = t59;
+    const double t60 = -t57; /* -I3*R */
+    out[42] = t60;
+    const double t61 = t10*t49; /* (I1 - I3)*I3*R*R*m*2 */
+    out[43] = t61;
+    const double t62 = t14*t47; /* I1*I1*m*2 */
+    out[44] = t62;
+    const double t63 = params[1]*t47; /* R*m*2 */
+    const double t64 = t14*t63; /* I1*I1*R*m*2 */
+    out[45] = t64;
+    const double t65 = t10*t51; /* (I1 - I3)*I1*R*R*m*2 */
+    out[46] = t65;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -190,24 +190,25 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t9 = -t8; /* -omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
     out[2] = t9;
     const double t10 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t11 = JLT_FMA(x[5], x[5], p[8]); /* s*s + I3/(m*R^2) */
+    const double t11 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t12 = JLT_FMA(x[0], t10, t11); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
     const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)) */
-    const double t14 = t2*t13; /* s*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t15 = JLT_FMA(p[7], t14, t3); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
-    const double t16 = x[2]*t15; /* omega_tau*t15 */
-    const double t17 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t18 = x[3]*t17; /* omega_n*V/R */
-    const double t19 = t13*t18; /* 1/(Theta/(m*R^2*I1))*omega_n*V/R */
-    const double t20 = JLT_FNMA(t10, t19, t16); /* omega_tau*t15 - gamma3*I3/I1*1/(Theta/(m*R^2*I1))*omega_n*V/R */
+    const double t14 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t15 = t13*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t17 = t3*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t18 = t2*t13; /* s*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t19 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t20 = JLT_FMA(t18, t19, t17); /* s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     out[3] = t20;
-    const double t21 = x[5]*t19; /* s*1/(Theta/(m*R^2*I1))*omega_n*V/R */
-    const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t23 = p[10]*t22; /* (I1 - I3)/I1*s*omega_tau*gamma3 */
-    const double t24 = JLT_FMS(t14, t23, t21); /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*omega_tau*gamma3 - s*1/(Theta/(m*R^2*I1))*omega_n*V/R */
-    out[4] = t24;
-    const double t25 = -t22; /* -s*omega_tau*gamma3 */
-    out[5] = t25;
+    const double t21 = x[5]*x[3]; /* s*omega_n */
+    const double t22 = t15*t21; /* 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t24 = p[10]*t23; /* (I1 - I3)/I1*s*omega_tau*gamma3 */
+    const double t25 = JLT_FMS(t18, t24, t22); /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*omega_tau*gamma3 - 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    out[4] = t25;
+    const double t26 = -t23; /* -s*omega_tau*gamma3 */
+    out[5] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -225,99 +226,98 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[34] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
     out[2] = t0;
-    const double t1 = x[5]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[5] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    out[6] = t4;
-    const double t5 = x[5]*x[4]; /* s*omega3 */
-    const double t6 = p[1]*t5; /* R*s*omega3 */
-    const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[9] = t8;
-    const double t9 = x[5]*x[3]; /* s*omega_n */
-    const double t10 = p[1]*t9; /* R*s*omega_n */
-    out[10] = t10;
-    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
-    out[11] = t12;
-    const double t13 = -t3; /* -omega_n*omega_n */
-    out[12] = t13;
-    const double t14 = t7*(-2.0); /* omega_n*gamma3*(-2) */
-    const double t15 = JLT_FMA(t5, p[12], t14); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
-    out[15] = t15;
-    const double t16 = t9*p[12]; /* s*omega_n*(-I3/I1) */
-    out[16] = t16;
-    const double t17 = t11*p[12]; /* omega_n*omega3*(-I3/I1) */
-    out[17] = t17;
-    const double t18 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t19 = t0 + p[8]; /* s*s + I3/(m*R^2) */
-    const double t20 = JLT_FMA(p[6], t18, t19); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
-    const double t21 = 1.0/t20; /* 1/(Theta/(m*R^2*I1)) */
-    const double t22 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t23 = t21*t22; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t24 = JLT_FNMA(p[6], t23, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t25 = x[3]*t24; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t26 = x[3]*t23; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t27 = t18*p[13]; /* gamma3*gamma3*2*I3^2/I1^2 */
-    const double t28 = t26*t27; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 */
-    const double t29 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t30 = x[5]*t21; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t31 = x[0]*t30; /* gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t32 = t29*t31; /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t33 = JLT_FNMA(p[14], t32, t28); /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t34 = JLT_FMA(t21, t33, t25); /* 1/(Theta/(m*R^2*I1))*t33 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[18] = t34;
-    const double t35 = t7*t21; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t36 = p[15]*t35; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[19] = t36;
-    const double t37 = t30*p[7]; /* s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t38 = JLT_FNMA(p[6], t35, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t39 = JLT_FMA(x[4], t37, t38); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[20] = t39;
-    const double t40 = x[0]*t24; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[21] = t40;
-    const double t41 = x[2]*t37; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[22] = t41;
-    const double t42 = t21*p[7]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t43 = t30*p[16]; /* s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
-    const double t44 = JLT_FNMA(t30, t43, t42); /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) - s*1/(Theta/(m*R^2*I1))*t43 */
-    const double t45 = t29*t44; /* omega_tau*omega3*t44 */
-    const double t46 = t26*p[17]; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t47 = JLT_FMA(t31, t46, t45); /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 + omega_tau*omega3*t44 */
-    out[23] = t47;
-    const double t48 = x[5]*t30; /* s*s*1/(Theta/(m*R^2*I1)) */
-    const double t49 = t29*p[10]; /* omega_tau*omega3*(I1 - I3)/I1 */
-    const double t50 = t48*t49; /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 */
-    const double t51 = JLT_FMS(t32, p[18], t46); /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 - omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t52 = JLT_FNMA(t31, t51, t50); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 - gamma3*s*1/(Theta/(m*R^2*I1))*t51 */
-    out[24] = t52;
-    const double t53 = x[3]*t30; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[25] = t54;
-    const double t55 = t31*p[10]; /* gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t56 = JLT_FMS(t5, t55, t53); /* s*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[26] = t56;
-    const double t57 = t22*t30; /* V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t58 = -t57; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
-    out[27] = t58;
-    const double t59 = t1*t55; /* s*omega_tau*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    out[28] = t59;
-    const double t60 = 1.0 - t48; /* 1 - s*s*1/(Theta/(m*R^2*I1)) */
-    const double t61 = p[20]*t60; /* 2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) */
-    const double t62 = 2.0*t53; /* 2*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t63 = JLT_FMS(t57, t62, t26); /* V/R*s*1/(Theta/(m*R^2*I1))*2*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t64 = JLT_FMA(t32, t61, t63); /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) + t63 */
-    out[29] = t64;
-    const double t65 = -t1; /* -s*omega_tau */
-    out[30] = t65;
-    const double t66 = x[5]*x[0]; /* s*gamma3 */
-    const double t67 = -t66; /* -s*gamma3 */
-    out[32] = t67;
-    const double t68 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t69 = -t68; /* -omega_tau*gamma3 */
-    out[35] = t69;
+    const double t1 = p[7] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t3 = JLT_FMA(p[6], t2, t1); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
+    const double t4 = 1.0/t3; /* 1/(Theta/(m*R^2*I1)) */
+    const double t5 = x[5]*x[3]; /* s*omega_n */
+    const double t6 = p[1]*t5; /* R*s*omega_n */
+    out[10] = t6;
+    const double t7 = p[12]*t5; /* (-I3/I1)*s*omega_n */
+    out[16] = t7;
+    const double t8 = t4*t5; /* 1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t9 = p[19]*t8; /* (-1/R)*1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[25] = t9;
+    const double t10 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t11 = t4*t10; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t12 = x[5]*x[4]; /* s*omega3 */
+    const double t13 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t14 = x[2]*t4; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t15 = JLT_FNMA(p[6], t11, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t16 = x[0]*t15; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[21] = t16;
+    const double t17 = x[3]*t15; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t18 = x[0]*t11; /* gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    const double t19 = t4*t13; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t20 = t4*t12; /* 1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t21 = p[15]*t19; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[19] = t21;
+    const double t22 = x[5]*t14; /* s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t23 = p[9]*t22; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[22] = t23;
+    const double t24 = p[17]*t8; /* 2*I3/I1*1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t25 = t18*t24; /* gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1*1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t26 = p[13]*t19; /* 2*I3^2/I1^2*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t27 = JLT_FMA(t18, t26, t17); /* gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3^2/I1^2*1/(Theta/(m*R^2*I1))*omega_n*gamma3 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t28 = x[0]*t20; /* gamma3*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t29 = t14*t28; /* omega_tau*1/(Theta/(m*R^2*I1))*gamma3*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t30 = JLT_FNMA(p[14], t29, t27); /* t27 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*t29 */
+    out[18] = t30;
+    const double t31 = x[4]*p[9]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t32 = JLT_FMA(t14, t31, t25); /* omega_tau*1/(Theta/(m*R^2*I1))*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + t25 */
+    const double t33 = t20*t22; /* 1/(Theta/(m*R^2*I1))*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t34 = JLT_FNMA(p[16], t33, t32); /* t32 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*t33 */
+    out[23] = t34;
+    const double t35 = p[10]*t22; /* (I1 - I3)/I1*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t36 = p[18]*t2; /* 2*I3*(I1 - I3)/I1^2*gamma3*gamma3 */
+    const double t37 = JLT_FNMA(t33, t36, t25); /* t25 - t33*2*I3*(I1 - I3)/I1^2*gamma3*gamma3 */
+    const double t38 = JLT_FMA(t12, t35, t37); /* s*omega3*(I1 - I3)/I1*s*omega_tau*1/(Theta/(m*R^2*I1)) + t25 - t33*2*I3*(I1 - I3)/I1^2*gamma3*gamma3 */
+    out[24] = t38;
+    const double t39 = p[20] + t2; /* I1/(m*R^2) + gamma3*gamma3 */
+    const double t40 = p[18]*t39; /* 2*I3*(I1 - I3)/I1^2*(I1/(m*R^2) + gamma3*gamma3) */
+    const double t41 = x[5]*x[0]; /* s*gamma3 */
+    const double t42 = t35*t41; /* (I1 - I3)/I1*s*omega_tau*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    out[28] = t42;
+    const double t43 = -t41; /* -s*gamma3 */
+    out[32] = t43;
+    const double t44 = p[10]*t41; /* (I1 - I3)/I1*s*gamma3 */
+    const double t45 = JLT_FMS(t20, t44, t8); /* 1/(Theta/(m*R^2*I1))*s*omega3*(I1 - I3)/I1*s*gamma3 - 1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[26] = t45;
+    const double t46 = 2.0*t8; /* 2*1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t47 = JLT_FMA(p[9], t20, t13); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*omega3 + omega_n*gamma3 */
+    const double t48 = JLT_FNMA(p[6], t19, t47); /* t47 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[20] = t48;
+    const double t49 = x[5]*t11; /* s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t50 = x[3]*t11; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t51 = JLT_FMS(t46, t49, t50); /* 2*1/(Theta/(m*R^2*I1))*s*omega_n*s*1/(Theta/(m*R^2*I1))*V/R - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t52 = JLT_FMA(t29, t40, t51); /* t29*2*I3*(I1 - I3)/I1^2*(I1/(m*R^2) + gamma3*gamma3) + t51 */
+    out[29] = t52;
+    const double t53 = -t49; /* -s*1/(Theta/(m*R^2*I1))*V/R */
+    out[27] = t53;
+    const double t54 = x[5]*x[2]; /* s*omega_tau */
+    const double t55 = 2.0*t54; /* 2*s*omega_tau */
+    out[5] = t55;
+    const double t56 = -t54; /* -s*omega_tau */
+    out[30] = t56;
+    const double t57 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t58 = p[1]*t57; /* R*omega_n*omega_n */
+    out[6] = t58;
+    const double t59 = -t57; /* -omega_n*omega_n */
+    out[12] = t59;
+    const double t60 = p[1]*t12; /* R*s*omega3 */
+    const double t61 = JLT_FMA(p[11], t13, t60); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[9] = t61;
+    const double t62 = (-2.0)*t13; /* (-2)*omega_n*gamma3 */
+    const double t63 = JLT_FMA(p[12], t12, t62); /* (-I3/I1)*s*omega3 + (-2)*omega_n*gamma3 */
+    out[15] = t63;
+    const double t64 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t65 = p[1]*t64; /* R*omega_n*omega3 */
+    out[11] = t65;
+    const double t66 = p[12]*t64; /* (-I3/I1)*omega_n*omega3 */
+    out[17] = t66;
+    const double t67 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t68 = -t67; /* -omega_tau*gamma3 */
+    out[35] = t68;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -347,113 +347,113 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[11] = t8;
     const double t9 = -t6; /* -s*omega_tau */
     out[36] = t9;
-    const double t10 = x[0]*t6; /* gamma3*s*omega_tau */
-    const double t11 = -t10; /* -gamma3*s*omega_tau */
-    out[5] = t11;
-    const double t12 = x[5]*x[4]; /* s*omega3 */
-    const double t13 = p[26]*t5; /* m*R*I1*V */
-    const double t14 = p[25]*t5; /* m*R*I3*V */
-    const double t15 = x[5]*x[3]; /* s*omega_n */
-    const double t16 = p[12]*t15; /* (-I3/I1)*s*omega_n */
-    out[22] = t16;
-    const double t17 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t18 = t13*t15; /* m*R*I1*V*s*omega_n */
-    const double t19 = p[27]*t12; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t20 = JLT_FMS(t10, t19, t18); /* numerator of d(omega3)/dt over Theta = gamma3*s*omega_tau*m*R^2*(I1 - I3)*s*omega3 - m*R*I1*V*s*omega_n */
-    const double t21 = t4*t20; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    out[4] = t21;
-    const double t22 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t23 = p[6]*t12; /* I3/I1*s*omega3 */
-    const double t24 = t12*t17; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t25 = JLT_FNMA(t14, t22, t24); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - m*R*I3*V*omega_n*gamma3 */
-    const double t26 = JLT_FNMA(t4, t14, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t27 = t4*t25; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t28 = JLT_FMA(x[2], t22, t27); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t28;
-    const double t29 = x[0]*t26; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[27] = t29;
-    const double t30 = x[3]*t26; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t31 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t32 = t4*t31; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t33 = JLT_FNMA(t27, t32, t30); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[24] = t33;
-    const double t34 = t21*t32; /* 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    const double t35 = x[5]*x[0]; /* s*gamma3 */
-    const double t36 = -t35; /* -s*gamma3 */
-    out[38] = t36;
-    const double t37 = t19*t35; /* m*R^2*(I1 - I3)*s*omega3*s*gamma3 */
-    const double t38 = JLT_FNMA(p[22], t15, t37); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = m*R^2*(I1 - I3)*s*omega3*s*gamma3 - m*R^2*I1*s*omega_n */
-    const double t39 = t4*t38; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[32] = t39;
-    const double t40 = x[2]*t19; /* omega_tau*m*R^2*(I1 - I3)*s*omega3 */
-    const double t41 = x[3]*t13; /* omega_n*m*R*I1*V */
-    const double t42 = x[4]*p[32]; /* omega3*2*m*R^2*(I1 - I3) */
-    const double t43 = JLT_FMS(t10, t42, t41); /* d(numerator of d(omega3)/dt over Theta)/d(s) = gamma3*s*omega_tau*omega3*2*m*R^2*(I1 - I3) - omega_n*m*R*I1*V */
-    const double t44 = p[27]*t10; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau */
-    const double t45 = t4*t43; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t46 = t22 + t23; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t47 = x[3]*t46; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t48 = -t47; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t48;
-    const double t49 = JLT_FMA(2.0, t22, t23); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t50 = -t49; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[21] = t50;
-    const double t51 = p[24]*t12; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t52 = JLT_FNMA(p[23], t22, t51); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t53 = JLT_FMA(t4, t52, t22); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[26] = t53;
-    const double t54 = x[5]*t4; /* s*1/Theta */
-    const double t55 = JLT_FMS(t40, t54, t34); /* omega_tau*m*R^2*(I1 - I3)*s*omega3*s*1/Theta - t34 */
-    out[30] = t55;
-    const double t56 = t44*t54; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau*s*1/Theta */
-    out[34] = t56;
-    const double t57 = t13*t54; /* m*R*I1*V*s*1/Theta */
-    const double t58 = -t57; /* -m*R*I1*V*s*1/Theta */
-    out[33] = t58;
-    const double t59 = t17*t54; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
-    out[28] = t59;
-    const double t60 = x[4]*t17; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t61 = t4*t60; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t62 = t12 + t22; /* s*omega3 + omega_n*gamma3 */
-    const double t63 = p[1]*t12; /* R*s*omega3 */
-    const double t64 = JLT_FMA(p[11], t22, t63); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[15] = t64;
-    const double t65 = p[29]*t22; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t66 = t4*t65; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[25] = t66;
-    const double t67 = x[3]*p[1]; /* omega_n*R */
-    const double t68 = t62*t67; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
-    out[1] = t68;
-    const double t69 = x[3]*t67; /* omega_n*omega_n*R */
-    out[12] = t69;
-    const double t70 = x[5]*t67; /* s*omega_n*R */
-    out[16] = t70;
-    const double t71 = x[4]*t67; /* omega3*omega_n*R */
-    out[17] = t71;
-    const double t72 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t73 = -t72; /* -omega_n*omega_n */
-    out[18] = t73;
-    const double t74 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    const double t75 = x[4]*t74; /* omega3*omega_n*(-I3/I1) */
-    out[23] = t75;
-    const double t76 = p[30]*t54; /* 2*m*R^2*I1*s*1/Theta */
-    const double t77 = JLT_FNMA(t27, t76, t61); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[29] = t77;
-    const double t78 = JLT_FNMA(t21, t76, t45); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[35] = t78;
-    const double t79 = x[3]*p[31]; /* omega_n*(-m*R*I1) */
-    const double t80 = t54*t79; /* s*1/Theta*omega_n*(-m*R*I1) */
-    out[31] = t80;
-    const double t81 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t82 = -t81; /* -omega_tau*gamma3 */
-    out[41] = t82;
+    const double t10 = x[5]*x[4]; /* s*omega3 */
+    const double t11 = x[4]*p[24]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t12 = x[5]*x[3]; /* s*omega_n */
+    const double t13 = p[1]*t12; /* R*s*omega_n */
+    out[16] = t13;
+    const double t14 = p[12]*t12; /* (-I3/I1)*s*omega_n */
+    out[22] = t14;
+    const double t15 = p[26]*t5; /* m*R*I1*V */
+    const double t16 = p[25]*t5; /* m*R*I3*V */
+    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t18 = p[6]*t10; /* I3/I1*s*omega3 */
+    const double t19 = t6*t11; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3) */
+    const double t20 = JLT_FNMA(t16, t17, t19); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(I3^2 + m*R^2*I3) - m*R*I3*V*omega_n*gamma3 */
+    const double t21 = JLT_FNMA(t4, t16, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t22 = x[2]*t11; /* omega_tau*omega3*(I3^2 + m*R^2*I3) */
+    const double t23 = t4*t20; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t24 = t4*t22; /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) */
+    const double t25 = JLT_FMA(x[2], t17, t23); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t25;
+    const double t26 = x[0]*t21; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[27] = t26;
+    const double t27 = x[3]*t21; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t28 = t12*t15; /* s*omega_n*m*R*I1*V */
+    const double t29 = p[27]*t10; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t30 = x[0]*t6; /* gamma3*s*omega_tau */
+    const double t31 = JLT_FMS(t29, t30, t28); /* numerator of d(omega3)/dt over Theta = m*R^2*(I1 - I3)*s*omega3*gamma3*s*omega_tau - s*omega_n*m*R*I1*V */
+    const double t32 = t4*t6; /* 1/Theta*s*omega_tau */
+    const double t33 = t4*t31; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t33;
+    const double t34 = -t30; /* -gamma3*s*omega_tau */
+    out[5] = t34;
+    const double t35 = p[27]*t30; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau */
+    const double t36 = p[24]*t32; /* (I3^2 + m*R^2*I3)*1/Theta*s*omega_tau */
+    out[28] = t36;
+    const double t37 = t29*t32; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau */
+    const double t38 = x[5]*x[0]; /* s*gamma3 */
+    const double t39 = t29*t38; /* m*R^2*(I1 - I3)*s*omega3*s*gamma3 */
+    const double t40 = -t38; /* -s*gamma3 */
+    out[38] = t40;
+    const double t41 = JLT_FNMA(p[22], t12, t39); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = m*R^2*(I1 - I3)*s*omega3*s*gamma3 - m*R^2*I1*s*omega_n */
+    const double t42 = t4*t41; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[32] = t42;
+    const double t43 = p[31]*t12; /* (-m*R*I1)*s*omega_n */
+    const double t44 = t4*t43; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[31] = t44;
+    const double t45 = x[3]*t15; /* omega_n*m*R*I1*V */
+    const double t46 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t47 = -t46; /* -omega_tau*gamma3 */
+    out[41] = t47;
+    const double t48 = p[32]*t10; /* 2*m*R^2*(I1 - I3)*s*omega3 */
+    const double t49 = JLT_FMS(t46, t48, t45); /* d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*2*m*R^2*(I1 - I3)*s*omega3 - omega_n*m*R*I1*V */
+    const double t50 = t4*t49; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t51 = t17 + t18; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t52 = x[3]*t51; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t53 = -t52; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t53;
+    const double t54 = JLT_FMA(2.0, t17, t18); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t55 = -t54; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[21] = t55;
+    const double t56 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t57 = t4*t56; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t58 = JLT_FNMA(t23, t57, t27); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[24] = t58;
+    const double t59 = JLT_FNMA(t33, t57, t37); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[30] = t59;
+    const double t60 = p[24]*t10; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t61 = JLT_FNMA(p[23], t17, t60); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t62 = JLT_FMA(t4, t61, t17); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[26] = t62;
+    const double t63 = x[5]*t4; /* s*1/Theta */
+    const double t64 = t35*t63; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau*s*1/Theta */
+    out[34] = t64;
+    const double t65 = t15*t63; /* m*R*I1*V*s*1/Theta */
+    const double t66 = -t65; /* -m*R*I1*V*s*1/Theta */
+    out[33] = t66;
+    const double t67 = p[30]*t63; /* 2*m*R^2*I1*s*1/Theta */
+    const double t68 = JLT_FNMA(t23, t67, t24); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[29] = t68;
+    const double t69 = JLT_FNMA(t33, t67, t50); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[35] = t69;
+    const double t70 = p[1]*x[3]; /* R*omega_n */
+    const double t71 = x[3]*t70; /* omega_n*R*omega_n */
+    out[12] = t71;
+    const double t72 = x[4]*t70; /* omega3*R*omega_n */
+    out[17] = t72;
+    const double t73 = t10 + t17; /* s*omega3 + omega_n*gamma3 */
+    const double t74 = t70*t73; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    out[1] = t74;
+    const double t75 = p[1]*t10; /* R*s*omega3 */
+    const double t76 = JLT_FMA(p[11], t17, t75); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[15] = t76;
+    const double t77 = p[29]*t17; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t78 = t4*t77; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[25] = t78;
+    const double t79 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t80 = -t79; /* -omega_n*omega_n */
+    out[18] = t80;
+    const double t81 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t82 = x[4]*t81; /* omega3*omega_n*(-I3/I1) */
+    out[23] = t82;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t2 = p[8] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = p[7] + t0; /* I3/(m*R^2) + s*s */
     const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
     const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
@@ -487,7 +487,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t16 = p[39]*t15; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = t15*t16; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t18 = p[6]*x[0]; /* I3/I1*gamma3 */
-    const double t19 = JLT_FMA(x[5], x[5], p[8]); /* s*s + I3/(m*R^2) */
+    const double t19 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
     const double t21 = t2*p[40]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
@@ -534,7 +534,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t20 = t18*p[45]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[14] = t20;
     const double t21 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t22 = JLT_FMA(x[5], x[5], p[8]); /* s*s + I3/(m*R^2) */
+    const double t22 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
     const double t24 = x[4]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t25 = t23*t24; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
@@ -568,22 +568,23 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
-    double t23[JLT_JET_ORDER_MAX + 1];
-    double t24[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -602,29 +603,30 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t14[k] = t7[k]*p[6] + t9[k];
         t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
-        t19[k] = x0[k]*p[6];
-        t20[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[8] : 0);
-        t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
-        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
-        t24[k] = jlt_jet_product(t7, t23, k);
-        t25[k] = p[7]*t24[k] + t9[k];
-        t26[k] = jlt_jet_product(x2, t25, k);
-        t29[k] = p[9]*x1[k] + x2[k];
-        t30[k] = jlt_jet_product(x3, t29, k);
-        t31[k] = jlt_jet_product(t23, t30, k);
-        t32[k] = t26[k] - jlt_jet_product(t19, t31, k);
-        t34[k] = jlt_jet_product(t2, x0, k);
-        t35[k] = p[10]*t34[k];
-        t36[k] = jlt_jet_product(t24, t35, k);
-        t37[k] = t36[k] - jlt_jet_product(x5, t31, k);
-        t38[k] = -t34[k];
+        t18[k] = x0[k]*p[6];
+        t19[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
+        t20[k] = jlt_jet_product(x0, t18, k) + t19[k];
+        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t22, k);
+        t25[k] = p[8]*x1[k] + x2[k];
+        t26[k] = jlt_jet_product(t22, t25, k);
+        t27[k] = x2[k] - p[6]*t26[k];
+        t28[k] = jlt_jet_product(t9, t27, k);
+        t30[k] = jlt_jet_product(t7, t22, k);
+        t31[k] = x2[k]*p[9];
+        t32[k] = jlt_jet_product(t30, t31, k) + t28[k];
+        t33[k] = jlt_jet_product(x5, x3, k);
+        t34[k] = jlt_jet_product(t26, t33, k);
+        t36[k] = jlt_jet_product(t2, x0, k);
+        t37[k] = p[10]*t36[k];
+        t38[k] = jlt_jet_product(t30, t37, k) - t34[k];
+        t39[k] = -t36[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
         next[1] = x1[k + 1] = t12[k]/(k + 1);
         next[2] = x2[k + 1] = t16[k]/(k + 1);
         next[3] = x3[k + 1] = t32[k]/(k + 1);
-        next[4] = x4[k + 1] = t37[k]/(k + 1);
-        next[5] = x5[k + 1] = t38[k]/(k + 1);
+        next[4] = x4[k + 1] = t38[k]/(k + 1);
+        next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
     }
 }
@@ -697,7 +699,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 47,
@@ -705,12 +707,12 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 3, 15, 7, 1, 0, 0, 7, 7 }, { 12, 57, 0, 6, 0, 0, 10, 6 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in s*omega3 + omega_n*gamma3, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau" },
-    .jacobian = { jacobian, 36, { 7, 46, 16, 1, 0, 0, 9, 14 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(omega_n), V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), 1 - s*s*((1)/Theta/(m*R^2*I1)), d(d(omega3)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 10, 55, 17, 1, 0, 0, 7, 14 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, numerator of d(omega3)/dt over Theta = gamma3*s*omega_tau*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - (m*R*I3)*V*omega_n*gamma3, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = (m*R^2*(I1 - I3))*s*omega3*s*gamma3 - (m*R^2*I1)*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(s) = gamma3*s*omega_tau*omega3*(2*m*R^2*(I1 - I3)) - omega_n*(m*R*I1)*V, omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(gamma3), s*omega3 + omega_n*gamma3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
+    .rhs = { rhs, 6, { 3, 16, 7, 1, 0, 0, 7, 7 }, { 12, 57, 0, 6, 0, 0, 10, 6 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in s*omega3 + omega_n*gamma3, s*omega3*(I3/I1) + omega_n*gamma3, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, d(omega_n)/dtau, d(omega3)/dtau" },
+    .jacobian = { jacobian, 36, { 7, 45, 16, 1, 0, 0, 9, 14 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(s), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(omega_n)" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 10, 55, 17, 1, 0, 0, 7, 15 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(I3^2 + m*R^2*I3) - (m*R*I3)*V*omega_n*gamma3, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = (m*R^2*(I1 - I3))*s*omega3*gamma3*s*omega_tau - s*omega_n*(m*R*I1)*V, d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = (m*R^2*(I1 - I3))*s*omega3*s*gamma3 - (m*R^2*I1)*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V, omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), s*omega3 + omega_n*gamma3, d(d(v_nu)/dtau)/d(omega_n)" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V" },
     .integral_values = { integral_values, 3, { 0, 13, 10, 0, 0, 0, 6, 6 }, { 11, 44, 0, 0, 0, 0, 9, 6 },

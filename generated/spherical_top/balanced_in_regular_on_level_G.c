@@ -4,13 +4,13 @@
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    7    1    0    0      9    8   (59)
- *  jacobian            5   39   15    1    0    0     12   12   (279)
- *  rhs_jacobian        5   46   17    1    0    0     12   14   (316)
+ *  jacobian            4   40   15    1    0    0     11   11   (279)
+ *  rhs_jacobian        5   47   17    1    0    0     14   14   (316)
  *  divergence          2    5    3    1    0    0      6    4   (32)
  *  integral_values     0   12   10    1    0    0      9    5   (55)
  *  integral_gradients  2   24   10    1    0    0      8   11   (111)
@@ -20,13 +20,13 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
- *    digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, V = omega_tau*R + v_nu,
+ *    digits are lost where terms nearly cancel in (R*I3)*omega3*gamma3 + G_level, V/R = (1/R)*v_nu + omega_tau,
  *      d(d(omega3)/dtau)/d(omega_tau),
  *      a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
- *      ((I1 - I3)/I1)*s*s*omega_tau - (I3/(R*I1))*V,
+ *      ((I1 - I3)/I1)*s*s*omega_tau - (I3/I1)*V/R,
  *      a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3),
  *      d(d(omega_tau)/dtau)/d(omega3), d(d(omega3)/dtau)/d(gamma3), d(v_nu)/dtau, d(omega_tau)/dtau,
- *      d(d(omega3)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3)
+ *      d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -76,7 +76,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[9] = t4;
     const double t5 = params[1]*params[1]; /* R*R */
     const double t6 = params[0]*t5; /* m*R*R */
-    out[37] = t6;
+    out[40] = t6;
     const double t7 = params[5]/t6; /* I3/(m*R*R) */
     out[10] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
@@ -112,54 +112,59 @@ static void prepare(const double *restrict params, double *restrict out)
     out[21] = t27;
     const double t28 = 2.0/t9; /* 2/(I1*I1*R*R) */
     out[22] = t28;
-    const double t29 = t15/params[4]; /* (I1 - I3)/I1 */
+    const double t29 = t20/t9; /* I3*2/(I1*I1*R*R) */
     out[23] = t29;
-    const double t30 = params[4]*params[1]; /* I1*R */
-    const double t31 = params[5]/t30; /* I3/(I1*R) */
-    out[24] = t31;
-    const double t32 = t15*t20; /* (I1 - I3)*I3*2 */
-    const double t33 = t32/t2; /* (I1 - I3)*I3*2/(I1*I1) */
-    out[25] = t33;
-    const double t34 = t20/t9; /* I3*2/(I1*I1*R*R) */
-    out[26] = t34;
-    const double t35 = 1.0/t30; /* 1/(I1*R) */
+    const double t30 = t15/params[4]; /* (I1 - I3)/I1 */
+    out[24] = t30;
+    const double t31 = params[4]*params[1]; /* I1*R */
+    const double t32 = params[5]/t31; /* I3/(I1*R) */
+    out[25] = t32;
+    const double t33 = 1.0/t31; /* 1/(I1*R) */
+    out[26] = t33;
+    const double t34 = t15*2.0; /* (I1 - I3)*2 */
+    const double t35 = t34/params[4]; /* (I1 - I3)*2/I1 */
     out[27] = t35;
-    const double t36 = params[4]/t6; /* I1/(m*R*R) */
+    const double t36 = 2.0/t13; /* 2/(I1*R*R) */
     out[28] = t36;
-    const double t37 = 2.0/t13; /* 2/(I1*R*R) */
+    const double t37 = (-1.0)/t31; /* (-1)/(I1*R) */
     out[29] = t37;
-    const double t38 = t15*2.0; /* (I1 - I3)*2 */
-    const double t39 = t38/params[4]; /* (I1 - I3)*2/I1 */
-    out[30] = t39;
-    const double t40 = params[0]/2.0; /* m/2 */
-    out[31] = t40;
-    const double t41 = params[4]/2.0; /* I1/2 */
-    out[32] = t41;
-    const double t42 = params[5]/2.0; /* I3/2 */
-    out[33] = t42;
-    const double t43 = t2*params[0]; /* I1*I1*m */
-    out[34] = t43;
-    const double t44 = params[4]*t6; /* I1*m*R*R */
-    const double t45 = t15*t44; /* (I1 - I3)*I1*m*R*R */
-    out[35] = t45;
-    const double t46 = params[1]*params[0]; /* R*m */
-    const double t47 = t46/params[4]; /* R*m/I1 */
-    out[36] = t47;
-    const double t48 = 1.0/t13; /* 1/(I1*R*R) */
-    out[38] = t48;
-    const double t49 = params[0]*2.0; /* m*2 */
-    const double t50 = t5*t49; /* R*R*m*2 */
-    const double t51 = params[5]*t50; /* I3*R*R*m*2 */
-    const double t52 = t15*t51; /* (I1 - I3)*I3*R*R*m*2 */
-    out[39] = t52;
-    const double t53 = t2*t49; /* I1*I1*m*2 */
-    out[40] = t53;
-    const double t54 = params[1]*t49; /* R*m*2 */
-    const double t55 = t2*t54; /* I1*I1*R*m*2 */
-    out[41] = t55;
-    const double t56 = params[4]*t50; /* I1*R*R*m*2 */
-    const double t57 = t15*t56; /* (I1 - I3)*I1*R*R*m*2 */
-    out[42] = t57;
+    const double t38 = 1.0/params[1]; /* 1/R */
+    out[30] = t38;
+    const double t39 = params[1]*t15; /* R*(I1 - I3) */
+    out[31] = t39;
+    const double t40 = t20/t3; /* I3*2/(R*I1*I1) */
+    out[32] = t40;
+    const double t41 = 2.0/t31; /* 2/(I1*R) */
+    out[33] = t41;
+    const double t42 = params[0]/2.0; /* m/2 */
+    out[34] = t42;
+    const double t43 = params[4]/2.0; /* I1/2 */
+    out[35] = t43;
+    const double t44 = params[5]/2.0; /* I3/2 */
+    out[36] = t44;
+    const double t45 = t2*params[0]; /* I1*I1*m */
+    out[37] = t45;
+    const double t46 = params[4]*t6; /* I1*m*R*R */
+    const double t47 = t15*t46; /* (I1 - I3)*I1*m*R*R */
+    out[38] = t47;
+    const double t48 = params[1]*params[0]; /* R*m */
+    const double t49 = t48/params[4]; /* R*m/I1 */
+    out[39] = t49;
+    const double t50 = 1.0/t13; /* 1/(I1*R*R) */
+    out[41] = t50;
+    const double t51 = params[0]*2.0; /* m*2 */
+    const double t52 = t5*t51; /* R*R*m*2 */
+    const double t53 = params[5]*t52; /* I3*R*R*m*2 */
+    const double t54 = t15*t53; /* (I1 - I3)*I3*R*R*m*2 */
+    out[42] = t54;
+    const double t55 = t2*t51; /* I1*I1*m*2 */
+    out[43] = t55;
+    const double t56 = params[1]*t51; /* R*m*2 */
+    const double t57 = t2*t56; /* I1*I1*R*m*2 */
+    out[44] = t57;
+    const double t58 = params[4]*t52; /* I1*R*R*m*2 */
+    const double t59 = t15*t58; /* (I1 - I3)*I1*R*R*m*2 */
+    out[45] = t59;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -211,74 +216,74 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
-    const double t3 = JLT_FMA(p[11], t1, t2); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
-    const double t4 = x[4]*t3; /* s*Theta/(m*R^2*I1) */
-    const double t5 = 1.0/t4; /* 1/(s*Theta/(m*R^2*I1)) */
-    const double t6 = t3*t5; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
-    const double t7 = x[4]*t5; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t8 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t9 = JLT_FMA(p[8], t8, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t10 = x[2]*t7; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t11 = t6*t9; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t12 = t6*t11; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t13 = x[0]*t11; /* gamma3*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t14 = t12*t13; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t15 = p[19]*t14; /* (-2/(R*I1^2))*t14 */
-    out[9] = t15;
-    const double t16 = p[22]*t14; /* 2/(R^2*I1^2)*t14 */
-    out[14] = t16;
-    const double t17 = p[23]*t0; /* (I1 - I3)/I1*s*s */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = t7*t18; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t20 = t7*t8; /* 1/(Theta/(m*R^2*I1))*gamma3*omega3 */
-    const double t21 = t7*t9; /* 1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t22 = p[14]*t21; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    out[16] = t22;
-    const double t23 = p[25]*t10; /* 2*I3*(I1 - I3)/I1^2*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t24 = t10*t17; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*s */
-    const double t25 = t20*t23; /* 1/(Theta/(m*R^2*I1))*gamma3*omega3*2*I3*(I1 - I3)/I1^2*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t26 = t17*t20; /* (I1 - I3)/I1*s*s*1/(Theta/(m*R^2*I1))*gamma3*omega3 */
-    const double t27 = JLT_FNMA(p[27], t21, t26); /* (I1 - I3)/I1*s*s*1/(Theta/(m*R^2*I1))*gamma3*omega3 - 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    out[17] = t27;
-    const double t28 = JLT_FNMA(p[24], t19, t24); /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*s - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
-    const double t29 = t19*t21; /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t30 = t0*t25; /* s*s*t25 */
-    const double t31 = JLT_FNMA(p[26], t29, t30); /* s*s*t25 - 2*I3/(R^2*I1^2)*t29 */
-    const double t32 = x[0]*t28; /* gamma3*t28 */
-    out[18] = t32;
-    const double t33 = x[3]*t28; /* omega3*t28 */
-    const double t34 = JLT_FNMA(x[0], t31, t33); /* omega3*t28 - gamma3*(s*s*t25 - 2*I3/(R^2*I1^2)*t29) */
-    out[15] = t34;
-    const double t35 = JLT_FMA(p[16], t8, t9); /* 2*R*I3*gamma3*omega3 + R*I3*gamma3*omega3 + G_level */
-    const double t36 = t12*t35; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*(2*R*I3*gamma3*omega3 + R*I3*gamma3*omega3 + G_level) */
-    const double t37 = t1*t12; /* gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t38 = p[28] + t1; /* I1/(m*R^2) + gamma3*gamma3 */
-    const double t39 = t25*t38; /* t25*(I1/(m*R^2) + gamma3*gamma3) */
-    const double t40 = JLT_FMA(p[29], t29, t39); /* 2/(R^2*I1)*t29 + t25*(I1/(m*R^2) + gamma3*gamma3) */
-    const double t41 = x[4]*t40; /* s*(2/(R^2*I1)*t29 + t25*(I1/(m*R^2) + gamma3*gamma3)) */
-    out[19] = t41;
-    const double t42 = p[7]*t9; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t43 = p[13]*t9; /* (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
-    const double t44 = JLT_FMA(p[17], t8, t42); /* R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t45 = JLT_FMA(p[20], t8, t43); /* (-I3^2/I1^2)*gamma3*omega3 + (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
-    const double t46 = JLT_FMA(p[18], t37, t44); /* 2*I3/I1^2*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    out[8] = t46;
-    const double t47 = JLT_FMA(p[21], t37, t45); /* (-2*I3/(R*I1^2))*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + t45 */
-    out[13] = t47;
-    const double t48 = x[4]*x[2]; /* s*omega_tau */
-    const double t49 = 2.0*t48; /* 2*s*omega_tau */
-    out[4] = t49;
-    const double t50 = -t48; /* -s*omega_tau */
-    out[20] = t50;
-    const double t51 = p[9]*t36; /* 1/(R*I1^2)*t36 */
-    const double t52 = p[12]*t36; /* (-1/(R^2*I1^2))*t36 */
-    const double t53 = x[3]*x[3]; /* omega3*omega3 */
-    const double t54 = JLT_FMA(p[17], t53, t51); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t36 */
-    out[5] = t54;
-    const double t55 = JLT_FMA(p[20], t53, t52); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*t36 */
-    out[10] = t55;
+    const double t1 = x[4]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[4] = t2;
+    const double t3 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t4 = JLT_FMA(p[8], t3, p[6]); /* R*I3*gamma3*omega3 + G_level */
+    const double t5 = JLT_FMA(t3, p[16], t4); /* gamma3*omega3*2*R*I3 + R*I3*gamma3*omega3 + G_level */
+    const double t6 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t7 = t0 + p[10]; /* s*s + I3/(m*R^2) */
+    const double t8 = JLT_FMA(p[11], t6, t7); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
+    const double t9 = x[4]*t8; /* s*Theta/(m*R^2*I1) */
+    const double t10 = 1.0/t9; /* 1/(s*Theta/(m*R^2*I1)) */
+    const double t11 = t8*t10; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
+    const double t12 = t4*t11; /* (R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t13 = t11*t12; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t14 = t5*t13; /* (gamma3*omega3*2*R*I3 + R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t15 = p[9]*t14; /* 1/(R*I1^2)*t14 */
+    const double t16 = x[3]*x[3]; /* omega3*omega3 */
+    const double t17 = JLT_FMA(p[17], t16, t15); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t14 */
+    out[5] = t17;
+    const double t18 = t4*p[7]; /* (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t19 = t6*t13; /* gamma3*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t20 = JLT_FMA(t3, p[17], t18); /* gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t21 = JLT_FMA(p[18], t19, t20); /* 2*I3/I1^2*gamma3*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)*1/s + gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    out[8] = t21;
+    const double t22 = x[0]*t12; /* gamma3*(R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t23 = t13*t22; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*(R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t24 = p[19]*t23; /* (-2/(R*I1^2))*t23 */
+    out[9] = t24;
+    const double t25 = t14*p[12]; /* t14*(-1/(R^2*I1^2)) */
+    const double t26 = JLT_FMA(t16, p[20], t25); /* omega3*omega3*(-I3^2/I1^2) + t14*(-1/(R^2*I1^2)) */
+    out[10] = t26;
+    const double t27 = t4*p[13]; /* (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t28 = JLT_FMA(t3, p[20], t27); /* gamma3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t29 = JLT_FMA(t19, p[21], t28); /* gamma3*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)*1/s*(-2*I3/(R*I1^2)) + t28 */
+    out[13] = t29;
+    const double t30 = t23*p[22]; /* t23*2/(R^2*I1^2) */
+    out[14] = t30;
+    const double t31 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t32 = x[4]*t10; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
+    const double t33 = t4*t32; /* (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) */
+    const double t34 = t31*t33; /* V*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) */
+    const double t35 = x[4]*t32; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t36 = t3*t35; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t37 = t1*p[15]; /* s*omega_tau*R^2*(I1 - I3) */
+    const double t38 = JLT_FNMA(t36, t37, t34); /* V*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) - gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*omega_tau*R^2*(I1 - I3) */
+    const double t39 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
+    const double t40 = t32*t39; /* 1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
+    const double t41 = t38*t40; /* t38*1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
+    const double t42 = x[4]*p[24]; /* s*(I1 - I3)/I1 */
+    const double t43 = t1*t42; /* s*omega_tau*s*(I1 - I3)/I1 */
+    const double t44 = JLT_FNMA(t31, p[25], t43); /* s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1) */
+    const double t45 = t32*t44; /* 1/(Theta/(m*R^2*I1))*(s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1)) */
+    const double t46 = JLT_FMA(x[3], t45, t41); /* omega3*t45 + t38*1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
+    out[15] = t46;
+    const double t47 = t33*p[14]; /* (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*(-1/(R^2*I1)) */
+    out[16] = t47;
+    const double t48 = t36*t42; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    const double t49 = JLT_FNMA(t33, p[26], t48); /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*1/(R*I1) */
+    out[17] = t49;
+    const double t50 = x[0]*t45; /* gamma3*t45 */
+    out[18] = t50;
+    const double t51 = x[2]*p[27]; /* omega_tau*2*(I1 - I3)/I1 */
+    const double t52 = t36*t51; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*2*(I1 - I3)/I1 */
+    const double t53 = t35*p[28]; /* s*1/(Theta/(m*R^2*I1))*2/(R^2*I1) */
+    const double t54 = JLT_FMA(t38, t53, t52); /* t38*s*1/(Theta/(m*R^2*I1))*2/(R^2*I1) + t52 */
+    out[19] = t54;
+    const double t55 = -t1; /* -s*omega_tau */
+    out[20] = t55;
     const double t56 = x[4]*x[0]; /* s*gamma3 */
     const double t57 = -t56; /* -s*gamma3 */
     out[22] = t57;
@@ -303,91 +308,92 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
     const double t3 = JLT_FMA(p[11], t1, t2); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
-    const double t4 = p[23]*t0; /* (I1 - I3)/I1*s*s */
+    const double t4 = p[24]*t0; /* (I1 - I3)/I1*s*s */
     const double t5 = x[4]*t3; /* s*Theta/(m*R^2*I1) */
     const double t6 = 1.0/t5; /* 1/(s*Theta/(m*R^2*I1)) */
     const double t7 = t3*t6; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
     const double t8 = x[4]*t6; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t9 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t10 = x[4]*x[2]; /* s*omega_tau */
-    const double t11 = 2.0*t10; /* 2*s*omega_tau */
-    out[9] = t11;
-    const double t12 = -t10; /* -s*omega_tau */
-    out[25] = t12;
-    const double t13 = JLT_FMA(p[8], t9, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t14 = x[4]*t10; /* s*s*omega_tau */
-    out[0] = t14;
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = t8*t13; /* 1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t17 = p[14]*t16; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    out[21] = t17;
-    const double t18 = t7*t13; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t19 = t15*t16; /* V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t20 = p[27]*t16; /* 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t21 = t8*t9; /* 1/(Theta/(m*R^2*I1))*gamma3*omega3 */
-    const double t22 = JLT_FMS(t4, t21, t20); /* (I1 - I3)/I1*s*s*1/(Theta/(m*R^2*I1))*gamma3*omega3 - 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    out[22] = t22;
-    const double t23 = p[15]*t14; /* R^2*(I1 - I3)*s*s*omega_tau */
-    const double t24 = JLT_FNMA(t21, t23, t19); /* V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) - 1/(Theta/(m*R^2*I1))*gamma3*omega3*R^2*(I1 - I3)*s*s*omega_tau */
-    const double t25 = p[23]*t14; /* (I1 - I3)/I1*s*s*omega_tau */
-    const double t26 = JLT_FNMA(p[24], t15, t25); /* (I1 - I3)/I1*s*s*omega_tau - I3/(R*I1)*V */
-    const double t27 = t8*t26; /* 1/(Theta/(m*R^2*I1))*((I1 - I3)/I1*s*s*omega_tau - I3/(R*I1)*V) */
-    const double t28 = t8*t24; /* 1/(Theta/(m*R^2*I1))*t24 */
-    const double t29 = p[14]*t24; /* (-1/(R^2*I1))*t24 */
-    out[3] = t29;
-    const double t30 = x[0]*t27; /* gamma3*t27 */
-    out[23] = t30;
-    const double t31 = t18*t18; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t32 = t7*t18; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t33 = t1*t32; /* gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t34 = p[16]*t9; /* 2*R*I3*gamma3*omega3 */
-    const double t35 = JLT_FMA(t32, t34, t31); /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*2*R*I3*gamma3*omega3 + t31 */
-    const double t36 = x[0]*t31; /* gamma3*t31 */
-    const double t37 = t7*t36; /* 1/s*gamma3*t31 */
-    const double t38 = p[19]*t37; /* (-2/(R*I1^2))*1/s*gamma3*t31 */
-    out[14] = t38;
-    const double t39 = p[22]*t37; /* 2/(R^2*I1^2)*1/s*gamma3*t31 */
-    out[19] = t39;
-    const double t40 = x[3]*t13; /* omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t41 = p[7]*t13; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t42 = p[13]*t13; /* (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
-    const double t43 = JLT_FMA(p[17], t9, t41); /* R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t44 = JLT_FMA(p[20], t9, t42); /* (-I3^2/I1^2)*gamma3*omega3 + (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
-    const double t45 = JLT_FMA(p[18], t33, t43); /* 2*I3/I1^2*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    out[13] = t45;
-    const double t46 = JLT_FMA(p[21], t33, t44); /* (-2*I3/(R*I1^2))*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + t44 */
-    out[18] = t46;
-    const double t47 = x[0]*p[26]; /* gamma3*2*I3/(R^2*I1^2) */
-    const double t48 = t28*t47; /* 1/(Theta/(m*R^2*I1))*t24*gamma3*2*I3/(R^2*I1^2) */
-    const double t49 = JLT_FMA(x[3], t27, t48); /* omega3*t27 + 1/(Theta/(m*R^2*I1))*t24*gamma3*2*I3/(R^2*I1^2) */
-    out[20] = t49;
-    const double t50 = x[4]*p[29]; /* s*2/(R^2*I1) */
-    const double t51 = t28*t50; /* 1/(Theta/(m*R^2*I1))*t24*s*2/(R^2*I1) */
-    const double t52 = p[7]*t40; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t53 = JLT_FMA(p[9], t36, t52); /* 1/(R*I1^2)*gamma3*t31 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    out[1] = t53;
-    const double t54 = p[12]*t36; /* (-1/(R^2*I1^2))*gamma3*t31 */
-    const double t55 = JLT_FMA(p[13], t40, t54); /* (-I3/(R*I1^2))*omega3*(R*I3*gamma3*omega3 + G_level) + (-1/(R^2*I1^2))*gamma3*t31 */
-    out[2] = t55;
-    const double t56 = x[0]*t10; /* gamma3*s*omega_tau */
-    const double t57 = -t56; /* -gamma3*s*omega_tau */
-    out[4] = t57;
-    const double t58 = p[30]*t10; /* 2*(I1 - I3)/I1*s*omega_tau */
-    const double t59 = JLT_FMA(t21, t58, t51); /* 1/(Theta/(m*R^2*I1))*gamma3*omega3*2*(I1 - I3)/I1*s*omega_tau + 1/(Theta/(m*R^2*I1))*t24*s*2/(R^2*I1) */
-    out[24] = t59;
-    const double t60 = p[9]*t35; /* 1/(R*I1^2)*t35 */
-    const double t61 = p[12]*t35; /* (-1/(R^2*I1^2))*t35 */
-    const double t62 = x[3]*x[3]; /* omega3*omega3 */
-    const double t63 = JLT_FMA(p[17], t62, t60); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t35 */
-    out[10] = t63;
-    const double t64 = JLT_FMA(p[20], t62, t61); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*t35 */
-    out[15] = t64;
-    const double t65 = x[4]*x[0]; /* s*gamma3 */
-    const double t66 = -t65; /* -s*gamma3 */
-    out[27] = t66;
-    const double t67 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t68 = -t67; /* -omega_tau*gamma3 */
-    out[29] = t68;
+    const double t9 = x[3]*x[0]; /* omega3*gamma3 */
+    const double t10 = JLT_FMA(p[8], t9, p[6]); /* R*I3*omega3*gamma3 + G_level */
+    const double t11 = t7*t10; /* 1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t12 = x[4]*x[2]; /* s*omega_tau */
+    const double t13 = 2.0*t12; /* 2*s*omega_tau */
+    out[9] = t13;
+    const double t14 = -t12; /* -s*omega_tau */
+    out[25] = t14;
+    const double t15 = x[4]*t11; /* s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t16 = x[4]*t12; /* s*s*omega_tau */
+    out[0] = t16;
+    const double t17 = JLT_FMA(p[30], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t18 = t8*t15; /* 1/(Theta/(m*R^2*I1))*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t19 = p[14]*t18; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1))*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    out[21] = t19;
+    const double t20 = t17*t18; /* V/R*1/(Theta/(m*R^2*I1))*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t21 = t8*t9; /* 1/(Theta/(m*R^2*I1))*omega3*gamma3 */
+    const double t22 = t4*t21; /* (I1 - I3)/I1*s*s*1/(Theta/(m*R^2*I1))*omega3*gamma3 */
+    const double t23 = JLT_FNMA(p[26], t18, t22); /* (I1 - I3)/I1*s*s*1/(Theta/(m*R^2*I1))*omega3*gamma3 - 1/(R*I1)*1/(Theta/(m*R^2*I1))*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    out[22] = t23;
+    const double t24 = p[31]*t16; /* R*(I1 - I3)*s*s*omega_tau */
+    const double t25 = JLT_FNMA(t21, t24, t20); /* t20 - 1/(Theta/(m*R^2*I1))*omega3*gamma3*R*(I1 - I3)*s*s*omega_tau */
+    const double t26 = p[24]*t16; /* (I1 - I3)/I1*s*s*omega_tau */
+    const double t27 = JLT_FNMA(p[11], t17, t26); /* (I1 - I3)/I1*s*s*omega_tau - I3/I1*V/R */
+    const double t28 = t8*t27; /* 1/(Theta/(m*R^2*I1))*((I1 - I3)/I1*s*s*omega_tau - I3/I1*V/R) */
+    const double t29 = t8*t25; /* 1/(Theta/(m*R^2*I1))*t25 */
+    const double t30 = p[29]*t25; /* (-1/(R*I1))*t25 */
+    out[3] = t30;
+    const double t31 = x[0]*t28; /* gamma3*t28 */
+    out[23] = t31;
+    const double t32 = t11*t11; /* 1/s*(R*I3*omega3*gamma3 + G_level)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t33 = t7*t11; /* 1/s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t34 = t1*t33; /* gamma3*gamma3*1/s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t35 = p[16]*t9; /* 2*R*I3*omega3*gamma3 */
+    const double t36 = JLT_FMA(t33, t35, t32); /* 1/s*1/s*(R*I3*omega3*gamma3 + G_level)*2*R*I3*omega3*gamma3 + t32 */
+    const double t37 = x[0]*t32; /* gamma3*t32 */
+    const double t38 = t7*t37; /* 1/s*gamma3*t32 */
+    const double t39 = p[19]*t38; /* (-2/(R*I1^2))*1/s*gamma3*t32 */
+    out[14] = t39;
+    const double t40 = p[22]*t38; /* 2/(R^2*I1^2)*1/s*gamma3*t32 */
+    out[19] = t40;
+    const double t41 = x[3]*t15; /* omega3*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t42 = p[7]*t15; /* 1/I1*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t43 = p[13]*t15; /* (-I3/(R*I1^2))*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t44 = JLT_FMA(p[17], t9, t42); /* R*I3/I1*omega3*gamma3 + 1/I1*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t45 = JLT_FMA(p[20], t9, t43); /* (-I3^2/I1^2)*omega3*gamma3 + (-I3/(R*I1^2))*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t46 = JLT_FMA(p[18], t34, t44); /* 2*I3/I1^2*gamma3*gamma3*1/s*1/s*(R*I3*omega3*gamma3 + G_level) + t44 */
+    out[13] = t46;
+    const double t47 = JLT_FMA(p[21], t34, t45); /* (-2*I3/(R*I1^2))*gamma3*gamma3*1/s*1/s*(R*I3*omega3*gamma3 + G_level) + t45 */
+    out[18] = t47;
+    const double t48 = x[0]*p[32]; /* gamma3*2*I3/(R*I1^2) */
+    const double t49 = t29*t48; /* 1/(Theta/(m*R^2*I1))*t25*gamma3*2*I3/(R*I1^2) */
+    const double t50 = JLT_FMA(x[3], t28, t49); /* omega3*t28 + 1/(Theta/(m*R^2*I1))*t25*gamma3*2*I3/(R*I1^2) */
+    out[20] = t50;
+    const double t51 = p[27]*t12; /* 2*(I1 - I3)/I1*s*omega_tau */
+    const double t52 = t21*t51; /* 1/(Theta/(m*R^2*I1))*omega3*gamma3*2*(I1 - I3)/I1*s*omega_tau */
+    const double t53 = x[0]*t12; /* gamma3*s*omega_tau */
+    const double t54 = -t53; /* -gamma3*s*omega_tau */
+    out[4] = t54;
+    const double t55 = p[7]*t41; /* 1/I1*omega3*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t56 = JLT_FMA(p[9], t37, t55); /* 1/(R*I1^2)*gamma3*t32 + 1/I1*omega3*s*1/s*(R*I3*omega3*gamma3 + G_level) */
+    out[1] = t56;
+    const double t57 = p[12]*t37; /* (-1/(R^2*I1^2))*gamma3*t32 */
+    const double t58 = JLT_FMA(p[13], t41, t57); /* (-I3/(R*I1^2))*omega3*s*1/s*(R*I3*omega3*gamma3 + G_level) + (-1/(R^2*I1^2))*gamma3*t32 */
+    out[2] = t58;
+    const double t59 = p[9]*t36; /* 1/(R*I1^2)*t36 */
+    const double t60 = p[12]*t36; /* (-1/(R^2*I1^2))*t36 */
+    const double t61 = x[3]*x[3]; /* omega3*omega3 */
+    const double t62 = JLT_FMA(p[17], t61, t59); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t36 */
+    out[10] = t62;
+    const double t63 = JLT_FMA(p[20], t61, t60); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*t36 */
+    out[15] = t63;
+    const double t64 = x[4]*p[33]; /* s*2/(R*I1) */
+    const double t65 = JLT_FMA(t29, t64, t52); /* 1/(Theta/(m*R^2*I1))*t25*s*2/(R*I1) + t52 */
+    out[24] = t65;
+    const double t66 = x[4]*x[0]; /* s*gamma3 */
+    const double t67 = -t66; /* -s*gamma3 */
+    out[27] = t67;
+    const double t68 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t69 = -t68; /* -omega_tau*gamma3 */
+    out[29] = t69;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -396,10 +402,10 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
     const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
-    const double t4 = p[23]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t4 = p[24]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t7 = JLT_FNMA(p[24], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t7 = JLT_FNMA(p[25], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
     const double t8 = t7/t3; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
     const double t9 = t8 - x[2]; /* t8 - omega_tau */
     const double t10 = x[0]*t9; /* gamma3*(t8 - omega_tau) */
@@ -411,7 +417,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
     const double t1 = p[8]*x[0]; /* R*I3*gamma3 */
     const double t2 = JLT_FMA(x[3], t1, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t3 = p[27]*t2; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
+    const double t3 = p[26]*t2; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
     const double t4 = t3/x[4]; /* omega_n = 1/(R*I1)*(omega3*R*I3*gamma3 + G_level)/s */
     const double t5 = x[0]*t4; /* gamma3*omega_n */
     const double t6 = JLT_FMA(x[4], x[3], t5); /* s*omega3 + gamma3*omega_n */
@@ -419,18 +425,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t8 = JLT_FMA(t7, t7, t0); /* v_tau*v_tau + v_nu*v_nu */
     const double t9 = t4*t4; /* omega_n*omega_n */
     const double t10 = JLT_FMA(x[2], x[2], t9); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t11 = p[32]*t10; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t11 = p[35]*t10; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t12 = x[3]*x[3]; /* omega3*omega3 */
-    const double t13 = JLT_FMA(p[33], t12, t11); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t14 = JLT_FMA(p[31], t8, t13); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t13 */
+    const double t13 = JLT_FMA(p[36], t12, t11); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t14 = JLT_FMA(p[34], t8, t13); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t13 */
     out[0] = t14;
     const double t15 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t16 = p[34]*t15; /* m*I1^2*(R*omega_tau + v_nu) */
+    const double t16 = p[37]*t15; /* m*I1^2*(R*omega_tau + v_nu) */
     const double t17 = t15*t16; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     const double t18 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t19 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
     const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t21 = t12*p[35]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t21 = t12*p[38]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     out[1] = t22;
 }
@@ -443,13 +449,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = p[6] + t2; /* G_level + R*I3*omega3*gamma3 */
     const double t4 = t0*t3; /* 1/s*(G_level + R*I3*omega3*gamma3) */
     const double t5 = t0*t4; /* 1/s*1/s*(G_level + R*I3*omega3*gamma3) */
-    const double t6 = p[24]*t5; /* I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t6 = p[25]*t5; /* I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     const double t7 = x[3]*t6; /* omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     const double t8 = x[3]*x[4]; /* omega3*s */
-    const double t9 = x[0]*p[27]; /* gamma3*1/(R*I1) */
+    const double t9 = x[0]*p[26]; /* gamma3*1/(R*I1) */
     const double t10 = JLT_FMA(t4, t9, t8); /* v_tau/R = 1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) + omega3*s */
     const double t11 = JLT_FMA(t0, t2, t4); /* d(v_tau)/d(gamma3)/(1/I1) = 1/s*R*I3*omega3*gamma3 + 1/s*(G_level + R*I3*omega3*gamma3) */
-    const double t12 = p[36]*t11; /* m*R/I1*d(v_tau)/d(gamma3)/(1/I1) */
+    const double t12 = p[39]*t11; /* m*R/I1*d(v_tau)/d(gamma3)/(1/I1) */
     const double t13 = JLT_FMA(t10, t12, t7); /* d(energy)/d(gamma3) = v_tau/R*m*R/I1*d(v_tau)/d(gamma3)/(1/I1) + omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     out[0] = t13;
     const double t14 = p[0]*x[1]; /* m*v_nu */
@@ -460,26 +466,26 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t17 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t18 = x[0]*t17; /* gamma3*gamma3*I3/I1 */
     const double t19 = JLT_FMA(t0, t18, x[4]); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3*I3/I1 + s */
-    const double t20 = t10*p[37]; /* v_tau/R*m*R^2 */
+    const double t20 = t10*p[40]; /* v_tau/R*m*R^2 */
     const double t21 = JLT_FMA(x[0], t6, t16); /* gamma3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) + omega3*I3 */
     const double t22 = JLT_FMA(t19, t20, t21); /* d(energy)/d(omega3) = d(v_tau)/d(omega3)/R*v_tau/R*m*R^2 + t21 */
     out[3] = t22;
     const double t23 = JLT_FNMA(t5, t9, x[3]); /* d(v_tau)/d(s)/R = omega3 - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) */
     const double t24 = t20*t23; /* v_tau/R*m*R^2*d(v_tau)/d(s)/R */
-    const double t25 = t4*p[38]; /* 1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
+    const double t25 = t4*p[41]; /* 1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
     const double t26 = JLT_FNMA(t5, t25, t24); /* d(energy)/d(s) = v_tau/R*m*R^2*d(v_tau)/d(s)/R - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
     out[4] = t26;
-    const double t27 = x[3]*p[39]; /* omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t27 = x[3]*p[42]; /* omega3*2*m*R^2*I3*(I1 - I3) */
     const double t28 = t1*t27; /* omega3*gamma3*omega3*2*m*R^2*I3*(I1 - I3) */
     out[5] = t28;
     const double t29 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t30 = p[40]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t30 = p[43]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[6] = t30;
-    const double t31 = t29*p[41]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t31 = t29*p[44]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[7] = t31;
     const double t32 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
     const double t33 = t18 + t32; /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t34 = x[3]*p[42]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t34 = x[3]*p[45]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t35 = t33*t34; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[8] = t35;
     const double t36 = t8*t34; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
@@ -496,7 +502,7 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
 {
     const double t0 = p[8]*x[0]; /* R*I3*gamma3 */
     const double t1 = JLT_FMA(x[3], t0, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t2 = p[27]*t1; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
+    const double t2 = p[26]*t1; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
     const double t3 = t2/x[4]; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level)/s */
     out[0] = t3;
 }
@@ -644,20 +650,20 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G = 
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 43,
+    .state_count = 5, .param_count = 7, .block_count = 46,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 18, 7, 1, 0, 0, 9, 8 }, { 10, 45, 0, 4, 0, 0, 10, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, V = omega_tau*R + v_nu, a part of d(omega3)/dtau, d(v_nu)/dtau, d(omega_tau)/dtau" },
-    .jacobian = { jacobian, 25, { 5, 39, 15, 1, 0, 0, 12, 12 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, V = omega_tau*R + v_nu, d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(omega3), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), (2*R*I3)*gamma3*omega3 + (R*I3)*gamma3*omega3 + G_level, a part of d(d(omega3)/dtau)/d(s), d(d(v_nu)/dtau)/d(omega3), d(d(omega_tau)/dtau)/d(omega3), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 5, 46, 17, 1, 0, 0, 12, 14 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, V = omega_tau*R + v_nu, d(d(omega3)/dtau)/d(omega_tau), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), ((I1 - I3)/I1)*s*s*omega_tau - (I3/(R*I1))*V, a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3), d(d(omega_tau)/dtau)/d(omega3), d(d(omega3)/dtau)/d(gamma3), d(v_nu)/dtau, d(omega_tau)/dtau, d(d(omega3)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3)" },
+    .jacobian = { jacobian, 25, { 4, 40, 15, 1, 0, 0, 11, 11 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, gamma3*omega3*(2*R*I3) + (R*I3)*gamma3*omega3 + G_level, d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega3), V = omega_tau*R + v_nu, a part of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), s*omega_tau*s*((I1 - I3)/I1) - V*(I3/(R*I1)), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 5, 47, 17, 1, 0, 0, 14, 14 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in (R*I3)*omega3*gamma3 + G_level, V/R = (1/R)*v_nu + omega_tau, d(d(omega3)/dtau)/d(omega_tau), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), ((I1 - I3)/I1)*s*s*omega_tau - (I3/I1)*V/R, a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3), d(d(omega_tau)/dtau)/d(omega3), d(d(omega3)/dtau)/d(gamma3), d(v_nu)/dtau, d(omega_tau)/dtau, d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 5, 3, 1, 0, 0, 6, 4 }, { 6, 24, 0, 2, 0, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V, a part of the divergence" },
     .integral_values = { integral_values, 2, { 0, 12, 10, 1, 0, 0, 9, 5 }, { 11, 43, 0, 1, 0, 0, 12, 6 },

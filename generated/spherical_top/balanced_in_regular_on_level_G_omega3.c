@@ -4,32 +4,28 @@
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   17    6    1    0    0      8    7   (65)
- *  jacobian            8   39   15    1    0    0     12   13   (286)
- *  rhs_jacobian        8   42   19    1    0    0     16   14   (329)
+ *  jacobian            8   38   16    1    0    0     12   13   (286)
+ *  rhs_jacobian        8   41   19    1    0    0     11   15   (329)
  *  divergence          0   10    4    1    0    0      7    5   (36)
  *  integral_values     0   11   10    1    0    0      8    6   (55)
- *  integral_gradients  0   25   13    1    0    0      8   11   (138)
+ *  integral_gradients  0   25   13    1    0    0      7   10   (138)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    1    1    1    0    0      3    2   (7)
  *
  *  Accuracy
  *    divides by gamma3: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
- *    digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n,
- *      V = omega_tau*R + v_nu,
- *      a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s),
- *      a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau,
- *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n),
- *      a part of d(d(omega_n)/dtau)/d(s),
- *      d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*(m*R*I3)*V,
- *      a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3),
- *      d(v_nu)/dtau, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(gamma3),
- *      d(d(omega_n)/dtau)/d(omega_n)
+ *    digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V = omega_tau*R + v_nu,
+ *      omega_tau - (I3/(R*I1))*V*1/(Theta/(m*R^2*I1)), 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n,
+ *      a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s),
+ *      d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(v_nu)/dtau,
+ *      d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(gamma3), d(omega_n)/dtau,
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -76,147 +72,138 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
     const double t4 = params[0]*t3; /* m*R*R */
-    out[39] = t4;
+    out[33] = t4;
     const double t5 = params[5]/t4; /* I3/(m*R*R) */
     out[9] = t5;
     const double t6 = params[5]/params[4]; /* I3/I1 */
     out[10] = t6;
-    const double t7 = params[5]*t4; /* I3*m*R*R */
-    out[24] = t7;
-    const double t8 = params[5]*params[5]; /* I3*I3 */
-    const double t9 = t7 + t8; /* I3*m*R*R + I3*I3 */
-    const double t10 = t9/t7; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
-    out[11] = t10;
-    const double t11 = params[5]/t0; /* I3/(R*I1) */
+    const double t7 = params[5]/t0; /* I3/(R*I1) */
+    out[11] = t7;
+    const double t8 = params[5]*t4; /* I3*m*R*R */
+    out[26] = t8;
+    const double t9 = params[5]*params[5]; /* I3*I3 */
+    const double t10 = t8 + t9; /* I3*m*R*R + I3*I3 */
+    const double t11 = t10/t8; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
     out[12] = t11;
     const double t12 = params[1]*2.0; /* R*2 */
     out[13] = t12;
     const double t13 = -t1; /* -R*I1/I3 */
     out[14] = t13;
-    const double t14 = params[1]*params[0]; /* R*m */
-    const double t15 = params[5]/params[1]; /* I3/R */
-    const double t16 = t14 + t15; /* R*m + I3/R */
-    const double t17 = t16/t14; /* (R*m + I3/R)/(R*m) */
-    out[15] = t17;
-    const double t18 = params[0]*params[0]; /* m*m */
-    const double t19 = t3*t3; /* R*R*R*R */
-    const double t20 = t18*t19; /* m*m*R*R*R*R */
-    const double t21 = params[4]*t20; /* I1*m*m*R*R*R*R */
-    const double t22 = params[5]*t21; /* I3*I1*m*m*R*R*R*R */
-    const double t23 = params[5]*t8; /* I3*I3*I3 */
-    const double t24 = t4*t23; /* m*R*R*I3*I3*I3 */
-    const double t25 = t8*t20; /* I3*I3*m*m*R*R*R*R */
-    const double t26 = t24 + t25; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t27 = 2.0*t26; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t28 = t27/t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I3*I1*m*m*R*R*R*R) */
+    const double t14 = params[0]*params[0]; /* m*m */
+    const double t15 = t3*t3; /* R*R*R*R */
+    const double t16 = t14*t15; /* m*m*R*R*R*R */
+    const double t17 = params[4]*t16; /* I1*m*m*R*R*R*R */
+    const double t18 = params[5]*t17; /* I3*I1*m*m*R*R*R*R */
+    const double t19 = params[5]*t9; /* I3*I3*I3 */
+    const double t20 = t4*t19; /* m*R*R*I3*I3*I3 */
+    const double t21 = t9*t16; /* I3*I3*m*m*R*R*R*R */
+    const double t22 = t20 + t21; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t23 = 2.0*t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t24 = t23/t18; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I3*I1*m*m*R*R*R*R) */
+    out[15] = t24;
+    const double t25 = params[4]*params[4]; /* I1*I1 */
+    const double t26 = params[1]*t25; /* R*I1*I1 */
+    const double t27 = t9*2.0; /* I3*I3*2 */
+    const double t28 = t27/t26; /* I3*I3*2/(R*I1*I1) */
     out[16] = t28;
-    const double t29 = params[4]*params[4]; /* I1*I1 */
-    const double t30 = params[1]*t29; /* R*I1*I1 */
-    const double t31 = t8*2.0; /* I3*I3*2 */
-    const double t32 = t31/t30; /* I3*I3*2/(R*I1*I1) */
+    const double t29 = params[1]*params[0]; /* R*m */
+    const double t30 = params[5]/params[1]; /* I3/R */
+    const double t31 = t29 + t30; /* R*m + I3/R */
+    const double t32 = t31/t29; /* (R*m + I3/R)/(R*m) */
     out[17] = t32;
-    const double t33 = -t11; /* -I3/(R*I1) */
+    const double t33 = -t7; /* -I3/(R*I1) */
     out[18] = t33;
     const double t34 = params[4]*t4; /* I1*m*R*R */
-    out[23] = t34;
+    out[25] = t34;
     const double t35 = params[4]*params[5]; /* I1*I3 */
-    out[22] = t35;
+    out[24] = t35;
     const double t36 = t34 + t35; /* I1*m*R*R + I1*I3 */
-    out[30] = t36;
+    out[23] = t36;
     const double t37 = t36/t34; /* (I1*m*R*R + I1*I3)/(I1*m*R*R) */
     out[19] = t37;
-    const double t38 = t8*t34; /* I3*I3*I1*m*R*R */
-    const double t39 = t22 + t38; /* I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R */
+    const double t38 = t9*t34; /* I3*I3*I1*m*R*R */
+    const double t39 = t18 + t38; /* I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R */
     const double t40 = 2.0*t39; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R) */
-    const double t41 = t40/t22; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R)/(I3*I1*m*m*R*R*R*R) */
+    const double t41 = t40/t18; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R)/(I3*I1*m*m*R*R*R*R) */
     out[20] = t41;
     const double t42 = params[5]*2.0; /* I3*2 */
     const double t43 = t42/t0; /* I3*2/(R*I1) */
     out[21] = t43;
-    const double t44 = params[4]*t9; /* I1*(I3*m*R*R + I3*I3) */
-    const double t45 = t44/params[5]; /* I1*(I3*m*R*R + I3*I3)/I3 */
-    out[25] = t45;
-    const double t46 = params[5]*t14; /* I3*R*m */
-    out[26] = t46;
-    const double t47 = params[0]*2.0; /* m*2 */
-    const double t48 = t3*t47; /* R*R*m*2 */
-    const double t49 = params[5]*t48; /* I3*R*R*m*2 */
-    out[27] = t49;
-    const double t50 = t0*t16; /* R*I1*(R*m + I3/R) */
-    out[28] = t50;
-    const double t51 = -t46; /* -I3*R*m */
-    out[29] = t51;
-    const double t52 = params[4]*t48; /* I1*R*R*m*2 */
-    out[31] = t52;
-    const double t53 = t9/t49; /* (I3*m*R*R + I3*I3)/(I3*R*R*m*2) */
-    out[32] = t53;
-    const double t54 = params[4]/2.0; /* I1/2 */
-    out[33] = t54;
-    const double t55 = params[0]/params[4]; /* m/I1 */
-    out[34] = t55;
-    const double t56 = params[4]/params[5]; /* I1/I3 */
-    out[35] = t56;
-    const double t57 = t4/params[4]; /* m*R*R/I1 */
-    out[36] = t57;
-    const double t58 = params[0]*t29; /* m*I1*I1 */
-    out[37] = t58;
-    const double t59 = params[4] - params[5]; /* I1 - I3 */
-    const double t60 = t34*t59; /* I1*m*R*R*(I1 - I3) */
-    out[38] = t60;
-    const double t61 = t29/params[5]; /* I1*I1/I3 */
-    out[40] = t61;
-    const double t62 = t34/params[5]; /* I1*m*R*R/I3 */
-    out[41] = t62;
-    const double t63 = params[0]*(-2.0); /* m*(-2) */
-    const double t64 = t3*t63; /* R*R*m*(-2) */
-    const double t65 = params[4]*t29; /* I1*I1*I1 */
-    const double t66 = t64*t65; /* R*R*m*(-2)*I1*I1*I1 */
-    const double t67 = t59*t66; /* (I1 - I3)*R*R*m*(-2)*I1*I1*I1 */
-    const double t68 = t67/t8; /* (I1 - I3)*R*R*m*(-2)*I1*I1*I1/(I3*I3) */
-    out[42] = t68;
-    const double t69 = t29*t47; /* I1*I1*m*2 */
-    out[43] = t69;
-    const double t70 = params[1]*t47; /* R*m*2 */
-    const double t71 = t29*t70; /* I1*I1*R*m*2 */
-    out[44] = t71;
-    const double t72 = -t56; /* -I1/I3 */
-    out[45] = t72;
+    const double t44 = params[5]*t29; /* I3*R*m */
+    out[22] = t44;
+    const double t45 = params[4]/2.0; /* I1/2 */
+    out[27] = t45;
+    const double t46 = params[0]/params[4]; /* m/I1 */
+    out[28] = t46;
+    const double t47 = params[4]/params[5]; /* I1/I3 */
+    out[29] = t47;
+    const double t48 = t4/params[4]; /* m*R*R/I1 */
+    out[30] = t48;
+    const double t49 = params[0]*t25; /* m*I1*I1 */
+    out[31] = t49;
+    const double t50 = params[4] - params[5]; /* I1 - I3 */
+    const double t51 = t34*t50; /* I1*m*R*R*(I1 - I3) */
+    out[32] = t51;
+    const double t52 = t25/params[5]; /* I1*I1/I3 */
+    out[34] = t52;
+    const double t53 = t34/params[5]; /* I1*m*R*R/I3 */
+    out[35] = t53;
+    const double t54 = params[0]*(-2.0); /* m*(-2) */
+    const double t55 = t3*t54; /* R*R*m*(-2) */
+    const double t56 = params[4]*t25; /* I1*I1*I1 */
+    const double t57 = t55*t56; /* R*R*m*(-2)*I1*I1*I1 */
+    const double t58 = t50*t57; /* (I1 - I3)*R*R*m*(-2)*I1*I1*I1 */
+    const double t59 = t58/t9; /* (I1 - I3)*R*R*m*(-2)*I1*I1*I1/(I3*I3) */
+    out[36] = t59;
+    const double t60 = params[0]*2.0; /* m*2 */
+    const double t61 = t25*t60; /* I1*I1*m*2 */
+    out[37] = t61;
+    const double t62 = params[1]*t60; /* R*m*2 */
+    const double t63 = t25*t62; /* I1*I1*R*m*2 */
+    out[38] = t63;
+    const double t64 = t3*t60; /* R*R*m*2 */
+    const double t65 = t56*t64; /* I1*I1*I1*R*R*m*2 */
+    const double t66 = t50*t65; /* (I1 - I3)*I1*I1*I1*R*R*m*2 */
+    const double t67 = t66/t9; /* (I1 - I3)*I1*I1*I1*R*R*m*2/(I3*I3) */
+    out[39] = t67;
+    const double t68 = -t47; /* -I1/I3 */
+    out[40] = t68;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t0 = p[10]*x[0]; /* I3/I1*gamma3 */
     const double t1 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
-    const double t2 = JLT_FMA(x[0], t0, t1); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t2 = JLT_FMA(x[0], t0, t1); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
     const double t3 = x[0]*t2; /* gamma3*Theta/(m*R^2*I1) */
     const double t4 = 1.0/t3; /* 1/(gamma3*Theta/(m*R^2*I1)) */
     const double t5 = x[4]*x[3]; /* s*omega_n */
     const double t6 = p[8] - t5; /* G_level/(R*I1) - s*omega_n */
     const double t7 = t2*t6; /* Theta/(m*R^2*I1)*(G_level/(R*I1) - s*omega_n) */
     const double t8 = t4*t7; /* 1/(gamma3*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*(G_level/(R*I1) - s*omega_n) */
-    const double t9 = t5*t8; /* s*omega_n*t8 */
-    const double t10 = x[0]*t4; /* gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
-    const double t11 = x[4]*x[2]; /* s*omega_tau */
-    const double t12 = x[4]*t11; /* s*s*omega_tau */
-    out[0] = t12;
-    const double t13 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t14 = p[11]*t11; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
-    const double t15 = t8*t14; /* t8*(I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
-    const double t16 = x[0]*t11; /* gamma3*s*omega_tau */
-    const double t17 = -t16; /* -gamma3*s*omega_tau */
-    out[4] = t17;
-    const double t18 = x[3]*t13; /* omega_n*omega_n*gamma3 */
-    const double t19 = t9 - t18; /* s*omega_n*t8 - omega_n*omega_n*gamma3 */
+    const double t9 = x[0]*t4; /* 1/(Theta/(m*R^2*I1)) = gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t10 = t5*t8; /* s*omega_n*t8 */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = p[11]*t11; /* I3/(R*I1)*V */
+    const double t13 = JLT_FNMA(t9, t12, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    const double t14 = x[4]*x[2]; /* s*omega_tau */
+    const double t15 = x[4]*t14; /* s*s*omega_tau */
+    out[0] = t15;
+    const double t16 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t17 = t13*t16; /* (omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V)*omega_n*gamma3 */
+    const double t18 = x[3]*t16; /* omega_n*omega_n*gamma3 */
+    const double t19 = t10 - t18; /* s*omega_n*t8 - omega_n*omega_n*gamma3 */
     out[2] = t19;
-    const double t20 = p[1]*t18; /* R*omega_n*omega_n*gamma3 */
-    const double t21 = JLT_FNMA(p[7], t9, t20); /* R*omega_n*omega_n*gamma3 - R*I1/I3*s*omega_n*t8 */
+    const double t20 = p[7]*t10; /* R*I1/I3*s*omega_n*t8 */
+    const double t21 = JLT_FMS(p[1], t18, t20); /* R*omega_n*omega_n*gamma3 - R*I1/I3*s*omega_n*t8 */
     out[1] = t21;
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[12]*t13; /* I3/(R*I1)*omega_n*gamma3 */
-    const double t24 = JLT_FMA(t22, t23, t15); /* V*I3/(R*I1)*omega_n*gamma3 + t8*(I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
-    const double t25 = x[2]*t13; /* omega_tau*omega_n*gamma3 */
-    const double t26 = JLT_FNMA(t10, t24, t25); /* omega_tau*omega_n*gamma3 - gamma3*1/(gamma3*Theta/(m*R^2*I1))*t24 */
-    out[3] = t26;
+    const double t22 = p[12]*t14; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
+    const double t23 = t9*t22; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
+    const double t24 = JLT_FNMA(t8, t23, t17); /* t17 - t8*t23 */
+    out[3] = t24;
+    const double t25 = x[0]*t14; /* gamma3*s*omega_tau */
+    const double t26 = -t25; /* -gamma3*s*omega_tau */
+    out[4] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -232,75 +219,75 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = p[9] + t0; /* I3/(m*R^2) + s*s */
-    const double t2 = p[10]*x[0]; /* I3/I1*gamma3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + I3/(m*R^2) + s*s */
+    const double t1 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t2 = p[9] + t0; /* I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + I3/(m*R^2) + s*s */
     const double t4 = x[0]*t3; /* gamma3*Theta/(m*R^2*I1) */
     const double t5 = 1.0/t4; /* 1/(gamma3*Theta/(m*R^2*I1)) */
     const double t6 = t3*t5; /* 1/gamma3 = Theta/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1)) */
     const double t7 = x[0]*t5; /* 1/(Theta/(m*R^2*I1)) = gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
-    const double t8 = x[4]*x[3]; /* s*omega_n */
-    const double t9 = p[8] - t8; /* G_level/(R*I1) - s*omega_n */
-    const double t10 = t9 - t8; /* G_level/(R*I1) - s*omega_n - s*omega_n */
-    const double t11 = x[4]*t6; /* s*1/gamma3 */
-    const double t12 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t13 = t7*t12; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t14 = x[4]*x[2]; /* s*omega_tau */
-    const double t15 = 2.0*t14; /* 2*s*omega_tau */
-    out[4] = t15;
-    const double t16 = -t14; /* -s*omega_tau */
-    out[20] = t16;
-    const double t17 = x[3]*t6; /* omega_n*1/gamma3 */
-    const double t18 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t19 = t7*t9; /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
-    const double t20 = t9*t17; /* (G_level/(R*I1) - s*omega_n)*omega_n*1/gamma3 */
-    const double t21 = t11*t20; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n)*omega_n*1/gamma3 */
-    const double t22 = t10*t17; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
-    out[14] = t22;
-    const double t23 = p[14]*t22; /* (-R*I1/I3)*(G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
-    out[9] = t23;
-    const double t24 = t10*t11; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t25 = JLT_FNMA(2.0, t18, t24); /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 - 2*omega_n*gamma3 */
-    out[13] = t25;
-    const double t26 = p[7]*t24; /* R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t27 = JLT_FMS(p[13], t18, t26); /* 2*R*omega_n*gamma3 - R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    out[8] = t27;
-    const double t28 = t7*t11; /* 1/(Theta/(m*R^2*I1))*s*1/gamma3 */
-    const double t29 = JLT_FNMA(p[12], t13, x[2]); /* omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
-    const double t30 = p[15]*t6; /* (m*R + I3/R)/(m*R)*1/gamma3 */
-    const double t31 = t6*t30; /* 1/gamma3*(m*R + I3/R)/(m*R)*1/gamma3 */
-    const double t32 = JLT_FMA(p[16], t7, t31); /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1*I3)*1/(Theta/(m*R^2*I1)) + 1/gamma3*(m*R + I3/R)/(m*R)*1/gamma3 */
-    const double t33 = t7*t18; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t34 = t13*t33; /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t35 = JLT_FNMA(p[10], t33, t18); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t36 = p[18]*t33; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t8 = x[4]*x[2]; /* s*omega_tau */
+    const double t9 = 2.0*t8; /* 2*s*omega_tau */
+    out[4] = t9;
+    const double t10 = -t8; /* -s*omega_tau */
+    out[20] = t10;
+    const double t11 = t7*t8; /* 1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t12 = x[4]*x[3]; /* s*omega_n */
+    const double t13 = p[8] - t12; /* G_level/(R*I1) - s*omega_n */
+    const double t14 = t13 - t12; /* G_level/(R*I1) - s*omega_n - s*omega_n */
+    const double t15 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = t7*t16; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t18 = x[4]*t6; /* s*1/gamma3 */
+    const double t19 = x[3]*t6; /* omega_n*1/gamma3 */
+    const double t20 = x[2]*t6; /* omega_tau*1/gamma3 */
+    const double t21 = t14*t19; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
+    out[14] = t21;
+    const double t22 = p[14]*t21; /* (-R*I1/I3)*(G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
+    out[9] = t22;
+    const double t23 = t7*t13; /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t24 = t13*t18; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t25 = JLT_FNMA(t0, t19, t24); /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 - s*s*omega_n*1/gamma3 */
+    const double t26 = JLT_FNMA(2.0, t15, t25); /* t25 - 2*omega_n*gamma3 */
+    out[13] = t26;
+    const double t27 = p[7]*t25; /* R*I1/I3*t25 */
+    const double t28 = JLT_FMS(p[13], t15, t27); /* 2*R*omega_n*gamma3 - R*I1/I3*t25 */
+    out[8] = t28;
+    const double t29 = p[15]*t11; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1*I3)*1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t30 = t23*t29; /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*t29 */
+    const double t31 = t7*t15; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t32 = t7*t24; /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t33 = t19*t24; /* omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t34 = JLT_FNMA(p[10], t31, t15); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t35 = JLT_FNMA(p[12], t32, t34); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - (I3^2 + m*R^2*I3)/(m*R^2*I3)*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    out[17] = t35;
+    const double t36 = p[18]*t31; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
     out[16] = t36;
-    const double t37 = t14*t19; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
-    const double t38 = p[11]*t19; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
-    const double t39 = JLT_FNMA(t11, t38, t35); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - s*1/gamma3*t38 */
-    out[17] = t39;
-    const double t40 = p[19]*t28; /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*1/gamma3 */
-    const double t41 = p[20]*t28; /* 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1*I3)*1/(Theta/(m*R^2*I1))*s*1/gamma3 */
-    const double t42 = t37*t41; /* t37*t41 */
-    const double t43 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t44 = x[3]*t29; /* omega_n*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
-    const double t45 = x[0]*t29; /* gamma3*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
-    const double t46 = JLT_FMA(t14, t40, t45); /* s*omega_tau*t40 + gamma3*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
+    const double t37 = t17*t31; /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t38 = JLT_FNMA(p[11], t17, x[2]); /* omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t39 = p[19]*t11; /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t40 = t19*t39; /* omega_n*1/gamma3*t39 */
+    const double t41 = p[20]*t11; /* 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1*I3)*1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t42 = x[0]*p[16]; /* gamma3*2*I3^2/(R*I1^2) */
+    const double t43 = JLT_FMA(t37, t42, t30); /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3*gamma3*2*I3^2/(R*I1^2) + 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*t29 */
+    const double t44 = JLT_FMA(x[3], t38, t43); /* omega_n*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) + t43 */
+    const double t45 = x[0]*t38; /* gamma3*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
+    const double t46 = JLT_FMA(t18, t39, t45); /* s*1/gamma3*t39 + gamma3*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
     out[18] = t46;
-    const double t47 = x[3]*t40; /* omega_n*t40 */
-    const double t48 = JLT_FNMA(t6, t38, t47); /* omega_n*t40 - 1/gamma3*t38 */
-    const double t49 = x[0]*p[17]; /* gamma3*2*I3^2/(R*I1^2) */
-    const double t50 = JLT_FMA(t34, t49, t44); /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3*gamma3*2*I3^2/(R*I1^2) + omega_n*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
-    const double t51 = JLT_FMA(t32, t37, t50); /* t32*t37 + t50 */
-    out[15] = t51;
+    const double t47 = p[12]*t20; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*omega_tau*1/gamma3 */
+    const double t48 = JLT_FNMA(t23, t47, t40); /* omega_n*1/gamma3*t39 - 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*(I3^2 + m*R^2*I3)/(m*R^2*I3)*omega_tau*1/gamma3 */
+    const double t49 = p[17]*t20; /* (m*R + I3/R)/(m*R)*omega_tau*1/gamma3 */
+    const double t50 = JLT_FMA(t32, t49, t44); /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3*(m*R + I3/R)/(m*R)*omega_tau*1/gamma3 + omega_n*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) + t43 */
+    out[15] = t50;
+    const double t51 = x[3]*x[3]; /* omega_n*omega_n */
     const double t52 = x[4]*p[21]; /* s*2*I3/(R*I1) */
-    const double t53 = JLT_FMA(t34, t52, t42); /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3*s*2*I3/(R*I1) + t37*t41 */
-    const double t54 = JLT_FMA(x[2], t48, t53); /* omega_tau*(omega_n*t40 - 1/gamma3*t38) + t53 */
+    const double t53 = JLT_FMA(t37, t52, t48); /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3*s*2*I3/(R*I1) + t48 */
+    const double t54 = JLT_FMA(t32, t41, t53); /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3*t41 + t53 */
     out[19] = t54;
-    const double t55 = p[1]*t43; /* R*omega_n*omega_n */
-    const double t56 = JLT_FMA(p[7], t21, t55); /* R*I1/I3*s*1/gamma3*(G_level/(R*I1) - s*omega_n)*omega_n*1/gamma3 + R*omega_n*omega_n */
+    const double t55 = p[1]*t51; /* R*omega_n*omega_n */
+    const double t56 = JLT_FMA(p[7], t33, t55); /* R*I1/I3*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + R*omega_n*omega_n */
     out[5] = t56;
-    const double t57 = t21 + t43; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n)*omega_n*1/gamma3 + omega_n*omega_n */
+    const double t57 = t33 + t51; /* omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n*omega_n */
     const double t58 = -t57; /* -t57 */
     out[10] = t58;
     const double t59 = x[4]*x[0]; /* s*gamma3 */
@@ -324,110 +311,109 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = JLT_FMA(p[23], t0, p[22]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t2 = p[24]*x[0]; /* m*R^2*I3*gamma3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*m*R^2*I3*gamma3 + m*R^2*I1*s*s + I1*I3 */
-    const double t4 = x[0]*t3; /* gamma3*Theta */
-    const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
-    const double t6 = t3*t5; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
-    const double t7 = x[0]*t5; /* 1/Theta = gamma3*1/(gamma3*Theta) */
-    const double t8 = x[4]*x[3]; /* s*omega_n */
-    const double t9 = p[8] - t8; /* G_level/(R*I1) - s*omega_n */
-    const double t10 = t9 - t8; /* G_level/(R*I1) - s*omega_n - s*omega_n */
-    const double t11 = x[4]*t6; /* s*1/gamma3 */
-    const double t12 = t9*t11; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t13 = p[32]*t9; /* 1/2*(I3^2 + m*R^2*I3)/(m*R^2*I3)*(G_level/(R*I1) - s*omega_n) */
-    const double t14 = p[25]*t12; /* I1*(I3^2 + m*R^2*I3)/I3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = p[26]*t15; /* m*R*I3*V */
-    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t18 = x[2]*t14; /* omega_tau*t14 */
-    const double t19 = JLT_FMA(t16, t17, t18); /* m*R*I3*V*omega_n*gamma3 + omega_tau*t14 */
-    const double t20 = t7*t19; /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t21 = JLT_FMA(p[24], t17, t14); /* m*R^2*I3*omega_n*gamma3 + t14 */
-    const double t22 = JLT_FNMA(t7, t21, t17); /* omega_n*gamma3 - 1/Theta*(m*R^2*I3*omega_n*gamma3 + t14) */
-    out[22] = t22;
-    const double t23 = JLT_FMS(x[2], t17, t20); /* omega_tau*omega_n*gamma3 - 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    out[3] = t23;
-    const double t24 = x[2]*t6; /* omega_tau*1/gamma3 */
-    const double t25 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t26 = x[3]*t16; /* omega_n*m*R*I3*V */
-    const double t27 = x[0]*t16; /* gamma3*m*R*I3*V */
-    const double t28 = p[28]*t24; /* R*I1*(m*R + I3/R)*omega_tau*1/gamma3 */
-    const double t29 = JLT_FMS(t12, t28, t26); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = (G_level/(R*I1) - s*omega_n)*s*1/gamma3*R*I1*(m*R + I3/R)*omega_tau*1/gamma3 - omega_n*m*R*I3*V */
-    const double t30 = x[3]*t12; /* omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t31 = p[30]*t11; /* (I1*I3 + m*R^2*I1)*s*1/gamma3 */
-    const double t32 = t10*t11; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t33 = x[3]*t10; /* omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
-    const double t34 = t6*t33; /* 1/gamma3*omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
-    out[19] = t34;
-    const double t35 = p[14]*t34; /* (-R*I1/I3)*1/gamma3*omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
-    out[14] = t35;
-    const double t36 = JLT_FNMA(2.0, t17, t32); /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 - 2*omega_n*gamma3 */
-    out[18] = t36;
-    const double t37 = p[7]*t32; /* R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t38 = JLT_FMS(p[13], t17, t37); /* 2*R*omega_n*gamma3 - R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    out[13] = t38;
-    const double t39 = x[4]*t20; /* s*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t40 = JLT_FNMA(t13, t24, t39); /* s*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) - t13*omega_tau*1/gamma3 */
-    const double t41 = x[4]*x[2]; /* s*omega_tau */
-    const double t42 = JLT_FMS(t31, t41, t27); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*m*R*I3*V */
-    const double t43 = t25*t31; /* omega_tau*omega_n*(I1*I3 + m*R^2*I1)*s*1/gamma3 */
-    const double t44 = JLT_FMA(p[31], t40, t43); /* 2*m*R^2*I1*t40 + omega_tau*omega_n*(I1*I3 + m*R^2*I1)*s*1/gamma3 */
-    const double t45 = t7*t44; /* 1/Theta*t44 */
-    out[24] = t45;
-    const double t46 = x[4]*t41; /* s*s*omega_tau */
-    out[0] = t46;
-    const double t47 = 2.0*t41; /* 2*s*omega_tau */
-    out[9] = t47;
-    const double t48 = -t41; /* -s*omega_tau */
-    out[25] = t48;
-    const double t49 = x[0]*t41; /* gamma3*s*omega_tau */
-    const double t50 = -t49; /* -gamma3*s*omega_tau */
-    out[4] = t50;
-    const double t51 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t52 = x[0]*p[27]; /* gamma3*2*m*R^2*I3 */
-    const double t53 = JLT_FMA(t20, t52, t29); /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14)*gamma3*2*m*R^2*I3 + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
-    const double t54 = JLT_FMA(t7, t53, t25); /* 1/Theta*t53 + omega_tau*omega_n */
-    out[20] = t54;
-    const double t55 = p[7]*t30; /* R*I1/I3*omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t56 = x[3]*t17; /* omega_n*omega_n*gamma3 */
-    const double t57 = p[29]*t17; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t58 = t7*t57; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[21] = t58;
-    const double t59 = JLT_FMS(p[1], t56, t55); /* R*omega_n*omega_n*gamma3 - R*I1/I3*omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    out[1] = t59;
-    const double t60 = t30 - t56; /* omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 - omega_n*omega_n*gamma3 */
-    out[2] = t60;
-    const double t61 = JLT_FMA(t6, t30, t51); /* 1/gamma3*omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n*omega_n */
-    const double t62 = -t61; /* -t61 */
-    out[15] = t62;
-    const double t63 = p[1]*t51; /* R*omega_n*omega_n */
-    const double t64 = JLT_FMA(t6, t55, t63); /* 1/gamma3*R*I1/I3*omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + R*omega_n*omega_n */
-    out[10] = t64;
-    const double t65 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t66 = JLT_FMA(t7, t42, t65); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
-    out[23] = t66;
-    const double t67 = -t65; /* -omega_tau*gamma3 */
-    out[29] = t67;
-    const double t68 = x[4]*x[0]; /* s*gamma3 */
-    const double t69 = -t68; /* -s*gamma3 */
-    out[27] = t69;
+    const double t1 = p[9] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + I3/(m*R^2) + s*s */
+    const double t4 = x[0]*t3; /* gamma3*Theta/(m*R^2*I1) */
+    const double t5 = 1.0/t4; /* 1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t6 = t3*t5; /* 1/gamma3 = Theta/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t7 = x[4]*x[3]; /* s*omega_n */
+    const double t8 = p[8] - t7; /* G_level/(R*I1) - s*omega_n */
+    const double t9 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t10 = x[0]*t5; /* 1/(Theta/(m*R^2*I1)) = gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t11 = t9*t10; /* V*1/(Theta/(m*R^2*I1)) */
+    const double t12 = x[4]*x[2]; /* s*omega_tau */
+    const double t13 = 2.0*t12; /* 2*s*omega_tau */
+    out[9] = t13;
+    const double t14 = -t12; /* -s*omega_tau */
+    out[25] = t14;
+    const double t15 = t6*t8; /* 1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    const double t16 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t17 = t5*t8; /* 1/(gamma3*Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t18 = p[19]*t5; /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t19 = p[15]*t8; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1*I3)*(G_level/(R*I1) - s*omega_n) */
+    const double t20 = JLT_FNMA(p[11], t11, x[2]); /* omega_tau - I3/(R*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t21 = p[12]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*1/(gamma3*Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t22 = p[20]*t17; /* 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1*I3)*1/(gamma3*Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t23 = JLT_FNMA(t6, t7, t15); /* 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n */
+    const double t24 = p[17]*t6; /* (m*R + I3/R)/(m*R)*1/gamma3 */
+    const double t25 = t15*t24; /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*(m*R + I3/R)/(m*R)*1/gamma3 */
+    const double t26 = JLT_FMA(t10, t19, t25); /* 1/(Theta/(m*R^2*I1))*t19 + t25 */
+    const double t27 = t7*t15; /* s*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    const double t28 = JLT_FNMA(t7, t18, t21); /* t21 - s*omega_n*(I1*I3 + m*R^2*I1)/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t29 = x[2]*t28; /* omega_tau*t28 */
+    const double t30 = t10*t12; /* 1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t31 = t10*t16; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t32 = t11*t31; /* V*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t33 = t22*t30; /* t22*1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t34 = JLT_FMA(p[21], t32, t33); /* 2*I3/(R*I1)*V*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 + t22*1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t35 = JLT_FMS(x[4], t34, t29); /* s*t34 - omega_tau*t28 */
+    out[24] = t35;
+    const double t36 = p[18]*t31; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[21] = t36;
+    const double t37 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t38 = x[4]*t23; /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) */
+    const double t39 = x[3]*t23; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) */
+    out[19] = t39;
+    const double t40 = p[14]*t39; /* (-R*I1/I3)*t39 */
+    out[14] = t40;
+    const double t41 = JLT_FNMA(2.0, t16, t38); /* t38 - 2*omega_n*gamma3 */
+    out[18] = t41;
+    const double t42 = p[7]*t38; /* R*I1/I3*t38 */
+    const double t43 = JLT_FMS(p[13], t16, t42); /* 2*R*omega_n*gamma3 - R*I1/I3*t38 */
+    out[13] = t43;
+    const double t44 = x[3]*t20; /* omega_n*(omega_tau - I3/(R*I1)*V*1/(Theta/(m*R^2*I1))) */
+    const double t45 = x[0]*p[16]; /* gamma3*2*I3^2/(R*I1^2) */
+    const double t46 = JLT_FMA(t32, t45, t44); /* V*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*gamma3*2*I3^2/(R*I1^2) + omega_n*(omega_tau - I3/(R*I1)*V*1/(Theta/(m*R^2*I1))) */
+    const double t47 = JLT_FMA(t26, t30, t46); /* (1/(Theta/(m*R^2*I1))*t19 + t25)*1/(Theta/(m*R^2*I1))*s*omega_tau + t46 */
+    out[20] = t47;
+    const double t48 = x[4]*t12; /* s*s*omega_tau */
+    out[0] = t48;
+    const double t49 = p[7]*t27; /* R*I1/I3*s*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    const double t50 = x[3]*t16; /* omega_n*omega_n*gamma3 */
+    const double t51 = JLT_FMS(p[1], t50, t49); /* R*omega_n*omega_n*gamma3 - R*I1/I3*s*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    out[1] = t51;
+    const double t52 = t27 - t50; /* s*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*omega_n*gamma3 */
+    out[2] = t52;
+    const double t53 = JLT_FMA(t6, t27, t37); /* 1/gamma3*s*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n*omega_n */
+    const double t54 = -t53; /* -t53 */
+    out[15] = t54;
+    const double t55 = p[1]*t37; /* R*omega_n*omega_n */
+    const double t56 = JLT_FMA(t6, t49, t55); /* 1/gamma3*R*I1/I3*s*omega_n*1/gamma3*(G_level/(R*I1) - s*omega_n) + R*omega_n*omega_n */
+    out[10] = t56;
+    const double t57 = t16*t20; /* omega_n*gamma3*(omega_tau - I3/(R*I1)*V*1/(Theta/(m*R^2*I1))) */
+    const double t58 = JLT_FNMA(t12, t21, t57); /* t57 - s*omega_tau*t21 */
+    out[3] = t58;
+    const double t59 = JLT_FNMA(x[4], t21, t16); /* omega_n*gamma3 - s*t21 */
+    const double t60 = JLT_FNMA(p[10], t31, t59); /* omega_n*gamma3 - s*t21 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[22] = t60;
+    const double t61 = x[0]*t12; /* gamma3*s*omega_tau */
+    const double t62 = -t61; /* -gamma3*s*omega_tau */
+    out[4] = t62;
+    const double t63 = x[0]*t20; /* gamma3*(omega_tau - I3/(R*I1)*V*1/(Theta/(m*R^2*I1))) */
+    const double t64 = JLT_FMA(t18, t48, t63); /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1))*s*s*omega_tau + gamma3*(omega_tau - I3/(R*I1)*V*1/(Theta/(m*R^2*I1))) */
+    out[23] = t64;
+    const double t65 = x[4]*x[0]; /* s*gamma3 */
+    const double t66 = -t65; /* -s*gamma3 */
+    out[27] = t66;
+    const double t67 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t68 = -t67; /* -omega_tau*gamma3 */
+    out[29] = t68;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[0]*p[24]; /* gamma3*m*R^2*I3 */
-    const double t2 = JLT_FMA(p[23], t0, p[22]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t1 = x[0]*p[26]; /* gamma3*m*R^2*I3 */
+    const double t2 = JLT_FMA(p[25], t0, p[24]); /* m*R^2*I1*s*s + I1*I3 */
     const double t3 = JLT_FMA(x[0], t1, t2); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
     const double t4 = x[0]*t3; /* gamma3*Theta */
     const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
-    const double t6 = x[2]*p[30]; /* omega_tau*(I1*I3 + m*R^2*I1) */
+    const double t6 = x[2]*p[23]; /* omega_tau*(I1*I3 + m*R^2*I1) */
     const double t7 = t0*t6; /* s*s*omega_tau*(I1*I3 + m*R^2*I1) */
     const double t8 = t3*t7; /* Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) */
     const double t9 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t10 = x[0]*p[26]; /* gamma3*m*R*I3 */
+    const double t10 = x[0]*p[22]; /* gamma3*m*R*I3 */
     const double t11 = t9*t10; /* V*gamma3*m*R*I3 */
     const double t12 = JLT_FMS(t5, t8, t11); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(gamma3*Theta)*Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) - V*gamma3*m*R*I3 */
     const double t13 = x[0]*t5; /* gamma3*1/(gamma3*Theta) */
@@ -437,28 +423,28 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[34]*x[1]; /* m/I1*v_nu */
+    const double t0 = p[28]*x[1]; /* m/I1*v_nu */
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t3 = p[35]*t2; /* I1/I3*(G_level/(R*I1) - omega_n*s) */
+    const double t3 = p[29]*t2; /* I1/I3*(G_level/(R*I1) - omega_n*s) */
     const double t4 = t3/x[0]; /* I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t5 = t4*t4; /* I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t6 = x[4]*t4; /* s*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t7 = JLT_FMS(x[3], x[0], t6); /* v_tau/R = omega_n*gamma3 - s*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
-    const double t8 = p[36]*t7; /* m*R^2/I1*v_tau/R */
+    const double t8 = p[30]*t7; /* m*R^2/I1*v_tau/R */
     const double t9 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t10 = JLT_FMA(x[1], t0, t9); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t11 = JLT_FMA(p[10], t5, t10); /* I3/I1*t5 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t12 = JLT_FMA(t7, t8, t11); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t11 */
-    const double t13 = p[33]*t12; /* 1/2*I1*energy/(1/2*I1) */
+    const double t13 = p[27]*t12; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t13;
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t15 = p[37]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t15 = p[31]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = p[10]*x[0]; /* I3/I1*gamma3 */
     const double t18 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
     const double t19 = JLT_FMA(x[0], t17, t18); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
-    const double t20 = p[38]*t19; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
+    const double t20 = p[32]*t19; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
     const double t21 = JLT_FMA(t5, t20, t16); /* t5*m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t21;
 }
@@ -470,14 +456,14 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = t0*t1; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t3 = t0*t2; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t4 = x[4]*t3; /* s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t5 = JLT_FMA(p[35], t4, x[3]); /* d(v_tau)/d(gamma3)/R = I1/I3*s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) + omega_n */
-    const double t6 = x[4]*t2; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t7 = p[35]*t6; /* I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t8 = JLT_FMS(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 - I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t9 = p[39]*t8; /* m*R^2*v_tau/R */
+    const double t5 = JLT_FMA(p[29], t4, x[3]); /* d(v_tau)/d(gamma3)/R = I1/I3*s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) + omega_n */
+    const double t6 = p[29]*x[4]; /* I1/I3*s */
+    const double t7 = t2*t6; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*s */
+    const double t8 = JLT_FMS(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*s */
+    const double t9 = p[33]*t8; /* m*R^2*v_tau/R */
     const double t10 = t5*t9; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
     const double t11 = t2*t3; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t12 = JLT_FNMA(p[40], t11, t10); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - I1^2/I3*t11 */
+    const double t12 = JLT_FNMA(p[34], t11, t10); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - I1^2/I3*t11 */
     out[0] = t12;
     const double t13 = p[0]*x[1]; /* m*v_nu */
     out[1] = t13;
@@ -485,34 +471,34 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[2] = t14;
     const double t15 = x[3]*p[4]; /* omega_n*I1 */
     const double t16 = x[4]*t0; /* s*1/gamma3 */
-    const double t17 = p[35]*x[4]; /* I1/I3*s */
-    const double t18 = JLT_FMA(t16, t17, x[0]); /* d(v_tau)/d(omega_n)/R = s*1/gamma3*I1/I3*s + gamma3 */
-    const double t19 = JLT_FNMA(t4, p[40], t15); /* omega_n*I1 - s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
-    const double t20 = JLT_FMA(t9, t18, t19); /* d(energy)/d(omega_n) = m*R^2*v_tau/R*d(v_tau)/d(omega_n)/R + t19 */
-    out[3] = t20;
-    const double t21 = JLT_FMS(x[3], t16, t2); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t22 = p[41]*t21; /* m*R^2*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
-    const double t23 = t8*t22; /* v_tau/R*t22 */
-    const double t24 = x[3]*t3; /* omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t25 = JLT_FNMA(p[40], t24, t23); /* d(energy)/d(s) = v_tau/R*t22 - I1^2/I3*omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    out[4] = t25;
-    const double t26 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
-    const double t27 = p[42]*t26; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*(s*s + I3/(m*R^2)) */
-    const double t28 = t11*t27; /* t11*(-2*m*R^2*I1^3*(I1 - I3)/I3^2)*(s*s + I3/(m*R^2)) */
-    out[5] = t28;
-    const double t29 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t30 = p[43]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    out[6] = t30;
-    const double t31 = t29*p[44]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
-    out[7] = t31;
-    const double t32 = x[0]*p[10]; /* gamma3*I3/I1 */
-    const double t33 = JLT_FMA(x[0], t32, t26); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t34 = p[42]*t33; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*Theta/(m*R^2*I1) */
-    const double t35 = t4*t34; /* s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*(-2*m*R^2*I1^3*(I1 - I3)/I3^2)*Theta/(m*R^2*I1) */
-    out[8] = t35;
-    const double t36 = t24*t33; /* omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*Theta/(m*R^2*I1) */
-    const double t37 = JLT_FNMA(t2, t6, t36); /* t36 - 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t38 = p[42]*t37; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*t37 */
+    const double t17 = JLT_FMA(t6, t16, x[0]); /* d(v_tau)/d(omega_n)/R = I1/I3*s*s*1/gamma3 + gamma3 */
+    const double t18 = JLT_FNMA(t4, p[34], t15); /* omega_n*I1 - s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
+    const double t19 = JLT_FMA(t9, t17, t18); /* d(energy)/d(omega_n) = m*R^2*v_tau/R*d(v_tau)/d(omega_n)/R + t18 */
+    out[3] = t19;
+    const double t20 = JLT_FMS(x[3], t16, t2); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t21 = t8*p[35]; /* v_tau/R*m*R^2*I1/I3 */
+    const double t22 = t20*t21; /* (omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s))*v_tau/R*m*R^2*I1/I3 */
+    const double t23 = x[3]*t3; /* omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t24 = JLT_FNMA(p[34], t23, t22); /* d(energy)/d(s) = t22 - I1^2/I3*omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    out[4] = t24;
+    const double t25 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
+    const double t26 = p[36]*t25; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*(s*s + I3/(m*R^2)) */
+    const double t27 = t11*t26; /* t11*(-2*m*R^2*I1^3*(I1 - I3)/I3^2)*(s*s + I3/(m*R^2)) */
+    out[5] = t27;
+    const double t28 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t29 = p[37]*t28; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    out[6] = t29;
+    const double t30 = t28*p[38]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    out[7] = t30;
+    const double t31 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t32 = JLT_FMA(x[0], t31, t25); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t33 = p[36]*t32; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*Theta/(m*R^2*I1) */
+    const double t34 = t4*t33; /* s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*(-2*m*R^2*I1^3*(I1 - I3)/I3^2)*Theta/(m*R^2*I1) */
+    out[8] = t34;
+    const double t35 = x[4]*t2; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t36 = t2*t35; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t37 = JLT_FNMA(t23, t32, t36); /* t36 - omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*Theta/(m*R^2*I1) */
+    const double t38 = p[39]*t37; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*t37 */
     out[9] = t38;
 }
 
@@ -525,7 +511,7 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t1 = p[45]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
+    const double t1 = p[40]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
     const double t2 = t1/x[0]; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s)/gamma3 */
     out[0] = t2;
 }
@@ -538,27 +524,27 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
@@ -572,37 +558,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t13[k] = x0[k]*p[10];
-        t14[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
-        t15[k] = jlt_jet_product(x0, t13, k) + t14[k];
-        t16[k] = jlt_jet_product(x0, t15, k);
-        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
-        t18[k] = jlt_jet_product(x4, x3, k);
-        t19[k] = (k == 0 ? p[8] : 0) - t18[k];
-        t20[k] = jlt_jet_product(t15, t19, k);
-        t21[k] = jlt_jet_product(t17, t20, k);
-        t22[k] = jlt_jet_product(x0, t17, k);
-        t23[k] = jlt_jet_product(t18, t21, k);
-        t24[k] = x2[k]*p[1] + x1[k];
-        t25[k] = p[12]*t24[k];
-        t26[k] = x2[k] - jlt_jet_product(t22, t25, k);
-        t27[k] = jlt_jet_product(x4, x2, k);
-        t28[k] = jlt_jet_product(x4, t27, k);
-        t29[k] = jlt_jet_product(x3, x0, k);
-        t30[k] = jlt_jet_product(t26, t29, k);
-        t31[k] = jlt_jet_product(x3, t29, k);
-        t32[k] = t23[k] - t31[k];
-        t33[k] = p[1]*t31[k];
-        t34[k] = t33[k] - p[7]*t23[k];
-        t35[k] = p[11]*t27[k];
-        t36[k] = jlt_jet_product(t22, t35, k);
-        t37[k] = t30[k] - jlt_jet_product(t21, t36, k);
-        t38[k] = jlt_jet_product(x0, t27, k);
+        t2[k] = jlt_jet_product(x4, x2, k);
+        t3[k] = jlt_jet_product(x4, t2, k);
+        t7[k] = jlt_jet_product(x4, x3, k);
+        t8[k] = (k == 0 ? p[8] : 0) - t7[k];
+        t12[k] = p[10]*x0[k];
+        t13[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
+        t14[k] = jlt_jet_product(x0, t12, k) + t13[k];
+        t15[k] = jlt_jet_product(x0, t14, k);
+        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t17, k);
+        t18[k] = jlt_jet_product(t8, t14, k);
+        t19[k] = jlt_jet_product(t17, t18, k);
+        t20[k] = jlt_jet_product(t7, t19, k);
+        t21[k] = p[7]*t20[k];
+        t23[k] = jlt_jet_product(x3, x0, k);
+        t24[k] = jlt_jet_product(x3, t23, k);
+        t25[k] = p[1]*t24[k] - t21[k];
+        t26[k] = t20[k] - t24[k];
+        t27[k] = jlt_jet_product(x2, t23, k);
+        t30[k] = x2[k]*p[1] + x1[k];
+        t31[k] = t23[k]*p[11];
+        t32[k] = jlt_jet_product(t30, t31, k);
+        t34[k] = t2[k]*p[12];
+        t35[k] = jlt_jet_product(t19, t34, k) + t32[k];
+        t36[k] = jlt_jet_product(x0, t17, k);
+        t37[k] = t27[k] - jlt_jet_product(t35, t36, k);
+        t38[k] = jlt_jet_product(t2, x0, k);
         t39[k] = -t38[k];
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t28[k]/(k + 1);
-        next[1] = x1[k + 1] = t34[k]/(k + 1);
-        next[2] = x2[k + 1] = t32[k]/(k + 1);
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t25[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
         next[3] = x3[k + 1] = t37[k]/(k + 1);
         next[4] = x4[k + 1] = t39[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
@@ -674,26 +660,26 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_om
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 46,
+    .state_count = 5, .param_count = 7, .block_count = 41,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 3, 17, 6, 1, 0, 0, 8, 7 }, { 11, 49, 0, 5, 0, 0, 11, 7 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, d(omega_tau)/dtau, d(v_nu)/dtau, V = omega_tau*R + v_nu, a part of d(omega_n)/dtau, d(omega_n)/dtau" },
-    .jacobian = { jacobian, 25, { 8, 39, 15, 1, 0, 0, 12, 13 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n, V = omega_tau*R + v_nu, d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), omega_tau - (I3/(R*I1))*1/(Theta/(m*R^2*I1))*V, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 42, 19, 1, 0, 0, 16, 14 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n, V = omega_tau*R + v_nu, a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*(m*R*I3)*V, a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(v_nu)/dtau, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n)" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V = omega_tau*R + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, d(omega_tau)/dtau, d(v_nu)/dtau, d(omega_n)/dtau" },
+    .jacobian = { jacobian, 25, { 8, 38, 16, 1, 0, 0, 12, 13 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n, V = omega_tau*R + v_nu, (G_level/(R*I1) - s*omega_n)*s*1/gamma3 - s*s*omega_n*1/gamma3, d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_tau), omega_tau - (I3/(R*I1))*1/(Theta/(m*R^2*I1))*V, d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 8, 41, 19, 1, 0, 0, 11, 15 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V = omega_tau*R + v_nu, omega_tau - (I3/(R*I1))*V*1/(Theta/(m*R^2*I1)), 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n, a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(v_nu)/dtau, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(gamma3), d(omega_n)/dtau, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n)" },
     .divergence = { divergence, 1, { 0, 10, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, d(numerator of d(omega_n)/dt over Theta)/d(omega_n)" },
     .integral_values = { integral_values, 2, { 0, 11, 10, 1, 0, 0, 8, 6 }, { 11, 43, 0, 1, 0, 0, 13, 6 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, v_tau/R = omega_n*gamma3 - s*((I1/I3)*(G_level/(R*I1) - omega_n*s)/gamma3), omega_tau*R + v_nu, F0" },
-    .integral_gradients = { integral_gradients, 10, { 0, 25, 13, 1, 0, 0, 8, 11 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, d(v_tau)/d(gamma3)/R, v_tau/R = omega_n*gamma3 - (I1/I3)*s*((1)/gamma3)*(G_level/(R*I1) - omega_n*s), d(E)/d(gamma3), d(E)/d(omega_n), omega_n*s*((1)/gamma3) - ((1)/gamma3)*(G_level/(R*I1) - omega_n*s), d(E)/d(s), omega_tau*R + v_nu, a part of d(F0)/d(s)" },
+    .integral_gradients = { integral_gradients, 10, { 0, 25, 13, 1, 0, 0, 7, 10 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, d(v_tau)/d(gamma3)/R, v_tau/R = omega_n*gamma3 - ((1)/gamma3)*(G_level/(R*I1) - omega_n*s)*(I1/I3)*s, d(E)/d(gamma3), d(E)/d(omega_n), omega_n*s*((1)/gamma3) - ((1)/gamma3)*(G_level/(R*I1) - omega_n*s), d(E)/d(s), omega_tau*R + v_nu, a part of d(F0)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   18    5    1    1    0     12    6   (56)
  *  jacobian            5   38   17    1    1    0     14   13   (205)
- *  rhs_jacobian        7   39   17    1    1    0     17   13   (236)
+ *  rhs_jacobian        7   39   17    1    1    0     19   15   (236)
  *  divergence          3   10    4    1    1    0     10    6   (36)
  *  integral_values     3   14    9    1    1    0     10    6   (58)
  *  integral_gradients  4   23   10    1    1    0     11   10   (104)
@@ -19,13 +19,12 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level,
- *      a part of d(d(omega3)/dt)/d(omega_tau),
+ *    digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), omega3*gamma3*(R*I3) + G_level,
  *      a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3),
- *      V/R = (1/R)*v_nu + omega_tau, a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3),
- *      gamma3*((I1 - I3)/I1)*omega_tau*s - gamma3*1/s^2*s*(I3/I1)*V/R, a part of d(d(omega_tau)/dt)/d(gamma3),
- *      d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3)
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), V/R = (1/R)*v_nu + omega_tau,
+ *      d(omega3)/dt, d(d(omega3)/dt)/d(omega3), a part of d(v_nu)/dt, d(d(omega_tau)/dt)/d(omega3),
+ *      d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3),
+ *      d(d(omega3)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -126,22 +125,22 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t36 = 2.0*t35; /* 2*(I1*m*R*R - I3*m*R*R) */
     const double t37 = t36/t11; /* 2*(I1*m*R*R - I3*m*R*R)/(I1*m*R*R) */
     out[27] = t37;
-    const double t38 = params[4]*t3; /* I1*R*R */
-    const double t39 = (-1.0)/t38; /* (-1)/(I1*R*R) */
-    out[28] = t39;
-    const double t40 = params[5]/t0; /* I3/(R*I1) */
-    out[29] = t40;
-    const double t41 = params[0]/2.0; /* m/2 */
-    out[30] = t41;
-    const double t42 = params[4]/2.0; /* I1/2 */
-    out[31] = t42;
-    const double t43 = params[5]/2.0; /* I3/2 */
-    out[32] = t43;
-    const double t44 = params[0]*t18; /* m*I1*I1 */
-    out[33] = t44;
-    const double t45 = t7*t11; /* (I1 - I3)*I1*m*R*R */
-    out[34] = t45;
-    const double t46 = 1.0/t38; /* 1/(I1*R*R) */
+    const double t38 = (-1.0)/params[1]; /* (-1)/R */
+    out[28] = t38;
+    const double t39 = params[5]/t0; /* I3/(R*I1) */
+    out[29] = t39;
+    const double t40 = params[0]/2.0; /* m/2 */
+    out[30] = t40;
+    const double t41 = params[4]/2.0; /* I1/2 */
+    out[31] = t41;
+    const double t42 = params[5]/2.0; /* I3/2 */
+    out[32] = t42;
+    const double t43 = params[0]*t18; /* m*I1*I1 */
+    out[33] = t43;
+    const double t44 = t7*t11; /* (I1 - I3)*I1*m*R*R */
+    out[34] = t44;
+    const double t45 = params[4]*t3; /* I1*R*R */
+    const double t46 = 1.0/t45; /* 1/(I1*R*R) */
     out[35] = t46;
     const double t47 = t31/params[4]; /* R*m/I1 */
     out[36] = t47;
@@ -253,30 +252,30 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[11] = t38;
     const double t39 = x[0]*p[22]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
     const double t40 = t2*t8; /* 1/Theta = s^2*1/(s^2*Theta) */
-    const double t41 = x[0]*t3; /* gamma3*s */
-    const double t42 = t40*t41; /* 1/Theta*gamma3*s */
-    const double t43 = JLT_FNMA(x[0], t11, t3); /* s - gamma3*gamma3*1/(s^2*Theta)*s*Theta */
-    const double t44 = JLT_FMA(t39, t42, t43); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/Theta*gamma3*s + s - gamma3*gamma3*1/(s^2*Theta)*s*Theta */
-    const double t45 = x[2]*p[23]; /* omega_tau*m*R^2*(I1 - I3) */
-    const double t46 = x[3]*t45; /* omega3*omega_tau*m*R^2*(I1 - I3) */
-    const double t47 = t40*t46; /* 1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) */
-    const double t48 = t44*t47; /* t44*1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) */
-    const double t49 = t17*t40; /* t17*1/Theta */
-    const double t50 = JLT_FMA(t39, t49, t23); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t17*1/Theta + d(omega_n)/d(gamma3) */
-    const double t51 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t52 = t40*t51; /* 1/Theta*V */
-    const double t53 = p[24]*t52; /* m*R*I1*1/Theta*V */
-    const double t54 = JLT_FNMA(t50, t53, t48); /* t44*1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) - t50*m*R*I1*1/Theta*V */
-    out[12] = t54;
-    const double t55 = t49*p[25]; /* t17*1/Theta*(-m*R*I1) */
-    out[13] = t55;
-    const double t56 = x[3]*p[23]; /* omega3*m*R^2*(I1 - I3) */
-    const double t57 = t42*t56; /* 1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) */
-    const double t58 = JLT_FNMA(p[14], t49, t57); /* 1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) - m*R^2*I1*t17*1/Theta */
+    const double t41 = t3*t39; /* s*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t42 = JLT_FMS(t40, t41, t11); /* 1/Theta*s*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) - gamma3*1/(s^2*Theta)*s*Theta */
+    const double t43 = JLT_FMA(x[0], t42, t3); /* gamma3*t42 + s */
+    const double t44 = t40*p[23]; /* 1/Theta*m*R^2*(I1 - I3) */
+    const double t45 = x[2]*t44; /* omega_tau*1/Theta*m*R^2*(I1 - I3) */
+    const double t46 = x[3]*t45; /* omega3*omega_tau*1/Theta*m*R^2*(I1 - I3) */
+    const double t47 = t43*t46; /* (gamma3*t42 + s)*omega3*omega_tau*1/Theta*m*R^2*(I1 - I3) */
+    const double t48 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t49 = t40*t48; /* 1/Theta*V */
+    const double t50 = t17*t40; /* t17*1/Theta */
+    const double t51 = JLT_FMA(t39, t50, t23); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t17*1/Theta + d(omega_n)/d(gamma3) */
+    const double t52 = p[24]*t49; /* m*R*I1*1/Theta*V */
+    const double t53 = JLT_FNMA(t51, t52, t47); /* (gamma3*t42 + s)*omega3*omega_tau*1/Theta*m*R^2*(I1 - I3) - t51*m*R*I1*1/Theta*V */
+    out[12] = t53;
+    const double t54 = t50*p[25]; /* t17*1/Theta*(-m*R*I1) */
+    out[13] = t54;
+    const double t55 = x[0]*t3; /* gamma3*s */
+    const double t56 = x[3]*t55; /* omega3*gamma3*s */
+    const double t57 = t44*t56; /* 1/Theta*m*R^2*(I1 - I3)*omega3*gamma3*s */
+    const double t58 = JLT_FNMA(p[14], t50, t57); /* 1/Theta*m*R^2*(I1 - I3)*omega3*gamma3*s - m*R^2*I1*t17*1/Theta */
     out[14] = t58;
-    const double t59 = t42*t45; /* 1/Theta*gamma3*s*omega_tau*m*R^2*(I1 - I3) */
+    const double t59 = t45*t55; /* omega_tau*1/Theta*m*R^2*(I1 - I3)*gamma3*s */
     const double t60 = t11*p[26]; /* gamma3*1/(s^2*Theta)*s*Theta*m*R*I3 */
-    const double t61 = JLT_FNMA(t52, t60, t59); /* 1/Theta*gamma3*s*omega_tau*m*R^2*(I1 - I3) - 1/Theta*V*gamma3*1/(s^2*Theta)*s*Theta*m*R*I3 */
+    const double t61 = JLT_FNMA(t49, t60, t59); /* omega_tau*1/Theta*m*R^2*(I1 - I3)*gamma3*s - 1/Theta*V*gamma3*1/(s^2*Theta)*s*Theta*m*R*I3 */
     out[15] = t61;
 }
 
@@ -300,73 +299,73 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = t2*t7; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
     const double t10 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t10;
-    const double t11 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t12 = t8*t10; /* 1/s^2*s */
-    const double t13 = t8*t12; /* 1/s^2*1/s^2*s */
-    const double t14 = JLT_FMA(p[8], t11, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t15 = t12*t14; /* 1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t16 = p[11]*t11; /* (I1 - I3)/I1*gamma3*omega3 */
-    const double t17 = x[0]*t12; /* gamma3*1/s^2*s */
-    const double t18 = p[7]*t15; /* 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t19 = t13*t18; /* 1/s^2*1/s^2*s*1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t20 = x[2]*t10; /* omega_tau*s */
-    out[0] = t20;
-    const double t21 = JLT_FMS(t10, t16, t18); /* s*(I1 - I3)/I1*gamma3*omega3 - 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t22 = t9*t21; /* 1/(Theta/(m*R^2*I1))*t21 */
-    out[18] = t22;
-    const double t23 = t17*t18; /* gamma3*1/s^2*s*1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t24 = JLT_FMA(x[3], p[10], t23); /* omega3*I3/I1 + t23 */
-    const double t25 = t12*t24; /* d(omega_n)/d(gamma3) = 1/s^2*s*(omega3*I3/I1 + t23) */
-    const double t26 = t18*t24; /* 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(omega3*I3/I1 + t23) */
-    const double t27 = -t26; /* -t26 */
-    out[2] = t27;
-    const double t28 = t16*t20; /* (I1 - I3)/I1*gamma3*omega3*omega_tau*s */
-    const double t29 = p[11]*t20; /* (I1 - I3)/I1*omega_tau*s */
-    const double t30 = JLT_FMA(p[12], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t31 = JLT_FNMA(t18, t30, t28); /* (I1 - I3)/I1*gamma3*omega3*omega_tau*s - 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*V/R */
-    const double t32 = t9*t31; /* 1/(Theta/(m*R^2*I1))*t31 */
-    out[3] = t32;
-    const double t33 = x[2]*t17; /* omega_tau*gamma3*1/s^2*s */
-    const double t34 = t16*t33; /* (I1 - I3)/I1*gamma3*omega3*omega_tau*gamma3*1/s^2*s */
-    const double t35 = -t33; /* -omega_tau*gamma3*1/s^2*s */
-    out[4] = t35;
-    const double t36 = JLT_FMS(x[3], t29, t34); /* omega3*(I1 - I3)/I1*omega_tau*s - (I1 - I3)/I1*gamma3*omega3*omega_tau*gamma3*1/s^2*s */
-    const double t37 = x[0]*t29; /* gamma3*(I1 - I3)/I1*omega_tau*s */
-    const double t38 = 2.0*t17; /* 2*gamma3*1/s^2*s */
-    const double t39 = JLT_FMA(t25, t38, t19); /* d(omega_n)/d(gamma3)*2*gamma3*1/s^2*s + t19 */
-    const double t40 = t18*t39; /* 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(d(omega_n)/d(gamma3)*2*gamma3*1/s^2*s + t19) */
-    const double t41 = x[0]*p[27]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t42 = JLT_FMA(t32, t41, t36); /* 1/(Theta/(m*R^2*I1))*t31*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) + t36 */
-    const double t43 = JLT_FNMA(t25, t30, t42); /* t42 - d(omega_n)/d(gamma3)*V/R */
-    const double t44 = t9*t43; /* 1/(Theta/(m*R^2*I1))*(t42 - d(omega_n)/d(gamma3)*V/R) */
-    out[16] = t44;
-    const double t45 = x[3]*t25; /* omega3*d(omega_n)/d(gamma3) */
-    const double t46 = p[10]*t30; /* I3/I1*V/R */
-    const double t47 = JLT_FNMA(t17, t46, t37); /* gamma3*(I1 - I3)/I1*omega_tau*s - gamma3*1/s^2*s*I3/I1*V/R */
-    const double t48 = t9*t47; /* 1/(Theta/(m*R^2*I1))*(gamma3*(I1 - I3)/I1*omega_tau*s - gamma3*1/s^2*s*I3/I1*V/R) */
-    out[19] = t48;
-    const double t49 = JLT_FMA(p[10], t45, t40); /* I3/I1*omega3*d(omega_n)/d(gamma3) + t40 */
-    const double t50 = -t49; /* -(I3/I1*omega3*d(omega_n)/d(gamma3) + t40) */
-    out[12] = t50;
-    const double t51 = p[1]*t45; /* R*omega3*d(omega_n)/d(gamma3) */
-    const double t52 = p[28]*t9; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
-    const double t53 = t15*t52; /* 1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
-    out[17] = t53;
-    const double t54 = p[16]*t15; /* 1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t55 = JLT_FMA(t39, t54, t51); /* (d(omega_n)/d(gamma3)*2*gamma3*1/s^2*s + t19)*1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level) + R*omega3*d(omega_n)/d(gamma3) */
-    out[8] = t55;
-    const double t56 = p[19]*t15; /* (-I3/(R*I1^2))*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t57 = x[3]*t17; /* omega3*gamma3*1/s^2*s */
-    const double t58 = t17*t23; /* gamma3*1/s^2*s*t23 */
-    const double t59 = x[3] + t23; /* omega3 + t23 */
-    const double t60 = t54*t59; /* 1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(omega3 + t23) */
-    out[1] = t60;
-    const double t61 = JLT_FMA(p[17], t57, t54); /* R*I3/I1*omega3*gamma3*1/s^2*s + 1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t62 = JLT_FMA(p[21], t57, t56); /* (-I3^2/I1^2)*omega3*gamma3*1/s^2*s + (-I3/(R*I1^2))*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t63 = JLT_FMA(p[18], t58, t61); /* 2*R*I3/I1*gamma3*1/s^2*s*t23 + t61 */
-    out[11] = t63;
-    const double t64 = JLT_FMA(p[20], t58, t62); /* (-2*I3/I1)*gamma3*1/s^2*s*t23 + t62 */
-    out[15] = t64;
+    const double t11 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t12 = JLT_FMA(x[3], t11, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t13 = t8*t10; /* 1/s^2*s */
+    const double t14 = t12*t13; /* (omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t15 = p[7]*t14; /* 1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t16 = x[0]*t13; /* gamma3*1/s^2*s */
+    const double t17 = t15*t16; /* 1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s*gamma3*1/s^2*s */
+    const double t18 = JLT_FMA(x[3], p[10], t17); /* omega3*I3/I1 + t17 */
+    const double t19 = t13*t18; /* d(omega_n)/d(gamma3) = 1/s^2*s*(omega3*I3/I1 + t17) */
+    const double t20 = t15*t18; /* 1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s*(omega3*I3/I1 + t17) */
+    const double t21 = -t20; /* -t20 */
+    out[2] = t21;
+    const double t22 = x[0]*2.0; /* gamma3*2 */
+    const double t23 = t19*t22; /* d(omega_n)/d(gamma3)*gamma3*2 */
+    const double t24 = JLT_FMA(t8, t15, t23); /* 1/s^2*1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s + d(omega_n)/d(gamma3)*gamma3*2 */
+    const double t25 = t13*t24; /* 1/s^2*s*t24 */
+    const double t26 = x[2]*t10; /* omega_tau*s */
+    out[0] = t26;
+    const double t27 = x[0]*t10; /* gamma3*s */
+    const double t28 = p[11]*t9; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
+    const double t29 = x[0]*t26; /* gamma3*omega_tau*s */
+    const double t30 = x[3]*t28; /* omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
+    const double t31 = t26*t30; /* omega_tau*s*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
+    const double t32 = t28*t29; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1))*gamma3*omega_tau*s */
+    const double t33 = t29*t30; /* gamma3*omega_tau*s*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
+    const double t34 = JLT_FMA(p[12], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t35 = t9*t34; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t36 = JLT_FNMA(t15, t35, t33); /* gamma3*omega_tau*s*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s*1/(Theta/(m*R^2*I1))*V/R */
+    out[3] = t36;
+    const double t37 = JLT_FNMA(t19, t35, t31); /* omega_tau*s*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - d(omega_n)/d(gamma3)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t38 = x[3]*t19; /* omega3*d(omega_n)/d(gamma3) */
+    const double t39 = p[10]*t35; /* I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t40 = JLT_FNMA(t16, t39, t32); /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1))*gamma3*omega_tau*s - gamma3*1/s^2*s*I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    out[19] = t40;
+    const double t41 = x[2]*t16; /* omega_tau*gamma3*1/s^2*s */
+    const double t42 = -t41; /* -omega_tau*gamma3*1/s^2*s */
+    out[4] = t42;
+    const double t43 = t30*t41; /* omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*1/s^2*s */
+    const double t44 = p[16]*t14; /* 1/I1*(omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t45 = p[19]*t14; /* (-I3/(R*I1^2))*(omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t46 = x[3]*t16; /* omega3*gamma3*1/s^2*s */
+    const double t47 = t16*t17; /* gamma3*1/s^2*s*t17 */
+    const double t48 = x[3] + t17; /* omega3 + t17 */
+    const double t49 = t44*t48; /* 1/I1*(omega3*gamma3*R*I3 + G_level)*1/s^2*s*(omega3 + t17) */
+    out[1] = t49;
+    const double t50 = JLT_FMA(p[21], t46, t45); /* (-I3^2/I1^2)*omega3*gamma3*1/s^2*s + (-I3/(R*I1^2))*(omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t51 = JLT_FMA(p[20], t47, t50); /* (-2*I3/I1)*gamma3*1/s^2*s*t17 + t50 */
+    out[15] = t51;
+    const double t52 = JLT_FMA(p[17], t46, t44); /* R*I3/I1*omega3*gamma3*1/s^2*s + 1/I1*(omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t53 = JLT_FMA(p[18], t47, t52); /* 2*R*I3/I1*gamma3*1/s^2*s*t17 + t52 */
+    out[11] = t53;
+    const double t54 = t15*t25; /* 1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s*1/s^2*s*t24 */
+    const double t55 = JLT_FMA(p[10], t38, t54); /* I3/I1*omega3*d(omega_n)/d(gamma3) + 1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s*1/s^2*s*t24 */
+    const double t56 = -t55; /* -t55 */
+    out[12] = t56;
+    const double t57 = p[1]*t38; /* R*omega3*d(omega_n)/d(gamma3) */
+    const double t58 = JLT_FMA(t25, t44, t57); /* 1/s^2*s*t24*1/I1*(omega3*gamma3*R*I3 + G_level)*1/s^2*s + R*omega3*d(omega_n)/d(gamma3) */
+    out[8] = t58;
+    const double t59 = t9*t15; /* 1/(Theta/(m*R^2*I1))*1/(R*I1)*(omega3*gamma3*R*I3 + G_level)*1/s^2*s */
+    const double t60 = JLT_FMS(t27, t30, t59); /* gamma3*s*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - t59 */
+    out[18] = t60;
+    const double t61 = p[28]*t59; /* (-1/R)*t59 */
+    out[17] = t61;
+    const double t62 = p[27]*t9; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t63 = JLT_FNMA(t36, t62, t43); /* t43 - t36*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t64 = JLT_FNMA(x[0], t63, t37); /* t37 - gamma3*t63 */
+    out[16] = t64;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -631,7 +630,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 43,
@@ -642,9 +641,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .rhs = { rhs, 4, { 5, 18, 5, 1, 1, 0, 12, 6 }, { 10, 39, 0, 6, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, a part of d(omega_tau)/dt, omega3 + omega_n*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, V/R = (1/R)*v_nu + omega_tau, omega_tau*s*((I1 - I3)/I1)*gamma3*omega3 - omega_n*V/R" },
     .jacobian = { jacobian, 16, { 5, 38, 17, 1, 1, 0, 14, 13 }, { 33, 145, 0, 26, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega3), 2*m*R^2*I1 - 2*m*R^2*I3, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), V = omega_tau*R + v_nu, d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 39, 17, 1, 1, 0, 17, 13 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level, a part of d(d(omega3)/dt)/d(omega_tau), a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), V/R = (1/R)*v_nu + omega_tau, a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), gamma3*((I1 - I3)/I1)*omega_tau*s - gamma3*1/s^2*s*(I3/I1)*V/R, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega3), 2*m*R^2*I1 - 2*m*R^2*I3, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), V = omega_tau*R + v_nu, a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega3)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 39, 17, 1, 1, 0, 19, 15 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), omega3*gamma3*(R*I3) + G_level, a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, d(d(omega3)/dt)/d(omega3), a part of d(v_nu)/dt, d(d(omega_tau)/dt)/d(omega3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 3, 10, 4, 1, 1, 0, 10, 6 }, { 7, 25, 0, 3, 1, 0, 10, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V + omega_tau, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 14, 9, 1, 1, 0, 10, 6 }, { 12, 44, 0, 1, 1, 0, 12, 6 },

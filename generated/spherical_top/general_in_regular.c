@@ -2,35 +2,35 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   23   14    1    0    0      7   10   (105)
- *  jacobian            10   67   30    1    0    0     12   20   (480)
- *  rhs_jacobian        15   69   33    1    0    0     12   23   (563)
- *  divergence          2    9    7    1    0    0      6    7   (53)
+ *  rhs                 3   23   13    1    0    0      7   10   (105)
+ *  jacobian            12   66   31    1    0    0     13   20   (480)
+ *  rhs_jacobian        15   69   33    1    0    0     12   22   (563)
+ *  divergence          0    8    9    1    0    0      9    7   (53)
  *  integral_values     0   12    9    0    0    0      7    5   (40)
  *  integral_gradients  0   15    7    0    0    0      5    5   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
- *  observe_values      1    6    4    1    0    0      7    5   (36)
- *  valid_values        1    6    4    1    0    0      7    5   (36)
+ *  observe_values      1    7    4    1    0    0      8    5   (35)
+ *  valid_values        1    7    4    1    0    0      8    5   (35)
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu,
- *      omega_n*omega_n*I1 - s*omega_tau*(m*a3^2)*s*omega_tau,
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), (m*R*I3)*e + I3^2,
+ *      d(d(omega_n)/dtau)/d(omega_n), omega_n*omega_n - s*omega_tau*(m*a3^2/I1)*s*omega_tau, (m*R*I3)*e + I3^2,
  *      numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b,
- *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3),
- *      d(d(omega_n)/dtau)/d(gamma3), d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
+ *      d(omega_n)/dtau, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega_n)/dtau)/d(gamma3), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s),
+ *      m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
  *      a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
- *      d(d(omega_n)/dtau)/d(omega_n), d(numerator of d(omega_tau)/dt over D)/d(s),
  *      d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1),
  *      a part of d(d(omega3)/dtau)/d(gamma3),
  *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b,
- *      d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau),
- *      d(d(v_nu)/dtau)/d(omega_n), omega_n*b + R*s*omega3, d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), omega_n*b + R*s*omega3,
+ *      d(d(omega_n)/dtau)/d(omega_tau), (2*I1)*omega_n*gamma3 + I3*s*omega3,
+ *      d(numerator of d(omega_tau)/dt over D)/d(s), a part of d(d(omega_tau)/dtau)/d(s),
  *      d(numerator of d(omega3)/dt over Theta)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -58,153 +58,148 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[4]*params[5]; /* I1*I3 */
-    out[6] = t0;
-    const double t1 = params[1]*params[1]; /* R*R */
-    const double t2 = params[0]*t1; /* m*R*R */
-    const double t3 = params[4]*t2; /* I1*m*R*R */
-    out[7] = t3;
-    const double t4 = params[5]*params[0]; /* I3*m */
-    out[8] = t4;
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    const double t2 = params[5]/t1; /* I3/(m*R*R) */
+    out[6] = t2;
+    const double t3 = t0*params[4]; /* R*R*I1 */
+    const double t4 = params[5]/t3; /* I3/(R*R*I1) */
+    out[7] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[39] = t6;
+    out[38] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
-    out[9] = t7;
-    const double t8 = params[0]*params[2]; /* m*g */
-    out[63] = t8;
-    const double t9 = params[3]*t8; /* a3*m*g */
-    out[40] = t9;
-    const double t10 = t9/params[4]; /* a3*m*g/I1 */
-    out[10] = t10;
-    const double t11 = params[5]/params[4]; /* I3/I1 */
-    out[11] = t11;
-    const double t12 = params[0]*params[1]; /* m*R */
-    out[60] = t12;
-    const double t13 = params[5]*t12; /* I3*m*R */
-    out[12] = t13;
-    const double t14 = params[5]/t12; /* I3/(m*R) */
-    out[13] = t14;
-    const double t15 = params[4]*t12; /* I1*m*R */
-    out[42] = t15;
-    const double t16 = -t15; /* -I1*m*R */
-    out[14] = t16;
+    out[8] = t7;
+    const double t8 = params[5]/params[4]; /* I3/I1 */
+    out[9] = t8;
+    const double t9 = params[0]*params[2]; /* m*g */
+    const double t10 = params[3]*t9; /* a3*m*g */
+    out[34] = t10;
+    const double t11 = t10/params[4]; /* a3*m*g/I1 */
+    out[10] = t11;
+    const double t12 = params[1]*params[4]; /* R*I1 */
+    out[58] = t12;
+    const double t13 = params[5]/t12; /* I3/(R*I1) */
+    out[11] = t13;
+    const double t14 = params[0]*params[1]; /* m*R */
+    out[59] = t14;
+    const double t15 = params[5]/t14; /* I3/(m*R) */
+    out[12] = t15;
+    const double t16 = (-1.0)/params[1]; /* (-1)/R */
+    out[13] = t16;
     const double t17 = params[5]*params[3]; /* I3*a3 */
     const double t18 = t17/params[4]; /* I3*a3/I1 */
-    out[15] = t18;
+    out[14] = t18;
     const double t19 = params[4] - params[5]; /* I1 - I3 */
     const double t20 = params[1]*t19; /* R*(I1 - I3) */
     const double t21 = t20/params[4]; /* R*(I1 - I3)/I1 */
-    out[16] = t21;
+    out[15] = t21;
     const double t22 = params[1]*2.0; /* R*2 */
-    out[17] = t22;
+    out[16] = t22;
     const double t23 = params[3]/params[1]; /* a3/R */
-    out[18] = t23;
-    const double t24 = params[5]/t2; /* I3/(m*R*R) */
-    out[19] = t24;
-    const double t25 = params[0]*2.0; /* m*2 */
-    const double t26 = t5*t25; /* a3*a3*m*2 */
-    out[45] = t26;
-    const double t27 = t26/params[4]; /* a3*a3*m*2/I1 */
-    out[20] = t27;
-    const double t28 = -params[5]; /* -I3 */
-    out[62] = t28;
-    const double t29 = -t11; /* -I3/I1 */
-    out[21] = t29;
-    const double t30 = params[2]*t25; /* g*m*2 */
-    const double t31 = params[3]*t30; /* a3*g*m*2 */
-    out[47] = t31;
-    const double t32 = t31/params[4]; /* a3*g*m*2/I1 */
-    out[22] = t32;
-    const double t33 = params[4]*params[4]; /* I1*I1 */
-    const double t34 = params[5]*t26; /* I3*a3*a3*m*2 */
-    const double t35 = t34/t33; /* I3*a3*a3*m*2/(I1*I1) */
-    out[23] = t35;
-    const double t36 = params[4]*params[1]; /* I1*R */
-    out[59] = t36;
-    const double t37 = t17/t36; /* I3*a3/(I1*R) */
-    out[24] = t37;
-    const double t38 = params[5]/t36; /* I3/(I1*R) */
-    out[25] = t38;
-    const double t39 = params[1]*t33; /* R*I1*I1 */
-    const double t40 = params[5]*params[5]; /* I3*I3 */
-    out[41] = t40;
-    const double t41 = 2.0*t40; /* 2*I3*I3 */
-    const double t42 = t41/t39; /* 2*I3*I3/(R*I1*I1) */
-    out[26] = t42;
-    const double t43 = t2*t33; /* m*R*R*I1*I1 */
-    const double t44 = params[5]*t40; /* I3*I3*I3 */
-    const double t45 = 2.0*t44; /* 2*I3*I3*I3 */
-    const double t46 = t45/t43; /* 2*I3*I3*I3/(m*R*R*I1*I1) */
-    out[27] = t46;
-    const double t47 = -t38; /* -I3/(I1*R) */
-    out[28] = t47;
-    const double t48 = t40/t3; /* I3*I3/(I1*m*R*R) */
-    out[29] = t48;
-    const double t49 = params[5]*2.0; /* I3*2 */
-    const double t50 = t49/t36; /* I3*2/(I1*R) */
-    out[30] = t50;
-    const double t51 = t41/t3; /* 2*I3*I3/(I1*m*R*R) */
-    out[31] = t51;
-    const double t52 = t19/params[4]; /* (I1 - I3)/I1 */
-    out[32] = t52;
-    const double t53 = params[3]*2.0; /* a3*2 */
-    const double t54 = t40*t53; /* I3*I3*a3*2 */
-    const double t55 = t54/t39; /* I3*I3*a3*2/(R*I1*I1) */
-    out[33] = t55;
-    const double t56 = t19*t49; /* (I1 - I3)*I3*2 */
-    const double t57 = t56/t33; /* (I1 - I3)*I3*2/(I1*I1) */
-    out[34] = t57;
-    const double t58 = 1.0/params[1]; /* 1/R */
+    out[17] = t23;
+    const double t24 = params[0]*2.0; /* m*2 */
+    const double t25 = t5*t24; /* a3*a3*m*2 */
+    out[44] = t25;
+    const double t26 = t25/params[4]; /* a3*a3*m*2/I1 */
+    out[18] = t26;
+    const double t27 = -params[5]; /* -I3 */
+    out[61] = t27;
+    const double t28 = -t8; /* -I3/I1 */
+    out[19] = t28;
+    const double t29 = params[4]*params[4]; /* I1*I1 */
+    const double t30 = params[5]*t25; /* I3*a3*a3*m*2 */
+    const double t31 = t30/t29; /* I3*a3*a3*m*2/(I1*I1) */
+    out[20] = t31;
+    const double t32 = params[2]*t24; /* g*m*2 */
+    const double t33 = params[3]*t32; /* a3*g*m*2 */
+    out[46] = t33;
+    const double t34 = t33/params[4]; /* a3*g*m*2/I1 */
+    out[21] = t34;
+    const double t35 = t17/t12; /* I3*a3/(R*I1) */
+    out[22] = t35;
+    const double t36 = params[1]*t29; /* R*I1*I1 */
+    const double t37 = params[5]*params[5]; /* I3*I3 */
+    out[39] = t37;
+    const double t38 = 2.0*t37; /* 2*I3*I3 */
+    const double t39 = t38/t36; /* 2*I3*I3/(R*I1*I1) */
+    out[23] = t39;
+    const double t40 = t1*t29; /* m*R*R*I1*I1 */
+    const double t41 = params[5]*t37; /* I3*I3*I3 */
+    const double t42 = 2.0*t41; /* 2*I3*I3*I3 */
+    const double t43 = t42/t40; /* 2*I3*I3*I3/(m*R*R*I1*I1) */
+    out[24] = t43;
+    const double t44 = t1*params[4]; /* m*R*R*I1 */
+    out[36] = t44;
+    const double t45 = t37/t44; /* I3*I3/(m*R*R*I1) */
+    out[25] = t45;
+    const double t46 = params[5]*2.0; /* I3*2 */
+    const double t47 = t46/t12; /* I3*2/(R*I1) */
+    out[26] = t47;
+    const double t48 = t38/t44; /* 2*I3*I3/(m*R*R*I1) */
+    out[27] = t48;
+    const double t49 = params[3]*2.0; /* a3*2 */
+    const double t50 = params[5]*t49; /* I3*a3*2 */
+    const double t51 = t50/t36; /* I3*a3*2/(R*I1*I1) */
+    out[28] = t51;
+    const double t52 = t19*2.0; /* (I1 - I3)*2 */
+    const double t53 = t52/t29; /* (I1 - I3)*2/(I1*I1) */
+    out[29] = t53;
+    const double t54 = t19/params[4]; /* (I1 - I3)/I1 */
+    out[30] = t54;
+    const double t55 = 1.0/params[1]; /* 1/R */
+    out[31] = t55;
+    const double t56 = params[4]/t1; /* I1/(m*R*R) */
+    out[32] = t56;
+    const double t57 = 2.0/params[1]; /* 2/R */
+    out[33] = t57;
+    const double t58 = params[5]*params[4]; /* I3*I1 */
     out[35] = t58;
-    const double t59 = (-1.0)/params[1]; /* (-1)/R */
-    out[36] = t59;
-    const double t60 = params[4]/t2; /* I1/(m*R*R) */
-    out[37] = t60;
-    const double t61 = 2.0/params[1]; /* 2/R */
-    out[38] = t61;
-    const double t62 = params[3]*t12; /* a3*m*R */
+    const double t59 = params[0]*params[5]; /* m*I3 */
+    out[37] = t59;
+    const double t60 = params[5]*t14; /* I3*m*R */
+    out[40] = t60;
+    const double t61 = params[4]*t14; /* I1*m*R */
+    out[41] = t61;
+    const double t62 = params[3]*t14; /* a3*m*R */
     const double t63 = params[5]*t62; /* I3*a3*m*R */
-    out[43] = t63;
-    const double t64 = t2*t19; /* m*R*R*(I1 - I3) */
-    out[44] = t64;
+    out[42] = t63;
+    const double t64 = t1*t19; /* m*R*R*(I1 - I3) */
+    out[43] = t64;
     const double t65 = params[4]*2.0; /* I1*2 */
-    out[46] = t65;
+    out[45] = t65;
     const double t66 = params[0]*params[3]; /* m*a3 */
     const double t67 = params[5]*t66; /* I3*m*a3 */
-    out[48] = t67;
-    const double t68 = params[1]*t25; /* R*m*2 */
+    out[47] = t67;
+    const double t68 = params[1]*t24; /* R*m*2 */
     const double t69 = params[5]*t68; /* I3*R*m*2 */
-    out[49] = t69;
-    const double t70 = t1*t25; /* R*R*m*2 */
+    out[48] = t69;
+    const double t70 = t0*t24; /* R*R*m*2 */
     const double t71 = params[4]*t70; /* I1*R*R*m*2 */
-    out[50] = t71;
+    out[49] = t71;
     const double t72 = params[4]*t62; /* I1*a3*m*R */
-    out[51] = t72;
+    out[50] = t72;
     const double t73 = t19*t70; /* (I1 - I3)*R*R*m*2 */
-    out[52] = t73;
+    out[51] = t73;
     const double t74 = params[3]*t68; /* a3*R*m*2 */
     const double t75 = params[5]*t74; /* I3*a3*R*m*2 */
-    out[53] = t75;
+    out[52] = t75;
     const double t76 = params[0]/2.0; /* m/2 */
-    out[54] = t76;
+    out[53] = t76;
     const double t77 = params[2]*2.0; /* g*2 */
     const double t78 = params[3]*t77; /* a3*g*2 */
-    out[55] = t78;
+    out[54] = t78;
     const double t79 = 1.0/params[0]; /* 1/m */
-    out[56] = t79;
+    out[55] = t79;
     const double t80 = params[4]/params[0]; /* I1/m */
-    out[57] = t80;
+    out[56] = t80;
     const double t81 = params[5]/params[0]; /* I3/m */
-    out[58] = t81;
-    const double t82 = params[5]*params[1]; /* I3*R */
-    const double t83 = -t82; /* -I3*R */
-    out[61] = t83;
-    const double t84 = params[4]*t66; /* I1*m*a3 */
-    out[64] = t84;
-    const double t85 = params[4]*t1; /* I1*R*R */
-    const double t86 = params[5]/t85; /* I3/(I1*R*R) */
-    out[65] = t86;
+    out[57] = t81;
+    const double t82 = params[1]*params[5]; /* R*I3 */
+    const double t83 = -t82; /* -R*I3 */
+    out[60] = t83;
+    const double t84 = params[4]*params[3]; /* I1*a3 */
+    out[62] = t84;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -218,40 +213,40 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FMA(p[1], t4, t3); /* R*s*omega3 + omega_n*b */
     const double t6 = x[3]*t5; /* omega_n*(R*s*omega3 + omega_n*b) */
     out[1] = t6;
-    const double t7 = t2*p[8]; /* b*m*I3 */
-    const double t8 = JLT_FMA(t0, p[7], p[6]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t9 = JLT_FMA(t2, t7, t8); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t7 = t2*p[7]; /* b*I3/(R^2*I1) */
+    const double t8 = t0 + p[6]; /* s*s + I3/(m*R^2) */
+    const double t9 = JLT_FMA(t2, t7, t8); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + s*s + I3/(m*R^2) */
     const double t10 = x[2]*x[5]; /* omega_tau*s */
     const double t11 = x[0]*t10; /* gamma3*omega_tau*s */
-    const double t12 = p[9]*t10; /* m*a3^2/I1*omega_tau*s */
+    const double t12 = p[8]*t10; /* m*a3^2/I1*omega_tau*s */
     const double t13 = t11*t12; /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s */
     const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t15 = JLT_FMA(t4, p[11], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
+    const double t15 = JLT_FMA(t4, p[9], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
     const double t16 = JLT_FNMA(t0, p[10], t13); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 */
     const double t17 = JLT_FNMA(x[3], t15, t16); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
-    const double t18 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t19 = t9*t18; /* Theta*D/I1 */
-    const double t20 = 1.0/t19; /* 1/(Theta*D/I1) */
-    const double t21 = t9*t17; /* Theta*t17 */
-    const double t22 = t20*t21; /* 1/(Theta*D/I1)*Theta*t17 */
+    const double t18 = JLT_FMA(t0, p[8], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t19 = t9*t18; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t20 = 1.0/t19; /* 1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t21 = t9*t17; /* Theta/(m*R^2*I1)*t17 */
+    const double t22 = t20*t21; /* 1/(Theta/(m*R^2*I1)*D/I1)*Theta/(m*R^2*I1)*t17 */
     out[2] = t22;
     const double t23 = x[2]*t14; /* omega_tau*omega_n*gamma3 */
     const double t24 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t26 = x[3]*t25; /* omega_n*V */
-    const double t27 = t7*t26; /* b*m*I3*omega_n*V */
-    const double t28 = t24 + p[13]; /* e + I3/(m*R) */
-    const double t29 = x[4]*t10; /* omega3*omega_tau*s */
-    const double t30 = p[12]*t29; /* m*R*I3*omega3*omega_tau*s */
-    const double t31 = JLT_FNMA(t28, t30, t27); /* b*m*I3*omega_n*V - (e + I3/(m*R))*m*R*I3*omega3*omega_tau*s */
-    const double t32 = t18*t20; /* 1/Theta = D/I1*1/(Theta*D/I1) */
-    const double t33 = JLT_FNMA(t31, t32, t23); /* omega_tau*omega_n*gamma3 - (b*m*I3*omega_n*V - (e + I3/(m*R))*m*R*I3*omega3*omega_tau*s)*1/Theta */
+    const double t25 = p[12] + t24; /* I3/(m*R) + e */
+    const double t26 = x[4]*t10; /* omega3*omega_tau*s */
+    const double t27 = p[11]*t26; /* I3/(R*I1)*omega3*omega_tau*s */
+    const double t28 = t25*t27; /* (I3/(m*R) + e)*I3/(R*I1)*omega3*omega_tau*s */
+    const double t29 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = x[3]*t29; /* omega_n*V */
+    const double t31 = JLT_FNMA(t7, t30, t28); /* (I3/(m*R) + e)*I3/(R*I1)*omega3*omega_tau*s - b*I3/(R^2*I1)*omega_n*V */
+    const double t32 = t18*t20; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t33 = JLT_FMA(t31, t32, t23); /* t31*1/(Theta/(m*R^2*I1)) + omega_tau*omega_n*gamma3 */
     out[3] = t33;
-    const double t34 = JLT_FNMA(x[0], p[16], p[15]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
-    const double t35 = JLT_FMA(t29, t34, t26); /* omega3*omega_tau*s*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) + omega_n*V */
-    const double t36 = x[5]*p[14]; /* s*(-m*R*I1) */
-    const double t37 = t35*t36; /* t35*s*(-m*R*I1) */
-    const double t38 = t32*t37; /* 1/Theta*t35*s*(-m*R*I1) */
+    const double t34 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
+    const double t35 = JLT_FMA(t26, t34, t30); /* omega3*omega_tau*s*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) + omega_n*V */
+    const double t36 = x[5]*p[13]; /* s*(-1/R) */
+    const double t37 = t35*t36; /* t35*s*(-1/R) */
+    const double t38 = t32*t37; /* 1/(Theta/(m*R^2*I1))*t35*s*(-1/R) */
     out[4] = t38;
     const double t39 = -t11; /* -gamma3*omega_tau*s */
     out[5] = t39;
@@ -274,135 +269,137 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    const double t3 = x[3]*p[1]; /* omega_n*R */
+    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
     out[6] = t4;
-    const double t5 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t6 = x[3]*p[17]; /* omega_n*2*R */
+    const double t5 = p[17] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = x[3]*p[16]; /* omega_n*2*R */
     const double t7 = t5*t6; /* b/R*omega_n*2*R */
-    const double t8 = x[5]*p[1]; /* s*R */
-    const double t9 = JLT_FMA(x[4], t8, t7); /* omega3*s*R + b/R*omega_n*2*R */
+    const double t8 = x[5]*x[4]; /* s*omega3 */
+    const double t9 = JLT_FMA(p[1], t8, t7); /* R*s*omega3 + b/R*omega_n*2*R */
     out[9] = t9;
-    const double t10 = x[3]*t8; /* omega_n*s*R */
+    const double t10 = x[5]*t3; /* s*omega_n*R */
     out[10] = t10;
-    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
-    out[11] = t12;
-    const double t13 = t5*t5; /* b/R*b/R */
-    const double t14 = t0 + p[19]; /* s*s + I3/(m*R^2) */
-    const double t15 = JLT_FMA(p[11], t13, t14); /* Theta/(m*R^2*I1) = I3/I1*b/R*b/R + s*s + I3/(m*R^2) */
-    const double t16 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t17 = t15*t16; /* Theta/(m*R^2*I1)*D/I1 */
-    const double t18 = 1.0/t17; /* 1/(Theta/(m*R^2*I1)*D/I1) */
-    const double t19 = t15*t18; /* 1/(D/I1) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1) */
-    const double t20 = x[5]*t19; /* s*1/(D/I1) */
-    const double t21 = t1*t20; /* s*omega_tau*s*1/(D/I1) */
-    const double t22 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t23 = t21*t22; /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 */
-    const double t24 = JLT_FNMA(t3, t19, t23); /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(D/I1) */
+    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
+    out[11] = t11;
+    const double t12 = t5*t5; /* b/R*b/R */
+    const double t13 = t0 + p[6]; /* s*s + I3/(m*R^2) */
+    const double t14 = JLT_FMA(p[9], t12, t13); /* Theta/(m*R^2*I1) = I3/I1*b/R*b/R + s*s + I3/(m*R^2) */
+    const double t15 = JLT_FMA(t0, p[8], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t16 = t14*t15; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t17 = 1.0/t16; /* 1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t18 = t14*t17; /* 1/(D/I1) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t19 = x[5]*t18; /* s*1/(D/I1) */
+    const double t20 = t1*t19; /* s*omega_tau*s*1/(D/I1) */
+    const double t21 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t22 = t20*t21; /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 */
+    const double t23 = x[3]*t18; /* omega_n*1/(D/I1) */
+    const double t24 = JLT_FNMA(x[3], t23, t22); /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(D/I1) */
     out[12] = t24;
-    const double t25 = x[0]*p[20]; /* gamma3*2*m*a3^2/I1 */
-    const double t26 = t21*t25; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t25 = x[0]*p[18]; /* gamma3*2*m*a3^2/I1 */
+    const double t26 = t20*t25; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
     out[14] = t26;
-    const double t27 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t28 = (-2.0)*t27; /* (-2)*omega_n*gamma3 */
-    const double t29 = t19*t28; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    const double t30 = x[4]*t20; /* omega3*s*1/(D/I1) */
-    const double t31 = JLT_FMA(p[21], t30, t29); /* (-I3/I1)*omega3*s*1/(D/I1) + 1/(D/I1)*(-2)*omega_n*gamma3 */
+    const double t27 = 2.0*x[0]; /* 2*gamma3 */
+    const double t28 = t23*t27; /* omega_n*1/(D/I1)*2*gamma3 */
+    const double t29 = x[4]*p[9]; /* omega3*I3/I1 */
+    const double t30 = JLT_FMA(t19, t29, t28); /* s*1/(D/I1)*omega3*I3/I1 + omega_n*1/(D/I1)*2*gamma3 */
+    const double t31 = -t30; /* -(s*1/(D/I1)*omega3*I3/I1 + omega_n*1/(D/I1)*2*gamma3) */
     out[15] = t31;
-    const double t32 = x[3]*t20; /* omega_n*s*1/(D/I1) */
-    const double t33 = p[21]*t32; /* (-I3/I1)*omega_n*s*1/(D/I1) */
+    const double t32 = x[3]*t19; /* omega_n*s*1/(D/I1) */
+    const double t33 = p[19]*t32; /* (-I3/I1)*omega_n*s*1/(D/I1) */
     out[16] = t33;
-    const double t34 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t35 = JLT_FNMA(t25, t34, p[22]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t36 = t20*t35; /* s*1/(D/I1)*t35 */
-    const double t37 = JLT_FMA(t11, p[11], t36); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t35 */
-    const double t38 = t19*t37; /* 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
-    const double t39 = t32*p[23]; /* omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
-    const double t40 = JLT_FMS(t30, t39, t38); /* omega3*s*1/(D/I1)*omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
-    out[17] = t40;
-    const double t41 = t16*t18; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
-    const double t42 = t5*t41; /* b/R*1/(Theta/(m*R^2*I1)) */
-    const double t43 = x[3]*t42; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t44 = x[5]*t41; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t45 = x[2]*t44; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t46 = x[4]*t45; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t47 = JLT_FMS(x[2], t43, t46); /* omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) - omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t48 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t49 = JLT_FMA(x[2], t48, x[1]); /* V = omega_tau*e + v_nu */
-    const double t50 = p[25]*t49; /* I3/(R*I1)*V */
-    const double t51 = JLT_FNMA(t41, t50, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
-    const double t52 = x[3]*t51; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V) */
-    const double t53 = t43*t49; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*V */
-    const double t54 = JLT_FMS(t46, t48, t53); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*e - omega_n*b/R*1/(Theta/(m*R^2*I1))*V */
-    const double t55 = t42*p[26]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2) */
-    const double t56 = t42*p[27]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^3/(m*R^2*I1^2) */
-    const double t57 = JLT_FNMA(t46, t56, t52); /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V) - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*b/R*1/(Theta/(m*R^2*I1))*2*I3^3/(m*R^2*I1^2) */
-    const double t58 = JLT_FNMA(p[24], t47, t57); /* t57 - a3*I3/(R*I1)*t47 */
-    const double t59 = JLT_FNMA(t54, t55, t58); /* t57 - a3*I3/(R*I1)*t47 - t54*b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2) */
-    out[18] = t59;
-    const double t60 = t43*p[28]; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
-    out[19] = t60;
-    const double t61 = p[25]*t48; /* I3/(R*I1)*e */
-    const double t62 = t61 + p[29]; /* I3/(R*I1)*e + I3^2/(m*R^2*I1) */
-    const double t63 = x[4]*t62; /* omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
-    const double t64 = JLT_FMA(t44, t63, t27); /* s*1/(Theta/(m*R^2*I1))*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) + omega_n*gamma3 */
-    const double t65 = JLT_FNMA(t43, t61, t64); /* t64 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*e */
-    out[20] = t65;
-    const double t66 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t67 = JLT_FNMA(t42, t50, t66); /* omega_tau*gamma3 - b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
-    out[21] = t67;
-    const double t68 = t45*t62; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
-    out[22] = t68;
-    const double t69 = x[2]*t63; /* omega_tau*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
-    const double t70 = t41*t69; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
-    const double t71 = t44*p[30]; /* s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
-    const double t72 = t44*p[31]; /* s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
-    const double t73 = JLT_FNMA(t46, t72, t70); /* t70 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
-    const double t74 = JLT_FNMA(t54, t71, t73); /* t73 - t54*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
-    out[23] = t74;
-    const double t75 = x[5]*p[32]; /* s*(I1 - I3)/I1 */
-    const double t76 = JLT_FNMA(x[0], p[34], p[33]); /* 2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t77 = t5*t76; /* b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) */
-    const double t78 = JLT_FMA(t44, t77, t75); /* s*1/(Theta/(m*R^2*I1))*b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) + s*(I1 - I3)/I1 */
-    const double t79 = t46*t78; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t78 */
-    const double t80 = x[3]*p[18]; /* omega_n*a3/R */
-    const double t81 = JLT_FNMA(t45, t80, t79); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t78 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
-    const double t82 = JLT_FMA(t53, t71, t81); /* omega_n*b/R*1/(Theta/(m*R^2*I1))*V*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) + t81 */
-    out[24] = t82;
-    const double t83 = x[3]*p[35]; /* omega_n*1/R */
-    const double t84 = t44*t83; /* s*1/(Theta/(m*R^2*I1))*omega_n*1/R */
-    const double t85 = -t84; /* -s*1/(Theta/(m*R^2*I1))*omega_n*1/R */
-    out[25] = t85;
-    const double t86 = JLT_FNMA(x[0], p[32], p[24]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t87 = x[5]*t86; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t88 = x[4]*t87; /* omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t89 = t44*t88; /* s*1/(Theta/(m*R^2*I1))*omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t90 = JLT_FMA(t48, t84, t89); /* e*s*1/(Theta/(m*R^2*I1))*omega_n*1/R + t89 */
-    const double t91 = -t90; /* -(e*s*1/(Theta/(m*R^2*I1))*omega_n*1/R + t89) */
-    out[26] = t91;
-    const double t92 = t44*t49; /* s*1/(Theta/(m*R^2*I1))*V */
-    const double t93 = p[36]*t92; /* (-1/R)*s*1/(Theta/(m*R^2*I1))*V */
-    out[27] = t93;
-    const double t94 = t45*t87; /* omega_tau*s*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t95 = -t94; /* -t94 */
-    out[28] = t95;
-    const double t96 = t49*t83; /* V*omega_n*1/R */
-    const double t97 = t13 + p[37]; /* b/R*b/R + I1/(m*R^2) */
-    const double t98 = t76*t97; /* (2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2)*(b/R*b/R + I1/(m*R^2)) */
-    const double t99 = JLT_FMA(t46, t98, t96); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t98 + V*omega_n*1/R */
-    const double t100 = t41*t99; /* 1/(Theta/(m*R^2*I1))*(omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t98 + V*omega_n*1/R) */
-    const double t101 = x[3]*p[38]; /* omega_n*2/R */
-    const double t102 = t44*t101; /* s*1/(Theta/(m*R^2*I1))*omega_n*2/R */
-    const double t103 = JLT_FMS(t92, t102, t100); /* s*1/(Theta/(m*R^2*I1))*V*s*1/(Theta/(m*R^2*I1))*omega_n*2/R - t100 */
-    out[29] = t103;
-    const double t104 = -t1; /* -s*omega_tau */
-    out[30] = t104;
-    const double t105 = x[5]*x[0]; /* s*gamma3 */
-    const double t106 = -t105; /* -s*gamma3 */
-    out[32] = t106;
-    const double t107 = -t66; /* -omega_tau*gamma3 */
-    out[35] = t107;
+    const double t34 = t23*t29; /* omega_n*1/(D/I1)*omega3*I3/I1 */
+    const double t35 = x[4]*p[20]; /* omega3*2*m*a3^2*I3/I1^2 */
+    const double t36 = t32*t35; /* omega_n*s*1/(D/I1)*omega3*2*m*a3^2*I3/I1^2 */
+    const double t37 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t38 = JLT_FMA(x[3], x[3], t37); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t39 = JLT_FNMA(t25, t38, p[21]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t40 = JLT_FNMA(t18, t39, t36); /* omega_n*s*1/(D/I1)*omega3*2*m*a3^2*I3/I1^2 - 1/(D/I1)*t39 */
+    const double t41 = JLT_FMS(t19, t40, t34); /* s*1/(D/I1)*(omega_n*s*1/(D/I1)*omega3*2*m*a3^2*I3/I1^2 - 1/(D/I1)*t39) - omega_n*1/(D/I1)*omega3*I3/I1 */
+    out[17] = t41;
+    const double t42 = x[2]*x[3]; /* omega_tau*omega_n */
+    const double t43 = t15*t17; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t44 = t5*t43; /* b/R*1/(Theta/(m*R^2*I1)) */
+    const double t45 = x[5]*t43; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t46 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t47 = t45*t46; /* s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t48 = JLT_FMS(t42, t44, t47); /* omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) - s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t49 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t50 = JLT_FMA(x[2], t49, x[1]); /* V = omega_tau*e + v_nu */
+    const double t51 = x[3]*t50; /* omega_n*V */
+    const double t52 = p[11]*t51; /* I3/(R*I1)*omega_n*V */
+    const double t53 = t44*t51; /* b/R*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t54 = JLT_FMS(t47, t49, t53); /* s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*e - b/R*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t55 = t44*p[23]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2) */
+    const double t56 = t44*p[24]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^3/(m*R^2*I1^2) */
+    const double t57 = JLT_FNMA(t43, t52, t42); /* omega_tau*omega_n - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*omega_n*V */
+    const double t58 = JLT_FNMA(t47, t56, t57); /* omega_tau*omega_n - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*omega_n*V - s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*b/R*1/(Theta/(m*R^2*I1))*2*I3^3/(m*R^2*I1^2) */
+    const double t59 = JLT_FNMA(p[22], t48, t58); /* t58 - a3*I3/(R*I1)*t48 */
+    const double t60 = JLT_FNMA(t54, t55, t59); /* t58 - a3*I3/(R*I1)*t48 - t54*b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2) */
+    out[18] = t60;
+    const double t61 = t44*p[11]; /* b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1) */
+    const double t62 = x[3]*t61; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1) */
+    const double t63 = -t62; /* -omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1) */
+    out[19] = t63;
+    const double t64 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t65 = JLT_FMA(p[11], t49, p[25]); /* I3/(R*I1)*e + I3^2/(m*R^2*I1) */
+    const double t66 = t45*t65; /* s*1/(Theta/(m*R^2*I1))*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    const double t67 = JLT_FMA(x[4], t66, t64); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) + omega_n*gamma3 */
+    const double t68 = JLT_FNMA(t49, t62, t67); /* t67 - e*omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1) */
+    out[20] = t68;
+    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t70 = JLT_FNMA(t50, t61, t69); /* omega_tau*gamma3 - V*b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1) */
+    out[21] = t70;
+    const double t71 = x[2]*t66; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    out[22] = t71;
+    const double t72 = t46*t65; /* omega_tau*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    const double t73 = t43*t72; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    const double t74 = t45*p[26]; /* s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
+    const double t75 = t45*p[27]; /* s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
+    const double t76 = JLT_FNMA(t47, t75, t73); /* t73 - s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
+    const double t77 = JLT_FNMA(t54, t74, t76); /* t76 - t54*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
+    out[23] = t77;
+    const double t78 = JLT_FNMA(x[0], p[29], p[28]); /* 2*a3*I3/(R*I1^2) - gamma3*2*(I1 - I3)/I1^2 */
+    const double t79 = p[5]*t78; /* I3*(2*a3*I3/(R*I1^2) - gamma3*2*(I1 - I3)/I1^2) */
+    const double t80 = t47*t79; /* s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*I3*(2*a3*I3/(R*I1^2) - gamma3*2*(I1 - I3)/I1^2) */
+    const double t81 = t5*t80; /* b/R*t80 */
+    const double t82 = JLT_FNMA(p[17], t42, t81); /* b/R*t80 - a3/R*omega_tau*omega_n */
+    const double t83 = t53*t74; /* b/R*1/(Theta/(m*R^2*I1))*omega_n*V*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
+    const double t84 = x[5]*p[30]; /* s*(I1 - I3)/I1 */
+    const double t85 = JLT_FMA(t47, t84, t83); /* s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*s*(I1 - I3)/I1 + t83 */
+    const double t86 = JLT_FMA(t45, t82, t85); /* s*1/(Theta/(m*R^2*I1))*(b/R*t80 - a3/R*omega_tau*omega_n) + s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*s*(I1 - I3)/I1 + t83 */
+    out[24] = t86;
+    const double t87 = t45*p[31]; /* s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t88 = x[3]*t87; /* omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t89 = -t88; /* -omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    out[25] = t89;
+    const double t90 = t49*t88; /* e*omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t91 = JLT_FNMA(x[0], p[30], p[22]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t92 = t45*t91; /* s*1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t93 = JLT_FMA(t8, t92, t90); /* s*omega3*s*1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + e*omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t94 = -t93; /* -t93 */
+    out[26] = t94;
+    const double t95 = t50*t87; /* V*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t96 = -t95; /* -V*s*1/(Theta/(m*R^2*I1))*1/R */
+    out[27] = t96;
+    const double t97 = t1*t92; /* s*omega_tau*s*1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t98 = -t97; /* -t97 */
+    out[28] = t98;
+    const double t99 = t12 + p[32]; /* b/R*b/R + I1/(m*R^2) */
+    const double t100 = t80*t99; /* t80*(b/R*b/R + I1/(m*R^2)) */
+    const double t101 = JLT_FMA(t51, p[31], t100); /* omega_n*V*1/R + t80*(b/R*b/R + I1/(m*R^2)) */
+    const double t102 = t43*t101; /* 1/(Theta/(m*R^2*I1))*(omega_n*V*1/R + t80*(b/R*b/R + I1/(m*R^2))) */
+    const double t103 = t51*p[33]; /* omega_n*V*2/R */
+    const double t104 = t45*t103; /* s*1/(Theta/(m*R^2*I1))*omega_n*V*2/R */
+    const double t105 = JLT_FMS(t45, t104, t102); /* s*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*omega_n*V*2/R - t102 */
+    out[29] = t105;
+    const double t106 = -t1; /* -s*omega_tau */
+    out[30] = t106;
+    const double t107 = x[5]*x[0]; /* s*gamma3 */
+    const double t108 = -t107; /* -s*gamma3 */
+    out[32] = t108;
+    const double t109 = -t69; /* -omega_tau*gamma3 */
+    out[35] = t109;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -420,11 +417,11 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t1 = x[5]*x[5]; /* s*s */
     out[8] = t1;
-    const double t2 = p[8]*t0; /* m*I3*b */
-    const double t3 = JLT_FMA(p[7], t1, p[6]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t2 = p[37]*t0; /* m*I3*b */
+    const double t3 = JLT_FMA(p[36], t1, p[35]); /* m*R^2*I1*s*s + I1*I3 */
     const double t4 = JLT_FMA(t0, t2, t3); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t5 = JLT_FMA(p[39], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t6 = p[40]*t1; /* m*g*a3*s*s */
+    const double t5 = JLT_FMA(p[38], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t6 = p[34]*t1; /* m*g*a3*s*s */
     const double t7 = t4*t5; /* Theta*D */
     const double t8 = 1.0/t7; /* 1/(Theta*D) */
     const double t9 = t5*t8; /* 1/Theta = D*1/(Theta*D) */
@@ -438,124 +435,124 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t15 = -t12; /* -s*omega_tau */
     out[36] = t15;
     const double t16 = x[3]*t0; /* omega_n*b */
-    const double t17 = p[49]*t0; /* 2*m*R*I3*b */
+    const double t17 = p[48]*t0; /* 2*m*R*I3*b */
     const double t18 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
     const double t19 = t2*t18; /* m*I3*b*V */
-    const double t20 = x[3]*p[4]; /* omega_n*I1 */
-    const double t21 = x[3]*t20; /* omega_n*omega_n*I1 */
-    const double t22 = p[8]*t16; /* m*I3*omega_n*b */
-    const double t23 = x[4]*t12; /* omega3*s*omega_tau */
-    const double t24 = x[3]*t18; /* omega_n*V */
-    const double t25 = x[5]*x[4]; /* s*omega3 */
-    const double t26 = p[39]*t12; /* m*a3^2*s*omega_tau */
-    const double t27 = JLT_FNMA(t12, t26, t21); /* omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau */
-    const double t28 = x[3]*p[5]; /* omega_n*I3 */
-    const double t29 = JLT_FMA(t25, t28, t6); /* s*omega3*omega_n*I3 + m*g*a3*s*s */
-    const double t30 = JLT_FMA(x[0], t27, t29); /* gamma3*(omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau) + s*omega3*omega_n*I3 + m*g*a3*s*s */
-    const double t31 = t10*t30; /* 1/D*t30 */
-    const double t32 = t10*t27; /* 1/D*(omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau) */
-    const double t33 = -t32; /* -1/D*(omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau) */
-    out[18] = t33;
-    const double t34 = -t31; /* -1/D*t30 */
-    out[2] = t34;
-    const double t35 = t18*t22; /* V*m*I3*omega_n*b */
-    const double t36 = JLT_FMA(p[12], t11, p[41]); /* m*R*I3*e + I3^2 */
-    const double t37 = JLT_FMS(t23, t36, t35); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
-    const double t38 = t9*t37; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t39 = p[42]*t24; /* m*R*I1*omega_n*V */
-    const double t40 = p[43]*t23; /* m*R*a3*I3*omega3*s*omega_tau */
-    const double t41 = x[2]*p[48]; /* omega_tau*m*a3*I3 */
+    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t21 = JLT_FNMA(t9, t19, t20); /* omega_tau*gamma3 - 1/Theta*m*I3*b*V */
+    out[27] = t21;
+    const double t22 = -t20; /* -omega_tau*gamma3 */
+    out[41] = t22;
+    const double t23 = p[37]*t16; /* m*I3*omega_n*b */
+    const double t24 = x[4]*t12; /* omega3*s*omega_tau */
+    const double t25 = x[3]*t18; /* omega_n*V */
+    const double t26 = x[5]*x[4]; /* s*omega3 */
+    const double t27 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t28 = p[8]*t12; /* m*a3^2/I1*s*omega_tau */
+    const double t29 = JLT_FNMA(t12, t28, t27); /* omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau */
+    const double t30 = p[4]*t29; /* I1*(omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau) */
+    const double t31 = t18*t23; /* V*m*I3*omega_n*b */
+    const double t32 = JLT_FMA(p[40], t11, p[39]); /* m*R*I3*e + I3^2 */
+    const double t33 = JLT_FMS(t24, t32, t31); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
+    const double t34 = t9*t33; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t35 = JLT_FMA(x[3], t20, t34); /* omega_n*omega_tau*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t35;
+    const double t36 = p[44]*t20; /* 2*m*a3^2*omega_tau*gamma3 */
+    const double t37 = t12*t36; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
+    const double t38 = JLT_FNMA(x[5], p[46], t37); /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
+    const double t39 = p[41]*t25; /* m*R*I1*omega_n*V */
+    const double t40 = p[42]*t24; /* m*R*a3*I3*omega3*s*omega_tau */
+    const double t41 = x[2]*p[47]; /* omega_tau*m*a3*I3 */
     const double t42 = JLT_FNMA(t16, t41, t40); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
-    const double t43 = JLT_FNMA(p[12], t24, t42); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
-    const double t44 = JLT_FNMA(t17, t38, t43); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 2*m*R*I3*b*1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t43 = JLT_FNMA(p[40], t25, t42); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t44 = JLT_FNMA(t17, t34, t43); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 2*m*R*I3*b*1/Theta*numerator of d(omega_n)/dt over Theta */
     const double t45 = t9*t44; /* 1/Theta*t44 */
     const double t46 = JLT_FMA(x[2], x[3], t45); /* omega_tau*omega_n + 1/Theta*t44 */
     out[24] = t46;
     const double t47 = x[5]*t9; /* s*1/Theta */
-    const double t48 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t49 = JLT_FMA(x[2], t48, t38); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t49;
-    const double t50 = x[5]*t39; /* s*m*R*I1*omega_n*V */
-    const double t51 = JLT_FNMA(x[0], p[44], p[43]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t52 = t12*t25; /* s*omega_tau*s*omega3 */
-    const double t53 = JLT_FMA(t51, t52, t50); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*omega_tau*s*omega3 + s*m*R*I1*omega_n*V */
-    const double t54 = t9*t53; /* 1/Theta*t53 */
-    const double t55 = t47*t51; /* s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t56 = -t54; /* -1/Theta*t53 */
-    out[4] = t56;
-    const double t57 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t58 = JLT_FNMA(t9, t19, t57); /* omega_tau*gamma3 - 1/Theta*m*I3*b*V */
-    out[27] = t58;
-    const double t59 = -t57; /* -omega_tau*gamma3 */
-    out[41] = t59;
-    const double t60 = p[45]*t12; /* 2*m*a3^2*s*omega_tau */
-    const double t61 = t57*t60; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
-    const double t62 = JLT_FNMA(x[5], p[47], t61); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
-    const double t63 = JLT_FNMA(x[4], t28, t62); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 - omega3*omega_n*I3 */
-    const double t64 = x[3]*p[51]; /* omega_n*m*R*a3*I1 */
-    const double t65 = t12*t64; /* s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t66 = JLT_FMS(p[44], t52, t65); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t67 = JLT_FMA(t17, t54, t66); /* 2*m*R*I3*b*1/Theta*t53 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t68 = t9*t67; /* 1/Theta*t67 */
-    out[30] = t68;
-    const double t69 = p[42]*t47; /* m*R*I1*s*1/Theta */
-    const double t70 = p[50]*t47; /* 2*m*R^2*I1*s*1/Theta */
-    const double t71 = t18*t69; /* V*m*R*I1*s*1/Theta */
-    const double t72 = -t71; /* -V*m*R*I1*s*1/Theta */
-    out[33] = t72;
-    const double t73 = x[3]*t69; /* omega_n*m*R*I1*s*1/Theta */
-    const double t74 = t54*t70; /* 1/Theta*t53*2*m*R^2*I1*s*1/Theta */
-    const double t75 = -t73; /* -omega_n*m*R*I1*s*1/Theta */
-    out[31] = t75;
-    const double t76 = t11*t73; /* e*omega_n*m*R*I1*s*1/Theta */
-    const double t77 = t11*t22; /* e*m*I3*omega_n*b */
-    const double t78 = t9*t22; /* 1/Theta*m*I3*omega_n*b */
-    const double t79 = -t78; /* -1/Theta*m*I3*omega_n*b */
-    out[25] = t79;
-    const double t80 = JLT_FMS(t25, t36, t77); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
-    const double t81 = JLT_FMA(t9, t80, t48); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[26] = t81;
-    const double t82 = p[46]*t48; /* 2*I1*omega_n*gamma3 */
-    const double t83 = JLT_FMA(p[5], t25, t82); /* I3*s*omega3 + 2*I1*omega_n*gamma3 */
-    const double t84 = t9*t36; /* 1/Theta*(m*R*I3*e + I3^2) */
-    const double t85 = t10*t83; /* 1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
-    const double t86 = -t85; /* -1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
-    out[21] = t86;
-    const double t87 = JLT_FMA(t25, t55, t76); /* s*omega3*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1*s*1/Theta */
-    const double t88 = -t87; /* -t87 */
-    out[32] = t88;
-    const double t89 = p[1]*t25; /* R*s*omega3 */
-    const double t90 = t12*t55; /* s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t91 = -t90; /* -s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[34] = t91;
-    const double t92 = JLT_FMA(2.0, t16, t89); /* 2*omega_n*b + R*s*omega3 */
-    out[15] = t92;
-    const double t93 = t16 + t89; /* omega_n*b + R*s*omega3 */
-    const double t94 = x[3]*t93; /* omega_n*(omega_n*b + R*s*omega3) */
-    out[1] = t94;
-    const double t95 = t12*t84; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
-    out[28] = t95;
-    const double t96 = x[0]*t12; /* gamma3*s*omega_tau */
-    const double t97 = -t96; /* -gamma3*s*omega_tau */
-    out[5] = t97;
-    const double t98 = x[5]*t10; /* s*1/D */
-    const double t99 = t28*t98; /* omega_n*I3*s*1/D */
-    const double t100 = -t99; /* -omega_n*I3*s*1/D */
-    out[22] = t100;
-    const double t101 = p[45]*t98; /* 2*m*a3^2*s*1/D */
-    const double t102 = t96*t101; /* gamma3*s*omega_tau*2*m*a3^2*s*1/D */
-    out[20] = t102;
-    const double t103 = t31*t101; /* 1/D*t30*2*m*a3^2*s*1/D */
-    const double t104 = JLT_FMA(t10, t63, t103); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) + 1/D*t30*2*m*a3^2*s*1/D */
-    out[23] = t104;
-    const double t105 = x[0]*p[52]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t106 = JLT_FMS(t23, t105, t39); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - m*R*I1*omega_n*V */
-    const double t107 = JLT_FNMA(p[53], t23, t106); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t106 - 2*m*R*a3*I3*omega3*s*omega_tau */
-    const double t108 = JLT_FMA(t9, t107, t74); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) + 1/Theta*t53*2*m*R^2*I1*s*1/Theta */
+    const double t48 = p[5]*t26; /* I3*s*omega3 */
+    const double t49 = JLT_FMA(x[3], t48, t6); /* omega_n*I3*s*omega3 + m*g*a3*s*s */
+    const double t50 = JLT_FMA(x[0], t30, t49); /* gamma3*I1*(omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau) + omega_n*I3*s*omega3 + m*g*a3*s*s */
+    const double t51 = t10*t30; /* 1/D*I1*(omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau) */
+    const double t52 = -t51; /* -1/D*I1*(omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau) */
+    out[18] = t52;
+    const double t53 = x[5]*t39; /* s*m*R*I1*omega_n*V */
+    const double t54 = JLT_FNMA(x[0], p[43], p[42]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t55 = t12*t26; /* s*omega_tau*s*omega3 */
+    const double t56 = JLT_FMA(t54, t55, t53); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*omega_tau*s*omega3 + s*m*R*I1*omega_n*V */
+    const double t57 = t9*t56; /* 1/Theta*t56 */
+    const double t58 = t47*t54; /* s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t59 = -t57; /* -1/Theta*t56 */
+    out[4] = t59;
+    const double t60 = x[3]*p[50]; /* omega_n*m*R*a3*I1 */
+    const double t61 = t12*t60; /* s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t62 = JLT_FMS(p[43], t55, t61); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t63 = JLT_FMA(t17, t57, t62); /* 2*m*R*I3*b*1/Theta*t56 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t64 = t9*t63; /* 1/Theta*t63 */
+    out[30] = t64;
+    const double t65 = p[41]*t47; /* m*R*I1*s*1/Theta */
+    const double t66 = p[49]*t47; /* 2*m*R^2*I1*s*1/Theta */
+    const double t67 = t18*t65; /* V*m*R*I1*s*1/Theta */
+    const double t68 = -t67; /* -V*m*R*I1*s*1/Theta */
+    out[33] = t68;
+    const double t69 = x[3]*t65; /* omega_n*m*R*I1*s*1/Theta */
+    const double t70 = t57*t66; /* 1/Theta*t56*2*m*R^2*I1*s*1/Theta */
+    const double t71 = -t69; /* -omega_n*m*R*I1*s*1/Theta */
+    out[31] = t71;
+    const double t72 = t11*t69; /* e*omega_n*m*R*I1*s*1/Theta */
+    const double t73 = t11*t23; /* e*m*I3*omega_n*b */
+    const double t74 = t9*t23; /* 1/Theta*m*I3*omega_n*b */
+    const double t75 = -t74; /* -1/Theta*m*I3*omega_n*b */
+    out[25] = t75;
+    const double t76 = JLT_FMS(t26, t32, t73); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
+    const double t77 = t9*t32; /* 1/Theta*(m*R*I3*e + I3^2) */
+    const double t78 = JLT_FMA(t26, t58, t72); /* s*omega3*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1*s*1/Theta */
+    const double t79 = -t78; /* -t78 */
+    out[32] = t79;
+    const double t80 = p[1]*t26; /* R*s*omega3 */
+    const double t81 = t12*t58; /* s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t82 = -t81; /* -s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[34] = t82;
+    const double t83 = JLT_FMA(2.0, t16, t80); /* 2*omega_n*b + R*s*omega3 */
+    out[15] = t83;
+    const double t84 = t16 + t80; /* omega_n*b + R*s*omega3 */
+    const double t85 = x[3]*t84; /* omega_n*(omega_n*b + R*s*omega3) */
+    out[1] = t85;
+    const double t86 = t12*t77; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
+    out[28] = t86;
+    const double t87 = x[0]*t12; /* gamma3*s*omega_tau */
+    const double t88 = -t87; /* -gamma3*s*omega_tau */
+    out[5] = t88;
+    const double t89 = x[5]*t10; /* s*1/D */
+    const double t90 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t91 = JLT_FMA(t9, t76, t90); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[26] = t91;
+    const double t92 = JLT_FMA(p[45], t90, t48); /* 2*I1*omega_n*gamma3 + I3*s*omega3 */
+    const double t93 = t10*t92; /* 1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
+    const double t94 = -t93; /* -1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
+    out[21] = t94;
+    const double t95 = x[3]*p[5]; /* omega_n*I3 */
+    const double t96 = JLT_FNMA(x[4], t95, t38); /* d(numerator of d(omega_tau)/dt over D)/d(s) = s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 - omega3*omega_n*I3 */
+    const double t97 = t89*t95; /* s*1/D*omega_n*I3 */
+    const double t98 = -t97; /* -s*1/D*omega_n*I3 */
+    out[22] = t98;
+    const double t99 = p[44]*t89; /* 2*m*a3^2*s*1/D */
+    const double t100 = t87*t99; /* gamma3*s*omega_tau*2*m*a3^2*s*1/D */
+    out[20] = t100;
+    const double t101 = JLT_FMA(t50, t99, t96); /* t50*2*m*a3^2*s*1/D + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t102 = t10*t101; /* 1/D*t101 */
+    out[23] = t102;
+    const double t103 = t10*t50; /* 1/D*t50 */
+    const double t104 = -t103; /* -1/D*t50 */
+    out[2] = t104;
+    const double t105 = x[0]*p[51]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t106 = JLT_FMS(t24, t105, t39); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - m*R*I1*omega_n*V */
+    const double t107 = JLT_FNMA(p[52], t24, t106); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t106 - 2*m*R*a3*I3*omega3*s*omega_tau */
+    const double t108 = JLT_FMA(t9, t107, t70); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) + 1/Theta*t56*2*m*R^2*I1*s*1/Theta */
     out[35] = t108;
     const double t109 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t110 = t84*t109; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
-    const double t111 = JLT_FNMA(t38, t70, t110); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    const double t110 = t77*t109; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
+    const double t111 = JLT_FNMA(t34, t66, t110); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
     out[29] = t111;
     const double t112 = x[3]*p[1]; /* omega_n*R */
     const double t113 = x[3]*t112; /* omega_n*omega_n*R */
@@ -572,38 +569,37 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[5]; /* s*s */
-    const double t1 = JLT_FMA(p[39], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t2 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t3 = p[11]*t2; /* I3/I1*b/R */
-    const double t4 = t0 + p[19]; /* s*s + I3/(m*R^2) */
-    const double t5 = JLT_FMA(t2, t3, t4); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + s*s + I3/(m*R^2) */
-    const double t6 = t1*t5; /* D*Theta/(m*R^2*I1) */
-    const double t7 = t0*x[2]; /* s*s*omega_tau */
-    const double t8 = x[0]*p[45]; /* gamma3*2*m*a3^2 */
-    const double t9 = t7*t8; /* s*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t10 = t5*t9; /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t11 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t12 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
-    const double t13 = t2*p[25]; /* b/R*I3/(R*I1) */
-    const double t14 = t12*t13; /* V*b/R*I3/(R*I1) */
-    const double t15 = JLT_FNMA(x[0], p[32], p[24]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t16 = JLT_FMA(t7, t15, t14); /* s*s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + V*b/R*I3/(R*I1) */
-    const double t17 = JLT_FNMA(t1, t16, t10); /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16 */
-    const double t18 = t17/t6; /* (Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16)/(D*Theta/(m*R^2*I1)) */
-    out[0] = t18;
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    const double t2 = x[0]*t1; /* gamma3*omega_tau*s*s */
+    const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t4 = p[43]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
+    const double t5 = JLT_FNMA(p[42], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
+    const double t6 = p[44]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
+    const double t7 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t8 = JLT_FMA(x[2], t7, x[1]); /* V = omega_tau*e + v_nu */
+    const double t9 = p[37]*t3; /* m*I3*b */
+    const double t10 = JLT_FNMA(t8, t9, t5); /* t5 - V*m*I3*b */
+    const double t11 = JLT_FMA(p[38], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t12 = JLT_FMA(p[36], t0, p[35]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t13 = JLT_FMA(t3, t9, t12); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
+    const double t14 = t10*t11; /* (t5 - V*m*I3*b)*D */
+    const double t15 = JLT_FMA(t6, t13, t14); /* 2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D */
+    const double t16 = t11*t13; /* D*Theta */
+    const double t17 = t15/t16; /* (2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D)/(D*Theta) */
+    out[0] = t17;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[55]*x[0]; /* 2*g*a3*gamma3 */
+    const double t0 = p[54]*x[0]; /* 2*g*a3*gamma3 */
     const double t1 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t2 = p[57]*x[3]; /* I1/m*omega_n */
+    const double t2 = p[56]*x[3]; /* I1/m*omega_n */
     const double t3 = JLT_FMA(x[3], t2, t1); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t4 = p[39]*x[5]; /* m*a3^2*s */
+    const double t4 = p[38]*x[5]; /* m*a3^2*s */
     const double t5 = JLT_FMA(x[5], t4, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t6 = p[56]*x[2]; /* 1/m*omega_tau */
+    const double t6 = p[55]*x[2]; /* 1/m*omega_tau */
     const double t7 = x[2]*t6; /* omega_tau*1/m*omega_tau */
-    const double t8 = p[58]*x[4]; /* I3/m*omega3 */
+    const double t8 = p[57]*x[4]; /* I3/m*omega3 */
     const double t9 = JLT_FMA(x[4], t8, t3); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t10 = JLT_FMA(t5, t7, t9); /* D*omega_tau*1/m*omega_tau + t9 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -611,9 +607,9 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t13 = x[5]*p[1]; /* s*R */
     const double t14 = JLT_FMA(x[4], t13, t12); /* v_tau = omega3*s*R + omega_n*b */
     const double t15 = JLT_FMA(t14, t14, t10); /* energy/(1/2*m) = v_tau*v_tau + D*omega_tau*1/m*omega_tau + t9 */
-    const double t16 = p[54]*t15; /* 1/2*m*energy/(1/2*m) */
+    const double t16 = p[53]*t15; /* 1/2*m*energy/(1/2*m) */
     out[0] = t16;
-    const double t17 = x[5]*p[59]; /* s*R*I1 */
+    const double t17 = x[5]*p[58]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     const double t19 = x[4]*p[5]; /* omega3*I3 */
     const double t20 = JLT_FNMA(t11, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
@@ -626,29 +622,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[8] = 0.0;
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[4]*p[61]; /* omega3*(-R*I3) */
+    const double t1 = x[4]*p[60]; /* omega3*(-R*I3) */
     out[6] = t1;
-    const double t2 = x[5]*p[59]; /* s*R*I1 */
+    const double t2 = x[5]*p[58]; /* s*R*I1 */
     out[9] = t2;
-    const double t3 = x[3]*p[59]; /* omega_n*R*I1 */
+    const double t3 = x[3]*p[58]; /* omega_n*R*I1 */
     out[11] = t3;
     const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t5 = p[62]*t4; /* (-I3)*b */
+    const double t5 = p[61]*t4; /* (-I3)*b */
     out[10] = t5;
     const double t6 = x[3]*t4; /* omega_n*b */
     const double t7 = p[0]*t4; /* m*b */
     const double t8 = p[1]*x[4]; /* R*omega3 */
     const double t9 = JLT_FMA(x[5], t8, t6); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t10 = x[5]*p[39]; /* s*m*a3^2 */
+    const double t10 = x[5]*p[38]; /* s*m*a3^2 */
     const double t11 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t12 = t10*t11; /* s*m*a3^2*omega_tau*omega_tau */
     const double t13 = JLT_FMA(x[5], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t14 = x[2]*t13; /* omega_tau*D */
     out[2] = t14;
-    const double t15 = p[60]*t9; /* m*R*v_tau */
+    const double t15 = p[59]*t9; /* m*R*v_tau */
     const double t16 = JLT_FMA(x[4], t15, t12); /* d(energy)/d(s) = omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
     out[5] = t16;
-    const double t17 = JLT_FMA(x[3], t15, p[40]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
+    const double t17 = JLT_FMA(x[3], t15, p[34]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
     out[0] = t17;
     const double t18 = x[3]*p[4]; /* omega_n*I1 */
     const double t19 = JLT_FMA(t7, t9, t18); /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
@@ -668,34 +664,36 @@ static void observe_values(const double *restrict x, const double *restrict p, d
 {
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = p[10]*t0; /* m*g*a3/I1*s*s */
-    const double t2 = JLT_FMA(p[39], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = x[5]*p[11]; /* s*I3/I1 */
+    const double t2 = JLT_FMA(p[38], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = x[5]*p[9]; /* s*I3/I1 */
     const double t4 = x[3]*x[4]; /* omega_n*omega3 */
     const double t5 = JLT_FMA(t3, t4, t1); /* s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
     const double t6 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t7 = JLT_FMA(x[3], x[3], t6); /* omega_n*omega_n + omega_tau*omega_tau */
     const double t8 = JLT_FMA(x[0], t7, t5); /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) + s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
-    const double t9 = p[64]*t8; /* m*a3*I1*t8 */
-    const double t10 = t9/t2; /* m*a3*I1*t8/D */
-    const double t11 = p[63] - t10; /* contact_force = m*g - m*a3*I1*t8/D */
-    out[0] = t11;
+    const double t9 = p[62]*t8; /* a3*I1*t8 */
+    const double t10 = t9/t2; /* a3*I1*t8/D */
+    const double t11 = p[2] - t10; /* g - a3*I1*t8/D */
+    const double t12 = p[0]*t11; /* m*(g - a3*I1*t8/D) */
+    out[0] = t12;
 }
 
 static void valid_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = p[10]*t0; /* m*g*a3/I1*s*s */
-    const double t2 = JLT_FMA(p[39], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = x[5]*p[11]; /* s*I3/I1 */
+    const double t2 = JLT_FMA(p[38], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = x[5]*p[9]; /* s*I3/I1 */
     const double t4 = x[3]*x[4]; /* omega_n*omega3 */
     const double t5 = JLT_FMA(t3, t4, t1); /* s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
     const double t6 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t7 = JLT_FMA(x[3], x[3], t6); /* omega_n*omega_n + omega_tau*omega_tau */
     const double t8 = JLT_FMA(x[0], t7, t5); /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) + s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
-    const double t9 = p[64]*t8; /* m*a3*I1*t8 */
-    const double t10 = t9/t2; /* m*a3*I1*t8/D */
-    const double t11 = p[63] - t10; /* contact_force = m*g - m*a3*I1*t8/D */
-    out[0] = t11;
+    const double t9 = p[62]*t8; /* a3*I1*t8 */
+    const double t10 = t9/t2; /* a3*I1*t8/D */
+    const double t11 = p[2] - t10; /* g - a3*I1*t8/D */
+    const double t12 = p[0]*t11; /* m*(g - a3*I1*t8/D) */
+    out[0] = t12;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -714,15 +712,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t20[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
-    double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
@@ -755,43 +753,43 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[5] = x5[0] = x[5];
     coefficients[6] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x5, x5, k);
-        t3[k] = jlt_jet_product(x2, t2, k);
+        t2[k] = jlt_jet_product(x5, x2, k);
+        t3[k] = jlt_jet_product(x5, t2, k);
         t8[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
         t9[k] = jlt_jet_product(x3, t8, k);
         t11[k] = jlt_jet_product(x5, x4, k);
         t12[k] = p[1]*t11[k] + t9[k];
         t13[k] = jlt_jet_product(x3, t12, k);
-        t16[k] = t8[k]*p[65];
-        t17[k] = t2[k] + (k == 0 ? p[19] : 0);
-        t18[k] = jlt_jet_product(t8, t16, k) + t17[k];
-        t20[k] = jlt_jet_product(x2, x5, k);
-        t21[k] = jlt_jet_product(x0, t20, k);
-        t22[k] = p[9]*t20[k];
+        t15[k] = jlt_jet_product(x5, x5, k);
+        t17[k] = t8[k]*p[7];
+        t18[k] = (k == 0 ? p[6] : 0) + t15[k];
+        t19[k] = jlt_jet_product(t8, t17, k) + t18[k];
+        t21[k] = jlt_jet_product(t2, x0, k);
+        t22[k] = t2[k]*p[8];
         t23[k] = jlt_jet_product(t21, t22, k);
-        t25[k] = jlt_jet_product(x3, x0, k);
-        t26[k] = t11[k]*p[11] + t25[k];
-        t28[k] = t23[k] - t2[k]*p[10];
-        t29[k] = t28[k] - jlt_jet_product(x3, t26, k);
-        t31[k] = t2[k]*p[9] + (k == 0 ? 1.0 : 0);
-        t32[k] = jlt_jet_product(t18, t31, k);
+        t26[k] = jlt_jet_product(x3, x0, k);
+        t27[k] = t11[k]*p[9] + t26[k];
+        t28[k] = t23[k] - t15[k]*p[10];
+        t29[k] = t28[k] - jlt_jet_product(x3, t27, k);
+        t31[k] = t15[k]*p[8] + (k == 0 ? 1.0 : 0);
+        t32[k] = jlt_jet_product(t19, t31, k);
         t33[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t32, t33, k);
-        t34[k] = jlt_jet_product(t18, t29, k);
+        t34[k] = jlt_jet_product(t19, t29, k);
         t35[k] = jlt_jet_product(t33, t34, k);
-        t36[k] = jlt_jet_product(x2, t25, k);
+        t36[k] = jlt_jet_product(x2, t26, k);
         t39[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t40[k] = (k == 0 ? p[13] : 0) + t39[k];
-        t41[k] = jlt_jet_product(x4, t20, k);
-        t42[k] = p[25]*t41[k];
+        t40[k] = (k == 0 ? p[12] : 0) + t39[k];
+        t41[k] = jlt_jet_product(t2, x4, k);
+        t42[k] = p[11]*t41[k];
         t43[k] = jlt_jet_product(t40, t42, k);
         t45[k] = jlt_jet_product(x2, t39, k) + x1[k];
         t46[k] = jlt_jet_product(x3, t45, k);
-        t47[k] = t43[k] - jlt_jet_product(t16, t46, k);
+        t47[k] = t43[k] - jlt_jet_product(t17, t46, k);
         t48[k] = jlt_jet_product(t31, t33, k);
         t49[k] = jlt_jet_product(t47, t48, k) + t36[k];
-        t53[k] = (k == 0 ? p[15] : 0) - x0[k]*p[16];
+        t53[k] = (k == 0 ? p[14] : 0) - x0[k]*p[15];
         t54[k] = jlt_jet_product(t41, t53, k) + t46[k];
-        t55[k] = x5[k]*p[36];
+        t55[k] = x5[k]*p[13];
         t56[k] = jlt_jet_product(t54, t55, k);
         t57[k] = jlt_jet_product(t48, t56, k);
         t58[k] = -t21[k];
@@ -881,21 +879,21 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 66,
+    .state_count = 6, .param_count = 6, .block_count = 63,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 2, 23, 14, 1, 0, 0, 7, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, e + I3/(m*R), b*(m*I3)*omega_n*V - (e + I3/(m*R))*(m*R*I3)*omega3*omega_tau*s, d(omega_n)/dtau, a3*I3/I1 - gamma3*(R*(I1 - I3)/I1), omega3*omega_tau*s*(a3*I3/I1 - gamma3*(R*(I1 - I3)/I1)) + omega_n*V" },
-    .jacobian = { jacobian, 36, { 10, 67, 30, 1, 0, 0, 12, 20 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), (I3/(R*I1))*e + I3^2/(m*R^2*I1), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), 2*a3*I3^2/(R*I1^2) - gamma3*(2*I3*(I1 - I3)/I1^2), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 15, 69, 33, 1, 0, 0, 12, 23 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega_n*omega_n*I1 - s*omega_tau*(m*a3^2)*s*omega_tau, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n), d(numerator of d(omega_tau)/dt over D)/d(s), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1), a part of d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), omega_n*b + R*s*omega3, d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)" },
-    .divergence = { divergence, 1, { 2, 9, 7, 1, 0, 0, 6, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), s*s*omega_tau*(a3*I3/(R*I1) - gamma3*((I1 - I3)/I1)) + V*b/R*(I3/(R*I1)), a part of the divergence" },
+    .rhs = { rhs, 6, { 3, 23, 13, 1, 0, 0, 7, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dtau, d(omega_n)/dtau, a3*I3/I1 - gamma3*(R*(I1 - I3)/I1), omega3*omega_tau*s*(a3*I3/I1 - gamma3*(R*(I1 - I3)/I1)) + omega_n*V" },
+    .jacobian = { jacobian, 36, { 12, 66, 31, 1, 0, 0, 13, 20 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), s*1/(D/I1)*omega3*(I3/I1) + omega_n*1/(D/I1)*(2)*gamma3, a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), (I3/(R*I1))*e + I3^2/(m*R^2*I1), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), 2*a3*I3/(R*I1^2) - gamma3*(2*(I1 - I3)/I1^2), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 15, 69, 33, 1, 0, 0, 12, 22 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(d(omega_n)/dtau)/d(omega_n), omega_n*omega_n - s*omega_tau*(m*a3^2/I1)*s*omega_tau, (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, d(omega_n)/dtau, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1), a part of d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, a part of d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), omega_n*b + R*s*omega3, d(d(omega_n)/dtau)/d(omega_tau), (2*I1)*omega_n*gamma3 + I3*s*omega3, d(numerator of d(omega_tau)/dt over D)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)" },
+    .divergence = { divergence, 1, { 0, 8, 9, 1, 0, 0, 9, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 7, 5 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
         "digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = omega3*s*R + omega_n*b, energy/(1/2*m), G" },
     .integral_gradients = { integral_gradients, 12, { 0, 15, 7, 0, 0, 0, 5, 5 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
@@ -905,10 +903,10 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { .loses_digits = "" },
-    .observe_values = { observe_values, 1, { 1, 6, 4, 1, 0, 0, 7, 5 }, { 6, 26, 0, 4, 0, 0, 12, 7 },
-        "digits are lost where terms nearly cancel in a part of contact_force, contact_force" },
-    .valid_values = { valid_values, 1, { 1, 6, 4, 1, 0, 0, 7, 5 }, { 6, 26, 0, 4, 0, 0, 12, 7 },
-        "digits are lost where terms nearly cancel in a part of contact, contact" },
+    .observe_values = { observe_values, 1, { 1, 7, 4, 1, 0, 0, 8, 5 }, { 6, 25, 0, 4, 0, 0, 13, 5 },
+        "digits are lost where terms nearly cancel in a part of contact_force, a part of contact_force" },
+    .valid_values = { valid_values, 1, { 1, 7, 4, 1, 0, 0, 8, 5 }, { 6, 25, 0, 4, 0, 0, 13, 5 },
+        "digits are lost where terms nearly cancel in a part of contact, a part of contact" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   23   12    1    0    0     10   10   (85)
- *  jacobian            7   53   28    1    0    0     14   19   (397)
- *  rhs_jacobian        8   57   30    1    0    0     13   24   (454)
+ *  rhs                 3   23   12    1    0    0     10   11   (85)
+ *  jacobian            9   51   24    1    0    0     12   19   (397)
+ *  rhs_jacobian        9   57   30    1    0    0     14   21   (454)
  *  divergence          2   13    7    1    0    0      8    8   (53)
  *  integral_values     0    9    9    1    0    0      7    7   (40)
  *  integral_gradients  0   16   13    1    0    0      7    9   (82)
@@ -20,15 +20,14 @@
  *    divides by b: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    digits are lost where terms nearly cancel in b/R = a3/R + gamma3, G_level/(R*I1) - s*omega_n,
- *      e/R = (a3/R)*gamma3 + 1, V = e/R*omega_tau*R + v_nu, 1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n,
- *      I3/(m*R^2) + e/R, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R), a part of d(d(omega_n)/dtau)/d(gamma3),
- *      s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s),
- *      d(d(omega_n)/dtau)/d(omega_n), a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(s), d(omega_n)/dtau,
- *      a part of d(d(omega_n)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3),
- *      s*(m*g*a3/I1) - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n), d(omega_tau)/dtau,
- *      d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau,
- *      d(d(v_nu)/dtau)/d(gamma3), omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)),
- *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s)
+ *      1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n), e/R = (a3/R)*gamma3 + 1, V = e/R*omega_tau*R + v_nu,
+ *      I3/(m*R^2) + e/R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R),
+ *      a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(gamma3),
+ *      a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(s), d(omega_n)/dtau,
+ *      a part of d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s),
+ *      omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)), d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau, d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3),
+ *      d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(omega_tau)/dtau
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -65,7 +64,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[30] = t6;
+    out[27] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
     const double t8 = t0*params[0]; /* R*R*m */
@@ -75,78 +74,72 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
-    out[37] = t12;
+    out[34] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
     out[12] = t13;
     const double t14 = params[1]*params[0]; /* R*m */
-    out[38] = t14;
+    out[35] = t14;
     const double t15 = params[5]/t14; /* I3/(R*m) */
     out[13] = t15;
-    const double t16 = params[3]/params[1]; /* a3/R */
+    const double t16 = t3/params[5]; /* R*I1/I3 */
     out[14] = t16;
     const double t17 = params[5]/params[4]; /* I3/I1 */
     out[15] = t17;
-    const double t18 = t3/params[5]; /* R*I1/I3 */
+    const double t18 = params[3]/params[1]; /* a3/R */
     out[16] = t18;
     const double t19 = params[1]*2.0; /* R*2 */
     out[17] = t19;
-    const double t20 = params[4]/params[5]; /* I1/I3 */
+    const double t20 = -t16; /* -R*I1/I3 */
     out[18] = t20;
     const double t21 = params[0]*2.0; /* m*2 */
     const double t22 = t5*t21; /* a3*a3*m*2 */
-    out[31] = t22;
+    out[28] = t22;
     const double t23 = t22/params[4]; /* a3*a3*m*2/I1 */
     out[19] = t23;
-    const double t24 = params[4]*params[4]; /* I1*I1 */
-    const double t25 = params[5]*t22; /* I3*a3*a3*m*2 */
-    const double t26 = t25/t24; /* I3*a3*a3*m*2/(I1*I1) */
+    const double t24 = params[2]*t21; /* g*m*2 */
+    const double t25 = params[3]*t24; /* a3*g*m*2 */
+    const double t26 = t25/params[4]; /* a3*g*m*2/I1 */
     out[20] = t26;
-    const double t27 = params[2]*t21; /* g*m*2 */
-    const double t28 = params[3]*t27; /* a3*g*m*2 */
-    const double t29 = t28/params[4]; /* a3*g*m*2/I1 */
-    out[21] = t29;
-    const double t30 = params[5]*params[3]; /* I3*a3 */
-    const double t31 = t30/t3; /* I3*a3/(R*I1) */
-    out[22] = t31;
-    const double t32 = 1.0/params[1]; /* 1/R */
-    out[23] = t32;
-    const double t33 = params[5]*params[5]; /* I3*I3 */
-    const double t34 = 2.0*t33; /* 2*I3*I3 */
-    const double t35 = t34/t24; /* 2*I3*I3/(I1*I1) */
-    out[24] = t35;
-    const double t36 = params[5]/t3; /* I3/(R*I1) */
-    out[27] = t36;
-    const double t37 = -t36; /* -I3/(R*I1) */
+    const double t27 = params[5]/t3; /* I3/(R*I1) */
+    out[21] = t27;
+    const double t28 = params[5]*params[3]; /* I3*a3 */
+    const double t29 = t28/t3; /* I3*a3/(R*I1) */
+    out[22] = t29;
+    const double t30 = params[5]*2.0; /* I3*2 */
+    const double t31 = t30/params[4]; /* I3*2/I1 */
+    out[23] = t31;
+    const double t32 = params[4]*params[4]; /* I1*I1 */
+    const double t33 = params[1]*t32; /* R*I1*I1 */
+    const double t34 = params[5]*params[5]; /* I3*I3 */
+    const double t35 = 2.0*t34; /* 2*I3*I3 */
+    const double t36 = t35/t33; /* 2*I3*I3/(R*I1*I1) */
+    out[24] = t36;
+    const double t37 = -t27; /* -I3/(R*I1) */
     out[25] = t37;
-    const double t38 = params[5]*2.0; /* I3*2 */
-    const double t39 = t38/params[4]; /* I3*2/I1 */
-    out[26] = t39;
-    const double t40 = -t18; /* -R*I1/I3 */
-    out[28] = t40;
-    const double t41 = params[1]*t24; /* R*I1*I1 */
-    const double t42 = t34/t41; /* 2*I3*I3/(R*I1*I1) */
-    out[29] = t42;
-    const double t43 = params[0]/2.0; /* m/2 */
+    const double t38 = t30/t3; /* I3*2/(R*I1) */
+    out[26] = t38;
+    const double t39 = params[0]/2.0; /* m/2 */
+    out[29] = t39;
+    const double t40 = params[2]*2.0; /* g*2 */
+    const double t41 = params[3]*t40; /* a3*g*2 */
+    out[30] = t41;
+    const double t42 = 1.0/params[0]; /* 1/m */
+    out[31] = t42;
+    const double t43 = params[4]/params[0]; /* I1/m */
     out[32] = t43;
-    const double t44 = params[2]*2.0; /* g*2 */
-    const double t45 = params[3]*t44; /* a3*g*2 */
-    out[33] = t45;
-    const double t46 = 1.0/params[0]; /* 1/m */
-    out[34] = t46;
-    const double t47 = params[4]/params[0]; /* I1/m */
-    out[35] = t47;
-    const double t48 = t0*t24; /* R*R*I1*I1 */
-    const double t49 = params[5]*params[0]; /* I3*m */
-    const double t50 = t48/t49; /* R*R*I1*I1/(I3*m) */
-    out[36] = t50;
-    const double t51 = params[1]*t0; /* R*R*R */
-    const double t52 = t24*t51; /* I1*I1*R*R*R */
-    const double t53 = t52/params[5]; /* I1*I1*R*R*R/I3 */
-    out[39] = t53;
-    const double t54 = t48/params[5]; /* R*R*I1*I1/I3 */
-    out[40] = t54;
-    const double t55 = -t20; /* -I1/I3 */
-    out[41] = t55;
+    const double t44 = t0*t32; /* R*R*I1*I1 */
+    const double t45 = params[5]*params[0]; /* I3*m */
+    const double t46 = t44/t45; /* R*R*I1*I1/(I3*m) */
+    out[33] = t46;
+    const double t47 = params[1]*t0; /* R*R*R */
+    const double t48 = t32*t47; /* I1*I1*R*R*R */
+    const double t49 = t48/params[5]; /* I1*I1*R*R*R/I3 */
+    out[36] = t49;
+    const double t50 = t44/params[5]; /* R*R*I1*I1/I3 */
+    out[37] = t50;
+    const double t51 = params[4]/params[5]; /* I1/I3 */
+    const double t52 = -t51; /* -I1/I3 */
+    out[38] = t52;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -168,31 +161,31 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = t2*t13; /* D/I1*s*(G_level/(R*I1) - s*omega_n) */
     const double t15 = t10*t14; /* 1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n) */
     const double t16 = t1*t10; /* b*1/(b*(D/I1)) */
-    const double t17 = x[3]*t1; /* omega_n*b */
-    const double t18 = JLT_FNMA(p[7], t15, t17); /* omega_n*b - R^2*I1/I3*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n) */
-    const double t19 = x[3]*t18; /* omega_n*t18 */
-    out[1] = t19;
-    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t17 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t18 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t18;
+    const double t19 = p[9]*t17; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t20 = t18*t19; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
     const double t21 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t22 = x[2]*t0; /* omega_tau*s*s */
-    out[0] = t22;
-    const double t23 = p[9]*t20; /* m*a3^2/I1*omega_tau*gamma3 */
-    const double t24 = t22*t23; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
-    const double t25 = JLT_FNMA(p[12], t0, t24); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s*s */
+    const double t22 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t23 = JLT_FNMA(x[0], t22, t20); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - gamma3*omega_n*omega_n */
+    const double t24 = JLT_FNMA(p[12], t0, t23); /* t23 - m*g*a3/I1*s*s */
+    const double t25 = t1*t22; /* b*omega_n*omega_n */
     const double t26 = p[13] + t21; /* I3/(m*R) + e */
     const double t27 = x[2]*t26; /* omega_tau*(I3/(m*R) + e) */
     const double t28 = t15*t27; /* 1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n)*omega_tau*(I3/(m*R) + e) */
-    const double t29 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
-    const double t30 = JLT_FMA(t6, t29, t28); /* omega_n*I3/(R^2*I1)*b*V + t28 */
-    const double t31 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t32 = JLT_FNMA(p[1], t15, t31); /* omega_n*gamma3 - R*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n) */
-    const double t33 = JLT_FNMA(x[3], t32, t25); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s*s - omega_n*t32 */
-    const double t34 = t16*t33; /* b*1/(b*(D/I1))*t33 */
-    out[2] = t34;
-    const double t35 = x[3]*t20; /* omega_n*omega_tau*gamma3 */
-    const double t36 = JLT_FNMA(t11, t30, t35); /* omega_n*omega_tau*gamma3 - b*D/I1*1/(Theta/(m*R^2*I1)*b*D/I1)*(omega_n*I3/(R^2*I1)*b*V + t28) */
+    const double t29 = x[3]*t15; /* omega_n*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n) */
+    const double t30 = JLT_FNMA(p[7], t29, t25); /* b*omega_n*omega_n - R^2*I1/I3*omega_n*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n) */
+    out[1] = t30;
+    const double t31 = JLT_FMA(p[1], t29, t24); /* R*omega_n*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n) + t23 - m*g*a3/I1*s*s */
+    const double t32 = t16*t31; /* b*1/(b*(D/I1))*t31 */
+    out[2] = t32;
+    const double t33 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t34 = JLT_FMA(t6, t33, t28); /* omega_n*I3/(R^2*I1)*b*V + t28 */
+    const double t35 = x[3]*t17; /* omega_n*omega_tau*gamma3 */
+    const double t36 = JLT_FNMA(t11, t34, t35); /* omega_n*omega_tau*gamma3 - b*D/I1*1/(Theta/(m*R^2*I1)*b*D/I1)*(omega_n*I3/(R^2*I1)*b*V + t28) */
     out[3] = t36;
-    const double t37 = x[4]*t20; /* s*omega_tau*gamma3 */
+    const double t37 = x[4]*t17; /* s*omega_tau*gamma3 */
     const double t38 = -t37; /* -s*omega_tau*gamma3 */
     out[4] = t38;
 }
@@ -214,105 +207,101 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[4] = t2;
     const double t3 = x[3]*x[3]; /* omega_n*omega_n */
     const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    const double t5 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
-    const double t6 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t7 = p[14] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t8 = t7*p[15]; /* b/R*I3/I1 */
-    const double t9 = t0 + p[10]; /* s*s + I3/(m*R^2) */
-    const double t10 = JLT_FMA(t7, t8, t9); /* Theta/(m*R^2*I1) = b/R*b/R*I3/I1 + s*s + I3/(m*R^2) */
-    const double t11 = t6*t7; /* D/I1*b/R */
-    const double t12 = t10*t11; /* Theta/(m*R^2*I1)*D/I1*b/R */
-    const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)*D/I1*b/R) */
-    const double t14 = t10*t13; /* 1/((b/R)*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
-    const double t15 = t6*t14; /* 1/(b/R) = D/I1*1/((b/R)*(D/I1)) */
-    const double t16 = t5*t15; /* (G_level/(R*I1) - s*omega_n)*1/(b/R) */
-    const double t17 = x[3]*t15; /* omega_n*1/(b/R) */
-    const double t18 = x[4]*t17; /* s*omega_n*1/(b/R) */
-    const double t19 = p[16]*t18; /* R*I1/I3*s*omega_n*1/(b/R) */
-    const double t20 = JLT_FMA(t16, t19, t4); /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*R*I1/I3*s*omega_n*1/(b/R) + R*omega_n*omega_n */
-    out[5] = t20;
-    const double t21 = x[3]*t7; /* omega_n*b/R */
-    const double t22 = p[17]*t21; /* 2*R*omega_n*b/R */
-    const double t23 = t16*p[18]; /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t24 = JLT_FNMA(p[1], t23, t19); /* R*I1/I3*s*omega_n*1/(b/R) - R*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t25 = JLT_FMA(x[4], t24, t22); /* s*t24 + 2*R*omega_n*b/R */
-    out[8] = t25;
-    const double t26 = x[3]*t24; /* omega_n*t24 */
-    out[9] = t26;
-    const double t27 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t28 = t1*t27; /* s*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t29 = JLT_FNMA(t16, t17, t28); /* s*omega_tau*omega_tau*m*a3^2/I1 - (G_level/(R*I1) - s*omega_n)*1/(b/R)*omega_n*1/(b/R) */
-    const double t30 = t7*t14; /* 1/(D/I1) = b/R*1/((b/R)*(D/I1)) */
-    const double t31 = x[4]*t30; /* s*1/(D/I1) */
-    const double t32 = t29*t31; /* t29*s*1/(D/I1) */
-    const double t33 = JLT_FNMA(t3, t30, t32); /* t29*s*1/(D/I1) - omega_n*omega_n*1/(D/I1) */
-    out[10] = t33;
-    const double t34 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
-    const double t35 = t31*t34; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t36 = t1*t35; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[12] = t36;
-    const double t37 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t38 = 2.0*t37; /* 2*omega_n*gamma3 */
-    const double t39 = t30*t38; /* 1/(D/I1)*2*omega_n*gamma3 */
-    const double t40 = p[15]*t23; /* I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t41 = t40 - t18; /* I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 - s*omega_n*1/(b/R) */
-    const double t42 = JLT_FMS(t31, t41, t39); /* s*1/(D/I1)*t41 - 1/(D/I1)*2*omega_n*gamma3 */
-    out[13] = t42;
-    const double t43 = t30*t40; /* 1/(D/I1)*I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t44 = t31*p[20]; /* s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
-    const double t45 = JLT_FMA(t23, t44, t17); /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*s*1/(D/I1)*2*m*a3^2*I3/I1^2 + omega_n*1/(b/R) */
-    const double t46 = JLT_FNMA(t31, t45, t43); /* 1/(D/I1)*I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 - s*1/(D/I1)*t45 */
-    const double t47 = x[3]*t46; /* omega_n*t46 */
-    const double t48 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t49 = t35*t48; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t50 = JLT_FNMA(t31, p[21], t49); /* t49 - s*1/(D/I1)*2*m*g*a3/I1 */
-    const double t51 = JLT_FMA(t30, t50, t47); /* 1/(D/I1)*(t49 - s*1/(D/I1)*2*m*g*a3/I1) + omega_n*t46 */
-    out[14] = t51;
-    const double t52 = t11*t13; /* 1/(Theta/(m*R^2*I1)) = D/I1*b/R*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
-    const double t53 = t21*t52; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t54 = x[2]*t53; /* omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t55 = t23*t52; /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*1/(Theta/(m*R^2*I1)) */
-    const double t56 = JLT_FMA(t1, t55, t54); /* s*omega_tau*t55 + omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t57 = p[23]*x[1]; /* 1/R*v_nu */
-    const double t58 = JLT_FMA(p[14], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
-    const double t59 = JLT_FMA(x[2], t58, t57); /* V/R = omega_tau*e/R + 1/R*v_nu */
-    const double t60 = t52*t59; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t61 = JLT_FNMA(p[15], t60, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t62 = x[3]*t61; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t63 = t53*t60; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*V/R */
-    const double t64 = p[10] + t58; /* I3/(m*R^2) + e/R */
-    const double t65 = t52*t64; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t66 = t1*t65; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t67 = JLT_FMA(t55, t66, t63); /* t55*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_n*b/R*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*V/R */
-    const double t68 = t7*p[24]; /* b/R*2*I3^2/I1^2 */
-    const double t69 = t15*t66; /* 1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t70 = JLT_FMA(t16, t69, t62); /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t71 = JLT_FNMA(p[22], t56, t70); /* t70 - a3*I3/(R*I1)*(s*omega_tau*t55 + omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1))) */
-    const double t72 = JLT_FMA(t67, t68, t71); /* t67*b/R*2*I3^2/I1^2 + t71 */
-    out[15] = t72;
-    const double t73 = t53*p[25]; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
-    out[16] = t73;
-    const double t74 = p[15]*t58; /* I3/I1*e/R */
-    const double t75 = t40*t65; /* I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t76 = JLT_FNMA(t53, t74, t37); /* omega_n*gamma3 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R */
-    const double t77 = JLT_FNMA(x[4], t75, t76); /* omega_n*gamma3 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R - s*t75 */
-    out[17] = t77;
-    const double t78 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t79 = JLT_FNMA(t8, t60, t78); /* omega_tau*gamma3 - b/R*I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t80 = JLT_FMA(x[4], t69, t79); /* s*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_tau*gamma3 - b/R*I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    out[18] = t80;
-    const double t81 = x[4]*p[26]; /* s*2*I3/I1 */
-    const double t82 = x[2]*t75; /* omega_tau*t75 */
-    const double t83 = JLT_FMS(t17, t66, t82); /* omega_n*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) - omega_tau*t75 */
-    const double t84 = JLT_FMA(t67, t81, t83); /* t67*s*2*I3/I1 + t83 */
-    out[19] = t84;
-    const double t85 = -t1; /* -s*omega_tau */
-    out[20] = t85;
-    const double t86 = x[4]*x[0]; /* s*gamma3 */
-    const double t87 = -t86; /* -s*gamma3 */
-    out[22] = t87;
-    const double t88 = -t78; /* -omega_tau*gamma3 */
-    out[24] = t88;
+    const double t5 = x[4]*x[3]; /* s*omega_n */
+    const double t6 = p[8] - t5; /* G_level/(R*I1) - s*omega_n */
+    const double t7 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t8 = p[16] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t9 = p[15]*t8; /* I3/I1*b/R */
+    const double t10 = t0 + p[10]; /* s*s + I3/(m*R^2) */
+    const double t11 = JLT_FMA(t8, t9, t10); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + s*s + I3/(m*R^2) */
+    const double t12 = t7*t8; /* D/I1*b/R */
+    const double t13 = t11*t12; /* Theta/(m*R^2*I1)*D/I1*b/R */
+    const double t14 = 1.0/t13; /* 1/(Theta/(m*R^2*I1)*D/I1*b/R) */
+    const double t15 = t11*t14; /* 1/((b/R)*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
+    const double t16 = t7*t15; /* 1/(b/R) = D/I1*1/((b/R)*(D/I1)) */
+    const double t17 = x[4]*t16; /* s*1/(b/R) */
+    const double t18 = x[3]*t6; /* omega_n*(G_level/(R*I1) - s*omega_n) */
+    const double t19 = t17*t18; /* s*1/(b/R)*omega_n*(G_level/(R*I1) - s*omega_n) */
+    const double t20 = t16*t19; /* 1/(b/R)*s*1/(b/R)*omega_n*(G_level/(R*I1) - s*omega_n) */
+    const double t21 = JLT_FMA(p[14], t20, t4); /* R*I1/I3*1/(b/R)*s*1/(b/R)*omega_n*(G_level/(R*I1) - s*omega_n) + R*omega_n*omega_n */
+    out[5] = t21;
+    const double t22 = x[3]*t8; /* omega_n*b/R */
+    const double t23 = p[17]*t22; /* 2*R*omega_n*b/R */
+    const double t24 = t6 - t5; /* G_level/(R*I1) - s*omega_n - s*omega_n */
+    const double t25 = t17*t24; /* s*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t26 = JLT_FNMA(p[14], t25, t23); /* 2*R*omega_n*b/R - R*I1/I3*s*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    out[8] = t26;
+    const double t27 = t16*t24; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t28 = x[3]*t27; /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t29 = p[18]*t28; /* (-R*I1/I3)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    out[9] = t29;
+    const double t30 = t1*p[9]; /* s*omega_tau*m*a3^2/I1 */
+    const double t31 = JLT_FMS(t1, t30, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t32 = t31 - t20; /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n - 1/(b/R)*s*1/(b/R)*omega_n*(G_level/(R*I1) - s*omega_n) */
+    const double t33 = t8*t15; /* 1/(D/I1) = b/R*1/((b/R)*(D/I1)) */
+    const double t34 = t32*t33; /* t32*1/(D/I1) */
+    out[10] = t34;
+    const double t35 = x[4]*t33; /* s*1/(D/I1) */
+    const double t36 = p[19]*t35; /* 2*m*a3^2/I1*s*1/(D/I1) */
+    const double t37 = t1*x[0]; /* s*omega_tau*gamma3 */
+    const double t38 = t36*t37; /* 2*m*a3^2/I1*s*1/(D/I1)*s*omega_tau*gamma3 */
+    out[12] = t38;
+    const double t39 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t40 = JLT_FNMA(2.0, t39, t25); /* s*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) - 2*omega_n*gamma3 */
+    const double t41 = t33*t40; /* 1/(D/I1)*t40 */
+    out[13] = t41;
+    const double t42 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t43 = JLT_FMS(x[0], t42, t19); /* gamma3*(omega_tau*omega_tau + omega_n*omega_n) - s*1/(b/R)*omega_n*(G_level/(R*I1) - s*omega_n) */
+    const double t44 = JLT_FNMA(t35, p[20], t28); /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) - s*1/(D/I1)*2*m*g*a3/I1 */
+    const double t45 = JLT_FMA(t36, t43, t44); /* 2*m*a3^2/I1*s*1/(D/I1)*t43 + t44 */
+    const double t46 = t33*t45; /* 1/(D/I1)*(2*m*a3^2/I1*s*1/(D/I1)*t43 + t44) */
+    out[14] = t46;
+    const double t47 = JLT_FMA(p[16], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
+    const double t48 = x[2]*p[1]; /* omega_tau*R */
+    const double t49 = JLT_FMA(t47, t48, x[1]); /* V = e/R*omega_tau*R + v_nu */
+    const double t50 = t12*t14; /* 1/(Theta/(m*R^2*I1)) = D/I1*b/R*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
+    const double t51 = t49*t50; /* V*1/(Theta/(m*R^2*I1)) */
+    const double t52 = p[21]*t51; /* I3/(R*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t53 = x[3]*t52; /* omega_n*I3/(R*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t54 = t22*t50; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t55 = p[10] + t47; /* I3/(m*R^2) + e/R */
+    const double t56 = JLT_FNMA(t16, t55, p[16]); /* a3/R - 1/(b/R)*(I3/(m*R^2) + e/R) */
+    const double t57 = t6*t50; /* (G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1)) */
+    const double t58 = t17*t57; /* s*1/(b/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1)) */
+    const double t59 = JLT_FMS(p[22], t54, x[3]); /* a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1)) - omega_n */
+    const double t60 = JLT_FMA(t56, t58, t59); /* (a3/R - 1/(b/R)*(I3/(m*R^2) + e/R))*s*1/(b/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1)) + a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1)) - omega_n */
+    const double t61 = t50*t55; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t62 = t1*t61; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t63 = t57*p[23]; /* (G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t64 = t51*t54; /* V*1/(Theta/(m*R^2*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t65 = t8*p[24]; /* b/R*2*I3^2/(R*I1^2) */
+    const double t66 = JLT_FMS(t62, t63, t53); /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*2*I3/I1 - omega_n*I3/(R*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t67 = JLT_FMA(t64, t65, t66); /* V*1/(Theta/(m*R^2*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1))*b/R*2*I3^2/(R*I1^2) + t66 */
+    const double t68 = JLT_FNMA(x[2], t60, t67); /* t67 - omega_tau*t60 */
+    out[15] = t68;
+    const double t69 = t54*p[25]; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
+    out[16] = t69;
+    const double t70 = p[15]*t47; /* I3/I1*e/R */
+    const double t71 = JLT_FNMA(t54, t70, t39); /* omega_n*gamma3 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R */
+    const double t72 = JLT_FNMA(t55, t58, t71); /* omega_n*gamma3 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R - (I3/(m*R^2) + e/R)*s*1/(b/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1)) */
+    out[17] = t72;
+    const double t73 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t74 = JLT_FNMA(t8, t52, t73); /* omega_tau*gamma3 - b/R*I3/(R*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t75 = JLT_FMA(t17, t62, t74); /* s*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_tau*gamma3 - b/R*I3/(R*I1)*V*1/(Theta/(m*R^2*I1)) */
+    out[18] = t75;
+    const double t76 = x[4]*p[26]; /* s*2*I3/(R*I1) */
+    const double t77 = t64*t76; /* V*1/(Theta/(m*R^2*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1))*s*2*I3/(R*I1) */
+    const double t78 = x[2]*t27; /* omega_tau*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t79 = JLT_FNMA(t2, t58, t78); /* omega_tau*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) - 2*s*omega_tau*s*1/(b/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1)) */
+    const double t80 = JLT_FNMA(t61, t79, t77); /* t77 - 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*t79 */
+    out[19] = t80;
+    const double t81 = -t1; /* -s*omega_tau */
+    out[20] = t81;
+    const double t82 = x[4]*x[0]; /* s*gamma3 */
+    const double t83 = -t82; /* -s*gamma3 */
+    out[22] = t83;
+    const double t84 = -t73; /* -omega_tau*gamma3 */
+    out[24] = t84;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -325,7 +314,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[16] = 0.0;
     out[26] = 0.0;
     out[28] = 0.0;
-    const double t0 = p[14] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t0 = p[16] + x[0]; /* b/R = a3/R + gamma3 */
     const double t1 = x[4]*x[4]; /* s*s */
     out[7] = t1;
     const double t2 = JLT_FMA(p[9], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
@@ -341,115 +330,116 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t12 = t0*t9; /* 1/(D/I1) = b/R*1/((b/R)*(D/I1)) */
     const double t13 = x[4]*x[3]; /* s*omega_n */
     const double t14 = p[8] - t13; /* G_level/(R*I1) - s*omega_n */
-    const double t15 = JLT_FMA(p[14], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
-    const double t16 = x[2]*p[1]; /* omega_tau*R */
-    const double t17 = JLT_FMA(t15, t16, x[1]); /* V = e/R*omega_tau*R + v_nu */
-    const double t18 = t11*t14; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n) */
-    const double t19 = JLT_FNMA(t11, t13, t18); /* 1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n */
-    const double t20 = p[26]*t14; /* 2*I3/I1*(G_level/(R*I1) - s*omega_n) */
-    const double t21 = p[10] + t15; /* I3/(m*R^2) + e/R */
-    const double t22 = p[15]*t15; /* I3/I1*e/R */
-    const double t23 = x[4]*x[2]; /* s*omega_tau */
-    const double t24 = 2.0*t23; /* 2*s*omega_tau */
-    out[9] = t24;
-    const double t25 = -t23; /* -s*omega_tau */
-    out[25] = t25;
-    const double t26 = t10*t21; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t27 = t20*t26; /* 2*I3/I1*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t28 = JLT_FNMA(t11, t21, p[14]); /* a3/R - 1/(b/R)*(I3/(m*R^2) + e/R) */
-    const double t29 = JLT_FNMA(t18, t28, t27); /* t27 - 1/(b/R)*(G_level/(R*I1) - s*omega_n)*(a3/R - 1/(b/R)*(I3/(m*R^2) + e/R)) */
-    const double t30 = t0*t10; /* b/R*1/(Theta/(m*R^2*I1)) */
-    const double t31 = p[29]*t17; /* 2*I3^2/(R*I1^2)*V */
-    const double t32 = p[27]*t17; /* I3/(R*I1)*V */
-    const double t33 = t30*t31; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2)*V */
-    const double t34 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t35 = x[3]*t18; /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
-    const double t36 = t18*t26; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t37 = p[9]*t23; /* m*a3^2/I1*s*omega_tau */
-    const double t38 = JLT_FMS(t23, t37, t34); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t39 = x[4]*t12; /* s*1/(D/I1) */
-    const double t40 = x[3]*t30; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t41 = t33*t40; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2)*V*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t42 = p[25]*t40; /* (-I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    out[21] = t42;
-    const double t43 = x[3]*t19; /* omega_n*(1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n) */
-    const double t44 = p[28]*t43; /* (-R*I1/I3)*t43 */
-    out[14] = t44;
-    const double t45 = JLT_FMS(p[21], t39, t43); /* 2*m*g*a3/I1*s*1/(D/I1) - t43 */
-    const double t46 = t12*t45; /* 1/(D/I1)*(2*m*g*a3/I1*s*1/(D/I1) - t43) */
-    const double t47 = x[4]*t23; /* s*s*omega_tau */
-    out[0] = t47;
-    const double t48 = t26*t47; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*s*s*omega_tau */
-    const double t49 = x[2]*t26; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t50 = t19*t49; /* (1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n)*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t51 = x[4]*p[16]; /* s*R*I1/I3 */
-    const double t52 = x[0]*t12; /* gamma3*1/(D/I1) */
-    const double t53 = t12*t38; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t54 = t38*t52; /* (s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n)*gamma3*1/(D/I1) */
-    const double t55 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t56 = JLT_FNMA(t30, t32, t55); /* omega_tau*gamma3 - b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
-    const double t57 = JLT_FMA(t11, t48, t56); /* 1/(b/R)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*s*s*omega_tau + omega_tau*gamma3 - b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
-    out[23] = t57;
-    const double t58 = -t55; /* -omega_tau*gamma3 */
-    out[29] = t58;
-    const double t59 = t23*t36; /* s*omega_tau*t36 */
-    const double t60 = JLT_FMA(t32, t40, t59); /* I3/(R*I1)*V*omega_n*b/R*1/(Theta/(m*R^2*I1)) + s*omega_tau*t36 */
-    const double t61 = JLT_FMS(x[3], t55, t60); /* omega_n*omega_tau*gamma3 - t60 */
-    out[3] = t61;
-    const double t62 = x[3]*t32; /* omega_n*I3/(R*I1)*V */
-    const double t63 = JLT_FNMA(t23, t29, t62); /* omega_n*I3/(R*I1)*V - s*omega_tau*t29 */
-    const double t64 = x[0]*t23; /* gamma3*s*omega_tau */
-    const double t65 = -t64; /* -gamma3*s*omega_tau */
-    out[4] = t65;
-    const double t66 = x[3]*p[17]; /* omega_n*2*R */
-    const double t67 = t0*t66; /* b/R*omega_n*2*R */
-    const double t68 = JLT_FNMA(t19, t51, t67); /* b/R*omega_n*2*R - (1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n)*s*R*I1/I3 */
-    out[13] = t68;
-    const double t69 = t35*t51; /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*R*I1/I3 */
-    const double t70 = t35*t39; /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*1/(D/I1) */
-    const double t71 = JLT_FNMA(t11, t70, t53); /* t53 - 1/(b/R)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*1/(D/I1) */
-    out[15] = t71;
-    const double t72 = JLT_FMS(x[4], p[12], t35); /* s*m*g*a3/I1 - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
-    const double t73 = JLT_FNMA(t39, t72, t54); /* t54 - s*1/(D/I1)*(s*m*g*a3/I1 - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)) */
-    out[2] = t73;
-    const double t74 = x[3]*2.0; /* omega_n*2 */
-    const double t75 = t52*t74; /* gamma3*1/(D/I1)*omega_n*2 */
-    const double t76 = JLT_FMS(t19, t39, t75); /* (1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n)*s*1/(D/I1) - gamma3*1/(D/I1)*omega_n*2 */
-    out[18] = t76;
-    const double t77 = p[19]*t39; /* 2*m*a3^2/I1*s*1/(D/I1) */
-    const double t78 = t64*t77; /* gamma3*s*omega_tau*2*m*a3^2/I1*s*1/(D/I1) */
-    out[17] = t78;
-    const double t79 = JLT_FMA(x[2], x[2], t34); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t80 = JLT_FMS(t52, t79, t70); /* gamma3*1/(D/I1)*(omega_tau*omega_tau + omega_n*omega_n) - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*1/(D/I1) */
-    const double t81 = JLT_FMS(t77, t80, t46); /* 2*m*a3^2/I1*s*1/(D/I1)*t80 - 1/(D/I1)*(2*m*g*a3/I1*s*1/(D/I1) - t43) */
-    out[19] = t81;
-    const double t82 = p[1]*t34; /* R*omega_n*omega_n */
-    const double t83 = JLT_FMS(t0, t82, t69); /* b/R*R*omega_n*omega_n - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*R*I1/I3 */
-    out[1] = t83;
-    const double t84 = JLT_FMA(t11, t69, t82); /* 1/(b/R)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*R*I1/I3 + R*omega_n*omega_n */
-    out[10] = t84;
-    const double t85 = JLT_FNMA(p[22], t40, x[3]); /* omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t86 = JLT_FMA(x[2], t85, t41); /* omega_tau*(omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1))) + t41 */
-    const double t87 = JLT_FNMA(t10, t63, t86); /* t86 - 1/(Theta/(m*R^2*I1))*(omega_n*I3/(R*I1)*V - s*omega_tau*t29) */
-    out[20] = t87;
-    const double t88 = x[0]*x[3]; /* gamma3*omega_n */
-    const double t89 = JLT_FNMA(t22, t40, t88); /* gamma3*omega_n - I3/I1*e/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t90 = JLT_FNMA(x[4], t36, t89); /* gamma3*omega_n - I3/I1*e/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) - s*t36 */
-    out[22] = t90;
-    const double t91 = x[4]*2.0; /* s*2 */
-    const double t92 = t10*t91; /* 1/(Theta/(m*R^2*I1))*s*2 */
-    const double t93 = JLT_FMS(t60, t92, t50); /* t60*1/(Theta/(m*R^2*I1))*s*2 - t50 */
-    out[24] = t93;
-    const double t94 = x[4]*x[0]; /* s*gamma3 */
-    const double t95 = -t94; /* -s*gamma3 */
-    out[27] = t95;
+    const double t15 = t11*t14; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t16 = JLT_FMS(t11, t13, t15); /* 1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t17 = p[23]*t14; /* 2*I3/I1*(G_level/(R*I1) - s*omega_n) */
+    const double t18 = JLT_FMA(p[16], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
+    const double t19 = x[4]*x[2]; /* s*omega_tau */
+    const double t20 = 2.0*t19; /* 2*s*omega_tau */
+    out[9] = t20;
+    const double t21 = -t19; /* -s*omega_tau */
+    out[25] = t21;
+    const double t22 = x[4]*t12; /* s*1/(D/I1) */
+    const double t23 = x[2]*p[1]; /* omega_tau*R */
+    const double t24 = JLT_FMA(t18, t23, x[1]); /* V = e/R*omega_tau*R + v_nu */
+    const double t25 = t0*t10; /* b/R*1/(Theta/(m*R^2*I1)) */
+    const double t26 = p[10] + t18; /* I3/(m*R^2) + e/R */
+    const double t27 = p[15]*t18; /* I3/I1*e/R */
+    const double t28 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t29 = p[9]*t19; /* m*a3^2/I1*s*omega_tau */
+    const double t30 = JLT_FMS(t19, t29, t28); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t31 = t12*t30; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    const double t32 = x[0]*x[3]; /* gamma3*omega_n */
+    const double t33 = t10*t26; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t34 = t17*t33; /* 2*I3/I1*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t35 = JLT_FNMA(t11, t26, p[16]); /* a3/R - 1/(b/R)*(I3/(m*R^2) + e/R) */
+    const double t36 = JLT_FNMA(t15, t35, t34); /* t34 - 1/(b/R)*(G_level/(R*I1) - s*omega_n)*(a3/R - 1/(b/R)*(I3/(m*R^2) + e/R)) */
+    const double t37 = x[3]*t16; /* omega_n*(1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n)) */
+    const double t38 = p[14]*t37; /* R*I1/I3*t37 */
+    out[14] = t38;
+    const double t39 = JLT_FMA(p[20], t22, t37); /* 2*m*g*a3/I1*s*1/(D/I1) + t37 */
+    const double t40 = p[19]*t22; /* 2*m*a3^2/I1*s*1/(D/I1) */
+    const double t41 = x[3]*t25; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t42 = t24*t25; /* V*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t43 = JLT_FNMA(t27, t41, t32); /* gamma3*omega_n - I3/I1*e/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t44 = p[25]*t41; /* (-I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    out[21] = t44;
+    const double t45 = x[3]*t15; /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t46 = t15*t33; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t47 = JLT_FNMA(x[4], t46, t43); /* gamma3*omega_n - I3/I1*e/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) - s*t46 */
+    out[22] = t47;
+    const double t48 = x[3]*p[21]; /* omega_n*I3/(R*I1) */
+    const double t49 = t24*t48; /* V*omega_n*I3/(R*I1) */
+    const double t50 = JLT_FNMA(t19, t36, t49); /* V*omega_n*I3/(R*I1) - s*omega_tau*t36 */
+    const double t51 = t42*t48; /* V*b/R*1/(Theta/(m*R^2*I1))*omega_n*I3/(R*I1) */
+    const double t52 = JLT_FMA(t19, t46, t51); /* s*omega_tau*t46 + V*b/R*1/(Theta/(m*R^2*I1))*omega_n*I3/(R*I1) */
+    const double t53 = JLT_FMS(x[2], t32, t52); /* omega_tau*gamma3*omega_n - t52 */
+    out[3] = t53;
+    const double t54 = 2.0*t32; /* 2*gamma3*omega_n */
+    const double t55 = t12*t54; /* 1/(D/I1)*2*gamma3*omega_n */
+    const double t56 = JLT_FMA(t16, t22, t55); /* (1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n))*s*1/(D/I1) + 1/(D/I1)*2*gamma3*omega_n */
+    const double t57 = -t56; /* -t56 */
+    out[18] = t57;
+    const double t58 = x[0]*t40; /* gamma3*2*m*a3^2/I1*s*1/(D/I1) */
+    const double t59 = t19*t58; /* s*omega_tau*gamma3*2*m*a3^2/I1*s*1/(D/I1) */
+    out[17] = t59;
+    const double t60 = JLT_FMA(x[2], x[2], t28); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t61 = JLT_FMS(t58, t60, t39); /* gamma3*2*m*a3^2/I1*s*1/(D/I1)*(omega_tau*omega_tau + omega_n*omega_n) - (2*m*g*a3/I1*s*1/(D/I1) + t37) */
+    const double t62 = t12*t61; /* 1/(D/I1)*t61 */
+    const double t63 = p[1]*t28; /* R*omega_n*omega_n */
+    const double t64 = JLT_FNMA(p[22], t41, x[3]); /* omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t65 = x[2]*t64; /* omega_tau*(omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1))) */
+    const double t66 = p[24]*t41; /* 2*I3^2/(R*I1^2)*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t67 = JLT_FMA(t42, t66, t65); /* V*b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2)*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t65 */
+    const double t68 = JLT_FNMA(t10, t50, t67); /* t67 - 1/(Theta/(m*R^2*I1))*(V*omega_n*I3/(R*I1) - s*omega_tau*t36) */
+    out[20] = t68;
+    const double t69 = x[4]*t19; /* s*s*omega_tau */
+    out[0] = t69;
+    const double t70 = x[0]*t19; /* gamma3*s*omega_tau */
+    const double t71 = -t70; /* -gamma3*s*omega_tau */
+    out[4] = t71;
+    const double t72 = t33*t69; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*s*s*omega_tau */
+    const double t73 = x[2]*t33; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t74 = t16*t73; /* (1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n))*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t75 = x[4]*p[14]; /* s*R*I1/I3 */
+    const double t76 = t22*t45; /* s*1/(D/I1)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t77 = JLT_FNMA(t40, t76, t62); /* 1/(D/I1)*t61 - 2*m*a3^2/I1*s*1/(D/I1)*s*1/(D/I1)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    out[19] = t77;
+    const double t78 = t45*t75; /* omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*R*I1/I3 */
+    const double t79 = JLT_FMS(t0, t63, t78); /* b/R*R*omega_n*omega_n - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*R*I1/I3 */
+    out[1] = t79;
+    const double t80 = JLT_FMA(t11, t78, t63); /* 1/(b/R)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*R*I1/I3 + R*omega_n*omega_n */
+    out[10] = t80;
+    const double t81 = JLT_FNMA(t11, t76, t31); /* t31 - 1/(b/R)*s*1/(D/I1)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    out[15] = t81;
+    const double t82 = JLT_FMA(x[0], t31, t76); /* gamma3*t31 + s*1/(D/I1)*omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t83 = x[3]*p[17]; /* omega_n*2*R */
+    const double t84 = t0*t83; /* b/R*omega_n*2*R */
+    const double t85 = JLT_FMA(t16, t75, t84); /* (1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n))*s*R*I1/I3 + b/R*omega_n*2*R */
+    out[13] = t85;
+    const double t86 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t87 = JLT_FNMA(p[21], t42, t86); /* omega_tau*gamma3 - I3/(R*I1)*V*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t88 = JLT_FMA(t11, t72, t87); /* 1/(b/R)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*s*s*omega_tau + omega_tau*gamma3 - I3/(R*I1)*V*b/R*1/(Theta/(m*R^2*I1)) */
+    out[23] = t88;
+    const double t89 = -t86; /* -omega_tau*gamma3 */
+    out[29] = t89;
+    const double t90 = x[4]*2.0; /* s*2 */
+    const double t91 = t10*t90; /* 1/(Theta/(m*R^2*I1))*s*2 */
+    const double t92 = JLT_FMA(t52, t91, t74); /* t52*1/(Theta/(m*R^2*I1))*s*2 + t74 */
+    out[24] = t92;
+    const double t93 = x[4]*p[12]; /* s*m*g*a3/I1 */
+    const double t94 = JLT_FNMA(t22, t93, t82); /* t82 - s*1/(D/I1)*s*m*g*a3/I1 */
+    out[2] = t94;
+    const double t95 = x[4]*x[0]; /* s*gamma3 */
+    const double t96 = -t95; /* -s*gamma3 */
+    out[27] = t96;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t1 = x[4]*x[4]; /* s*s */
-    const double t2 = JLT_FMA(p[30], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t2 = JLT_FMA(p[27], t1, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t3 = p[11]*t0; /* I3/(R^2*I1)*b */
     const double t4 = p[10] + t1; /* I3/(m*R^2) + s*s */
     const double t5 = JLT_FMA(t0, t3, t4); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s*s */
@@ -466,7 +456,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t16 = t2*t13; /* D*(I3/(m*R) + e) */
     const double t17 = t7*t16; /* Theta/(m*R^2*I1)*omega_tau*s*s*D*(I3/(m*R) + e) */
     const double t18 = JLT_FNMA(t10, t17, t15); /* I3/(R^2*I1)*b*V - 1/(Theta/(m*R^2*I1)*b*D)*Theta/(m*R^2*I1)*omega_tau*s*s*D*(I3/(m*R) + e) */
-    const double t19 = x[0]*p[31]; /* gamma3*2*m*a3^2 */
+    const double t19 = x[0]*p[28]; /* gamma3*2*m*a3^2 */
     const double t20 = t7*t19; /* Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 */
     const double t21 = JLT_FNMA(t2, t18, t20); /* Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 - D*t18 */
     const double t22 = t11*t21; /* b*1/(Theta/(m*R^2*I1)*b*D)*(Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 - D*t18) */
@@ -479,21 +469,21 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
     const double t2 = t1/t0; /* (G_level/(R*I1) - s*omega_n)/b */
     const double t3 = x[3]*t0; /* omega_n*b */
-    const double t4 = p[33]*x[0]; /* 2*g*a3*gamma3 */
+    const double t4 = p[30]*x[0]; /* 2*g*a3*gamma3 */
     const double t5 = JLT_FMA(x[1], x[1], t4); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t6 = p[30]*x[4]; /* m*a3^2*s */
+    const double t6 = p[27]*x[4]; /* m*a3^2*s */
     const double t7 = JLT_FMA(x[4], t6, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t8 = p[34]*x[2]; /* 1/m*omega_tau */
+    const double t8 = p[31]*x[2]; /* 1/m*omega_tau */
     const double t9 = x[2]*t8; /* omega_tau*1/m*omega_tau */
-    const double t10 = p[35]*x[3]; /* I1/m*omega_n */
+    const double t10 = p[32]*x[3]; /* I1/m*omega_n */
     const double t11 = JLT_FMA(x[3], t10, t5); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t12 = JLT_FMA(t7, t9, t11); /* D*omega_tau*1/m*omega_tau + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = p[36]*t2; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - s*omega_n)/b */
+    const double t13 = p[33]*t2; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - s*omega_n)/b */
     const double t14 = JLT_FMA(t2, t13, t12); /* (G_level/(R*I1) - s*omega_n)/b*R^2*I1^2/(m*I3)*(G_level/(R*I1) - s*omega_n)/b + t12 */
     const double t15 = x[4]*p[7]; /* s*R^2*I1/I3 */
     const double t16 = JLT_FNMA(t2, t15, t3); /* v_tau = omega_n*b - (G_level/(R*I1) - s*omega_n)/b*s*R^2*I1/I3 */
     const double t17 = JLT_FMA(t16, t16, t14); /* energy/(1/2*m) = v_tau*v_tau + t14 */
-    const double t18 = p[32]*t17; /* 1/2*m*energy/(1/2*m) */
+    const double t18 = p[29]*t17; /* 1/2*m*energy/(1/2*m) */
     out[0] = t18;
 }
 
@@ -512,21 +502,21 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t9 = t2*t6; /* 1/b*R^2*I1/I3*s */
     const double t10 = JLT_FMA(t6, t8, x[3]); /* d(v_tau)/d(gamma3)/R = R^2*I1/I3*s*1/b*1/b*(G_level/(R*I1) - omega_n*s) + omega_n */
     const double t11 = JLT_FMA(x[4], t9, t1); /* d(v_tau)/d(omega_n) = s*1/b*R^2*I1/I3*s + b */
-    const double t12 = x[4]*p[30]; /* s*m*a3^2 */
+    const double t12 = x[4]*p[27]; /* s*m*a3^2 */
     const double t13 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t14 = t12*t13; /* s*m*a3^2*omega_tau*omega_tau */
     const double t15 = JLT_FMA(x[4], t12, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t16 = x[2]*t15; /* omega_tau*D */
     out[2] = t16;
-    const double t17 = p[39]*t4; /* R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t17 = p[36]*t4; /* R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t18 = p[7]*t4; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t19 = JLT_FMS(x[3], t9, t18); /* d(v_tau)/d(s) = omega_n*1/b*R^2*I1/I3*s - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t20 = JLT_FNMA(t8, t17, p[37]); /* m*g*a3 - 1/b*1/b*(G_level/(R*I1) - omega_n*s)*R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t21 = p[40]*t8; /* R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t20 = JLT_FNMA(t8, t17, p[34]); /* m*g*a3 - 1/b*1/b*(G_level/(R*I1) - omega_n*s)*R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t21 = p[37]*t8; /* R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t22 = JLT_FNMA(x[3], t21, t14); /* s*m*a3^2*omega_tau*omega_tau - omega_n*R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t23 = x[3]*p[4]; /* omega_n*I1 */
     const double t24 = JLT_FNMA(x[4], t21, t23); /* omega_n*I1 - s*R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t25 = p[38]*t7; /* m*R*v_tau */
+    const double t25 = p[35]*t7; /* m*R*v_tau */
     const double t26 = JLT_FMA(t10, t25, t20); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + t20 */
     out[0] = t26;
     const double t27 = p[0]*t7; /* m*v_tau */
@@ -544,9 +534,9 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[14] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t0 = p[16] + x[0]; /* b/R = a3/R + gamma3 */
     const double t1 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t2 = p[41]*t1; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
+    const double t2 = p[38]*t1; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
     const double t3 = t2/t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s)/(b/R) */
     out[0] = t3;
 }
@@ -626,28 +616,28 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t33[k] = jlt_jet_product(x2, t15, k);
         t34[k] = p[9]*t32[k];
         t35[k] = jlt_jet_product(t33, t34, k);
-        t36[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t37[k] = jlt_jet_product(x3, x3, k);
-        t38[k] = t35[k] - jlt_jet_product(x0, t37, k);
-        t39[k] = t38[k] - p[12]*t15[k];
-        t40[k] = jlt_jet_product(t16, t37, k);
-        t41[k] = (k == 0 ? p[13] : 0) + t36[k];
-        t42[k] = jlt_jet_product(x2, t41, k);
-        t43[k] = jlt_jet_product(t30, t42, k);
-        t44[k] = jlt_jet_product(x3, t30, k);
-        t45[k] = t40[k] - p[7]*t44[k];
-        t46[k] = p[1]*t44[k] + t39[k];
-        t47[k] = jlt_jet_product(t31, t46, k);
-        t48[k] = jlt_jet_product(x2, t36, k) + x1[k];
-        t49[k] = jlt_jet_product(t21, t48, k) + t43[k];
+        t36[k] = t35[k] - p[12]*t15[k];
+        t37[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
+        t38[k] = (k == 0 ? p[13] : 0) + t37[k];
+        t39[k] = jlt_jet_product(x2, t38, k);
+        t40[k] = jlt_jet_product(t30, t39, k);
+        t41[k] = jlt_jet_product(x3, t30, k);
+        t42[k] = jlt_jet_product(x2, t37, k) + x1[k];
+        t43[k] = jlt_jet_product(t21, t42, k) + t40[k];
+        t44[k] = jlt_jet_product(x3, x3, k);
+        t45[k] = t36[k] - jlt_jet_product(x0, t44, k);
+        t46[k] = jlt_jet_product(t16, t44, k);
+        t47[k] = t46[k] - p[7]*t41[k];
+        t48[k] = p[1]*t41[k] + t45[k];
+        t49[k] = jlt_jet_product(t31, t48, k);
         t50[k] = jlt_jet_product(x3, t32, k);
-        t51[k] = t50[k] - jlt_jet_product(t26, t49, k);
+        t51[k] = t50[k] - jlt_jet_product(t26, t43, k);
         t52[k] = jlt_jet_product(x4, t32, k);
         t53[k] = -t52[k];
         double *restrict next = coefficients + (k + 1)*6;
         next[0] = x0[k + 1] = t33[k]/(k + 1);
-        next[1] = x1[k + 1] = t45[k]/(k + 1);
-        next[2] = x2[k + 1] = t47[k]/(k + 1);
+        next[1] = x1[k + 1] = t47[k]/(k + 1);
+        next[2] = x2[k + 1] = t49[k]/(k + 1);
         next[3] = x3[k + 1] = t51[k]/(k + 1);
         next[4] = x4[k + 1] = t53[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
@@ -718,19 +708,19 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 42,
+    .state_count = 5, .param_count = 7, .block_count = 39,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 3, 23, 12, 1, 0, 0, 10, 10 }, { 15, 62, 0, 8, 0, 0, 10, 8 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, G_level/(R*I1) - s*omega_n, omega_n*b - (R^2*I1/I3)*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n), e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dtau, omega_n*gamma3 - R*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n), a part of d(omega_tau)/dtau, d(omega_n)/dtau" },
-    .jacobian = { jacobian, 25, { 7, 53, 28, 1, 0, 0, 14, 19 }, { 51, 305, 0, 41, 0, 0, 16, 10 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(omega_n) and of d(d(v_nu)/dtau)/d(s), d(d(v_nu)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), (I3/I1)*(G_level/(R*I1) - s*omega_n)*1/(b/R)*(I1/I3) - s*omega_n*1/(b/R), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), e/R = (a3/R)*gamma3 + 1, V/R = omega_tau*e/R + (1/R)*v_nu, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, I3/(m*R^2) + e/R, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 57, 30, 1, 0, 0, 13, 24 }, { 59, 347, 0, 48, 0, 0, 16, 11 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, G_level/(R*I1) - s*omega_n, e/R = (a3/R)*gamma3 + 1, V = e/R*omega_tau*R + v_nu, 1/(b/R)*(G_level/(R*I1) - s*omega_n) - 1/(b/R)*s*omega_n, I3/(m*R^2) + e/R, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R), a part of d(d(omega_n)/dtau)/d(gamma3), s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n), a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(s), d(omega_n)/dtau, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), s*(m*g*a3/I1) - omega_n*1/(b/R)*(G_level/(R*I1) - s*omega_n), d(omega_tau)/dtau, d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau, d(d(v_nu)/dtau)/d(gamma3), omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s)" },
+    .rhs = { rhs, 5, { 3, 23, 12, 1, 0, 0, 10, 11 }, { 15, 62, 0, 8, 0, 0, 10, 8 },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, G_level/(R*I1) - s*omega_n, e = a3*gamma3 + R, I3/(m*R) + e, d(v_nu)/dtau, a part of d(omega_tau)/dtau, V = omega_tau*e + v_nu, a part of d(omega_n)/dtau, d(omega_n)/dtau" },
+    .jacobian = { jacobian, 25, { 9, 51, 24, 1, 0, 0, 12, 19 }, { 51, 305, 0, 41, 0, 0, 16, 10 },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(gamma3), G_level/(R*I1) - s*omega_n - s*omega_n, d(d(v_nu)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(gamma3), s*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) - (2)*omega_n*gamma3, a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), e/R = (a3/R)*gamma3 + 1, V = e/R*omega_tau*R + v_nu, I3/(m*R^2) + e/R, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 9, 57, 30, 1, 0, 0, 14, 21 }, { 59, 347, 0, 48, 0, 0, 16, 11 },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, G_level/(R*I1) - s*omega_n, 1/(b/R)*s*omega_n - 1/(b/R)*(G_level/(R*I1) - s*omega_n), e/R = (a3/R)*gamma3 + 1, V = e/R*omega_tau*R + v_nu, I3/(m*R^2) + e/R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(s), d(omega_n)/dtau, a part of d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau, d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(omega_tau)/dtau" },
     .divergence = { divergence, 1, { 2, 13, 7, 1, 0, 0, 8, 8 }, { 9, 40, 0, 4, 0, 0, 10, 7 },
         "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 1, { 0, 9, 9, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 12, 5 },

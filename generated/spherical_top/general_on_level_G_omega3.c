@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   26   11    1    1    0     13   11   (82)
- *  jacobian            9   54   28    1    1    0     18   21   (318)
- *  rhs_jacobian        7   57   34    1    1    0     19   26   (369)
+ *  jacobian            8   53   29    1    1    0     17   21   (318)
+ *  rhs_jacobian        10   55   30    1    1    0     17   27   (369)
  *  divergence          4   17    7    1    1    0     12   10   (54)
  *  integral_values     2    9    9    1    1    0      9    7   (43)
  *  integral_gradients  2   22   13    1    1    0     13   11   (75)
@@ -19,18 +19,17 @@
  *    divides by b: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, G_level - (R*I1)*omega_n*s,
- *      I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3),
- *      a part of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt,
+ *    digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s,
+ *      1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s), (m*g*a3/(R*I1))*s - omega_n*1/b*(G_level/(R*I1) - omega_n*s),
+ *      e = gamma3*a3 + R, d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, I3/(m*R) + e,
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu,
  *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1),
- *      gamma3*gamma3*omega_tau*((1)/s^2*Theta*b*D)*Theta*b*D*s - omega_tau*s, a part of d(d(omega_n)/dt)/d(gamma3),
- *      d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3),
- *      a part of d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_n),
- *      d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), numerator of d(omega_tau)/dt over D,
- *      d(numerator of d(omega_tau)/dt over D)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega_n)
+ *      a part of d(v_nu)/dt, d(omega_tau)/dt, a part of d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(d(omega_n)/dt)/d(gamma3), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt,
+ *      a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n),
+ *      d(d(omega_n)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -67,91 +66,71 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[27] = t6;
+    out[25] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
     const double t8 = t3/params[5]; /* R*R*I1/I3 */
     out[10] = t8;
     const double t9 = params[1]*params[4]; /* R*I1 */
-    out[29] = t9;
+    out[33] = t9;
     const double t10 = params[6]/t9; /* G_level/(R*I1) */
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
-    out[30] = t12;
+    out[31] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
     out[12] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[31] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[13] = t15;
     const double t16 = t9/params[5]; /* R*I1/I3 */
     out[14] = t16;
     const double t17 = params[0]*2.0; /* m*2 */
     const double t18 = t5*t17; /* a3*a3*m*2 */
-    out[32] = t18;
+    out[24] = t18;
     const double t19 = t18/params[4]; /* a3*a3*m*2/I1 */
     out[15] = t19;
     const double t20 = params[5]/params[4]; /* I3/I1 */
     out[16] = t20;
-    const double t21 = 2.0/params[1]; /* 2/R */
-    out[17] = t21;
-    const double t22 = params[5]/t9; /* I3/(R*I1) */
-    out[18] = t22;
-    const double t23 = params[5]*2.0; /* I3*2 */
-    const double t24 = t23/t9; /* I3*2/(R*I1) */
-    out[19] = t24;
-    const double t25 = 1.0/params[1]; /* 1/R */
-    out[20] = t25;
-    const double t26 = params[5]*params[3]; /* I3*a3 */
-    const double t27 = t26/t9; /* I3*a3/(R*I1) */
-    out[21] = t27;
-    const double t28 = -t4; /* -I3/(R*R*I1) */
-    out[22] = t28;
-    const double t29 = t1*params[4]; /* m*R*R*I1 */
-    out[25] = t29;
-    const double t30 = params[5]*params[5]; /* I3*I3 */
-    const double t31 = t30/t29; /* I3*I3/(m*R*R*I1) */
+    const double t21 = params[1]*t17; /* R*m*2 */
+    const double t22 = t5*t21; /* a3*a3*R*m*2 */
+    const double t23 = t22/params[4]; /* a3*a3*R*m*2/I1 */
+    out[17] = t23;
+    const double t24 = params[1]/2.0; /* R/2 */
+    out[18] = t24;
+    const double t25 = params[5]*2.0; /* I3*2 */
+    const double t26 = t25/t3; /* I3*2/(R*R*I1) */
+    out[19] = t26;
+    const double t27 = params[5]/t9; /* I3/(R*I1) */
+    out[20] = t27;
+    const double t28 = params[5]*params[3]; /* I3*a3 */
+    const double t29 = t28/t3; /* I3*a3/(R*R*I1) */
+    out[21] = t29;
+    const double t30 = params[3]/2.0; /* a3/2 */
+    out[22] = t30;
+    const double t31 = t12/t9; /* a3*m*g/(R*I1) */
     out[23] = t31;
-    const double t32 = params[5]*params[4]; /* I3*I1 */
-    out[24] = t32;
-    const double t33 = params[0]*params[5]; /* m*I3 */
-    out[26] = t33;
-    const double t34 = params[1]/params[5]; /* R/I3 */
-    out[28] = t34;
-    const double t35 = params[4]*2.0; /* I1*2 */
-    out[33] = t35;
-    const double t36 = t0*t17; /* R*R*m*2 */
-    const double t37 = params[4]*t36; /* I1*R*R*m*2 */
-    out[34] = t37;
-    const double t38 = params[1]*t17; /* R*m*2 */
-    const double t39 = params[5]*t38; /* I3*R*m*2 */
-    out[35] = t39;
-    const double t40 = params[3]*t14; /* a3*m*R */
-    out[36] = t40;
-    const double t41 = params[0]*params[3]; /* m*a3 */
-    const double t42 = params[5]*t41; /* I3*m*a3 */
-    out[37] = t42;
-    const double t43 = params[5]*t14; /* I3*m*R */
-    out[38] = t43;
-    const double t44 = params[0]/2.0; /* m/2 */
-    out[39] = t44;
-    const double t45 = params[2]*2.0; /* g*2 */
-    const double t46 = params[3]*t45; /* a3*g*2 */
-    out[40] = t46;
-    const double t47 = 1.0/params[0]; /* 1/m */
-    out[41] = t47;
-    const double t48 = params[4]/params[0]; /* I1/m */
-    out[42] = t48;
-    const double t49 = params[4]*params[4]; /* I1*I1 */
-    const double t50 = t0*t49; /* R*R*I1*I1 */
-    const double t51 = t50/t33; /* R*R*I1*I1/(m*I3) */
-    out[43] = t51;
-    const double t52 = params[4]/params[5]; /* I1/I3 */
-    const double t53 = -t52; /* -I1/I3 */
-    out[44] = t53;
-    const double t54 = params[3]/params[1]; /* a3/R */
-    out[45] = t54;
+    const double t32 = params[0]/2.0; /* m/2 */
+    out[26] = t32;
+    const double t33 = params[2]*2.0; /* g*2 */
+    const double t34 = params[3]*t33; /* a3*g*2 */
+    out[27] = t34;
+    const double t35 = 1.0/params[0]; /* 1/m */
+    out[28] = t35;
+    const double t36 = params[4]/params[0]; /* I1/m */
+    out[29] = t36;
+    const double t37 = params[4]*params[4]; /* I1*I1 */
+    const double t38 = t0*t37; /* R*R*I1*I1 */
+    const double t39 = params[0]*params[5]; /* m*I3 */
+    const double t40 = t38/t39; /* R*R*I1*I1/(m*I3) */
+    out[30] = t40;
+    const double t41 = params[1]/params[5]; /* R/I3 */
+    out[32] = t41;
+    const double t42 = params[4]/params[5]; /* I1/I3 */
+    const double t43 = -t42; /* -I1/I3 */
+    out[34] = t43;
+    const double t44 = params[3]/params[1]; /* a3/R */
+    out[35] = t44;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -171,7 +150,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t12 = sqrt(t2); /* s = sqrt(s^2) */
     const double t13 = t2*t11; /* 1/(b*(D/I1)*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
     const double t14 = t6*t13; /* 1/(b*(D/I1)) = Theta/(m*R^2*I1)*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
-    const double t15 = t8*t13; /* b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
+    const double t15 = t8*t13; /* 1/(Theta/(m*R^2*I1)) = b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
     const double t16 = x[3]*t12; /* omega_n*s */
     const double t17 = t9*t16; /* Theta/(m*R^2*I1)*b*D/I1*omega_n*s */
     const double t18 = t11*t17; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*omega_n*s */
@@ -185,15 +164,15 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t25 = p[9]*t23; /* m*a3^2/I1*omega_tau*gamma3 */
     const double t26 = t24*t25; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
     const double t27 = JLT_FNMA(p[12], t12, t26); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
-    const double t28 = t18*t23; /* t18*omega_tau*gamma3 */
-    const double t29 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t30 = p[13] + t29; /* I3/(m*R) + e */
-    const double t31 = x[2]*t30; /* omega_tau*(I3/(m*R) + e) */
-    const double t32 = JLT_FMA(x[2], t29, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = t4*t32; /* I3/(R^2*I1)*b*V */
-    const double t34 = t21*t31; /* 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3/(m*R) + e) */
-    const double t35 = JLT_FMA(t18, t33, t34); /* t18*I3/(R^2*I1)*b*V + t34 */
-    const double t36 = JLT_FNMA(t15, t35, t28); /* t18*omega_tau*gamma3 - b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1)))*(t18*I3/(R^2*I1)*b*V + t34) */
+    const double t28 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t29 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = t4*t29; /* I3/(R^2*I1)*b*V */
+    const double t31 = JLT_FNMA(t15, t30, t23); /* omega_tau*gamma3 - 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*V */
+    const double t32 = p[13] + t28; /* I3/(m*R) + e */
+    const double t33 = x[2]*t32; /* omega_tau*(I3/(m*R) + e) */
+    const double t34 = t15*t33; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e) */
+    const double t35 = t18*t31; /* t18*(omega_tau*gamma3 - 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*V) */
+    const double t36 = JLT_FNMA(t21, t34, t35); /* t35 - 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e) */
     out[3] = t36;
     const double t37 = x[3]*t18; /* omega_n*t18 */
     const double t38 = x[3]*t21; /* omega_n*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
@@ -208,115 +187,114 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t5 = JLT_FMA(t2, p[9], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t6 = t4*p[8]; /* b*I3/(R^2*I1) */
+    const double t7 = t2 + p[7]; /* s^2 + I3/(m*R^2) */
+    const double t8 = JLT_FMA(t4, t6, t7); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + s^2 + I3/(m*R^2) */
+    const double t9 = t2*t4; /* s^2*b */
+    const double t10 = t5*t9; /* D/I1*s^2*b */
+    const double t11 = t8*t10; /* Theta/(m*R^2*I1)*D/I1*s^2*b */
+    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t13 = t8*t12; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t14 = t5*t13; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t15 = t3*t4; /* s*b */
+    const double t16 = t14*t15; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*s*b */
+    const double t17 = x[0]*t16; /* gamma3*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*s*b */
+    const double t18 = x[2]*t17; /* omega_tau*t17 */
+    const double t19 = -t18; /* -omega_tau*t17 */
+    out[0] = t19;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[9] = 0.0;
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
-    const double t7 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t8 = t2*t3; /* s^2*b */
-    const double t9 = t6*t7; /* Theta/(m*R^2*I1)*D/I1 */
-    const double t10 = t8*t9; /* s^2*b*Theta/(m*R^2*I1)*D/I1 */
-    const double t11 = 1.0/t10; /* 1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
-    const double t12 = t9*t11; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
-    const double t13 = t8*t11; /* s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
-    const double t14 = t6*t13; /* 1/(D/I1) = Theta/(m*R^2*I1)*s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
-    const double t15 = t7*t13; /* 1/(Theta/(m*R^2*I1)) = D/I1*s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
-    const double t16 = sqrt(t2); /* s = sqrt(s^2) */
-    out[2] = t16;
-    const double t17 = t2*t12; /* 1/b = s^2*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
-    const double t18 = t3*t16; /* b*s */
-    const double t19 = t12*t18; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
-    const double t20 = JLT_FNMA(x[3], t16, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t21 = t17*t20; /* 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t22 = x[0]*p[15]; /* gamma3*2*m*a3^2/I1 */
-    const double t23 = t14*t22; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = x[3]*t19; /* omega_n*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
-    const double t26 = p[13] + t24; /* I3/(m*R) + e */
-    const double t27 = x[2]*t26; /* omega_tau*(I3/(m*R) + e) */
-    const double t28 = t15*t27; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e) */
-    const double t29 = x[0]*t19; /* gamma3*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
-    const double t30 = t3*t25; /* b*t25 */
-    const double t31 = JLT_FMS(p[18], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
-    const double t32 = p[19]*t31; /* 2*I3/(R*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
-    const double t33 = p[14]*t21; /* R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t34 = p[10]*t21; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t35 = t16*t23; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t36 = x[2]*t35; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[10] = t36;
-    const double t37 = t35 - t29; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29 */
-    const double t38 = x[0]*t25; /* gamma3*t25 */
-    const double t39 = JLT_FNMA(p[14], t38, t34); /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - R*I1/I3*gamma3*t25 */
-    const double t40 = t17*t39; /* d(omega3)/d(gamma3) = 1/b*t39 */
-    const double t41 = t16*t17; /* s*1/b */
-    const double t42 = JLT_FMA(x[0], t37, t16); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29) + s */
-    const double t43 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t44 = x[2]*t43; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t45 = t42*t44; /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29) + s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t46 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t47 = t15*t46; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t48 = p[18]*t24; /* I3/(R*I1)*e */
-    const double t49 = t15*t33; /* 1/(Theta/(m*R^2*I1))*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t50 = t15*t30; /* 1/(Theta/(m*R^2*I1))*b*t25 */
-    const double t51 = p[22]*t50; /* (-I3/(R^2*I1))*1/(Theta/(m*R^2*I1))*b*t25 */
-    out[13] = t51;
-    const double t52 = p[20]*t50; /* 1/R*1/(Theta/(m*R^2*I1))*b*t25 */
-    const double t53 = t28*t49; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*t49 */
-    const double t54 = JLT_FMA(t47, t52, t53); /* 1/(Theta/(m*R^2*I1))*V*1/R*1/(Theta/(m*R^2*I1))*b*t25 + 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*t49 */
-    const double t55 = t32*t54; /* 2*I3/(R*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t54 */
-    const double t56 = t49 + t52; /* t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25 */
-    const double t57 = JLT_FNMA(p[23], t49, t38); /* gamma3*t25 - I3^2/(m*R^2*I1)*t49 */
-    const double t58 = JLT_FNMA(t48, t56, t57); /* gamma3*t25 - I3^2/(m*R^2*I1)*t49 - I3/(R*I1)*e*(t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25) */
-    out[14] = t58;
-    const double t59 = p[16]*t33; /* I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t60 = p[1]*t33; /* R*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t61 = JLT_FMS(2.0, t30, t60); /* 2*b*t25 - R*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t62 = t29*t30; /* t29*b*t25 */
-    const double t63 = x[2]*t29; /* omega_tau*t29 */
-    const double t64 = -t63; /* -omega_tau*t29 */
-    out[0] = t64;
-    const double t65 = JLT_FMA(t28, t41, t63); /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*s*1/b + omega_tau*t29 */
-    const double t66 = x[3]*t41; /* omega_n*s*1/b */
-    const double t67 = JLT_FMA(p[10], t66, t61); /* R^2*I1/I3*omega_n*s*1/b + 2*b*t25 - R*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    out[7] = t67;
-    const double t68 = t28*t40; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*d(omega3)/d(gamma3) */
-    const double t69 = JLT_FMA(p[17], t38, t66); /* 2/R*gamma3*t25 + omega_n*s*1/b */
-    const double t70 = t59 - t38; /* I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - gamma3*t25 */
-    const double t71 = JLT_FNMA(p[1], t69, t59); /* I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - R*(2/R*gamma3*t25 + omega_n*s*1/b) */
-    const double t72 = t14*t71; /* 1/(D/I1)*t71 */
-    out[11] = t72;
-    const double t73 = JLT_FNMA(t25, t47, t68); /* t68 - t25*1/(Theta/(m*R^2*I1))*V */
-    const double t74 = t19*t47; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*1/(Theta/(m*R^2*I1))*V */
-    const double t75 = JLT_FNMA(t4, t74, t65); /* t65 - I3/(R^2*I1)*b*t74 */
-    out[15] = t75;
-    const double t76 = p[8]*t74; /* I3/(R^2*I1)*t74 */
-    const double t77 = JLT_FNMA(t62, t76, t55); /* 2*I3/(R*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t54 - t29*b*t25*I3/(R^2*I1)*t74 */
-    const double t78 = JLT_FMA(p[18], t73, t77); /* I3/(R*I1)*(t68 - t25*1/(Theta/(m*R^2*I1))*V) + t77 */
-    const double t79 = t19*t25; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t25 */
-    const double t80 = JLT_FNMA(t25, t79, t45); /* t45 - t25*t79 */
-    const double t81 = JLT_FNMA(p[12], t37, t80); /* t45 - t25*t79 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29) */
-    const double t82 = t19*t79; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t79 */
-    const double t83 = JLT_FNMA(p[21], t56, t82); /* t82 - a3*I3/(R*I1)*(t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25) */
-    const double t84 = JLT_FMA(x[2], t83, t78); /* omega_tau*(t82 - a3*I3/(R*I1)*(t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25)) + I3/(R*I1)*(t68 - t25*1/(Theta/(m*R^2*I1))*V) + t77 */
-    out[12] = t84;
-    const double t85 = p[16]*t40; /* I3/I1*d(omega3)/d(gamma3) */
-    const double t86 = JLT_FNMA(t23, t70, t85); /* I3/I1*d(omega3)/d(gamma3) - 1/(D/I1)*gamma3*2*m*a3^2/I1*(I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - gamma3*t25) */
-    const double t87 = JLT_FNMA(x[3], t86, t81); /* t81 - omega_n*t86 */
-    const double t88 = t14*t87; /* 1/(D/I1)*(t81 - omega_n*t86) */
-    out[8] = t88;
-    const double t89 = t25 + t40; /* t25 + d(omega3)/d(gamma3) */
-    const double t90 = p[1]*x[3]; /* R*omega_n */
-    const double t91 = t89*t90; /* (t25 + d(omega3)/d(gamma3))*R*omega_n */
-    const double t92 = JLT_FMA(t25, t62, t91); /* t25*t29*b*t25 + (t25 + d(omega3)/d(gamma3))*R*omega_n */
-    out[4] = t92;
+    const double t20 = JLT_FNMA(t3, x[3], p[11]); /* G_level/(R*I1) - s*omega_n */
+    const double t21 = t2*t14; /* 1/b = s^2*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t22 = t20*t21; /* (G_level/(R*I1) - s*omega_n)*1/b */
+    const double t23 = p[10]*t21; /* R^2*I1/I3*1/b */
+    const double t24 = t22*t23; /* (G_level/(R*I1) - s*omega_n)*1/b*R^2*I1/I3*1/b */
+    const double t25 = t16*x[3]; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*s*b*omega_n */
+    const double t26 = x[0]*t25; /* gamma3*t25 */
+    const double t27 = t21*p[14]; /* 1/b*R*I1/I3 */
+    const double t28 = JLT_FNMA(t26, t27, t24); /* d(omega3)/d(gamma3) = (G_level/(R*I1) - s*omega_n)*1/b*R^2*I1/I3*1/b - gamma3*t25*1/b*R*I1/I3 */
+    const double t29 = t25 + t28; /* t25 + d(omega3)/d(gamma3) */
+    const double t30 = p[1]*x[3]; /* R*omega_n */
+    const double t31 = t29*t30; /* (t25 + d(omega3)/d(gamma3))*R*omega_n */
+    const double t32 = t4*t25; /* b*t25 */
+    const double t33 = t17*t32; /* t17*b*t25 */
+    const double t34 = JLT_FMA(t25, t33, t31); /* t25*t17*b*t25 + (t25 + d(omega3)/d(gamma3))*R*omega_n */
+    out[4] = t34;
+    const double t35 = t3*t21; /* s*1/b */
+    const double t36 = JLT_FMS(x[3], t35, t22); /* omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b */
+    const double t37 = p[10]*t36; /* R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b) */
+    const double t38 = JLT_FMA(t32, 2.0, t37); /* b*t25*2 + R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b) */
+    out[7] = t38;
+    const double t39 = t9*t13; /* 1/(D/I1) = s^2*b*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t40 = x[0]*t39; /* gamma3*1/(D/I1) */
+    const double t41 = p[15]*t40; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t42 = t3*t41; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t43 = t17 - t42; /* t17 - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t44 = JLT_FMS(x[0], t43, t3); /* gamma3*(t17 - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s */
+    const double t45 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t46 = x[2]*t45; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t47 = t43*p[12]; /* (t17 - s*2*m*a3^2/I1*gamma3*1/(D/I1))*m*g*a3/I1 */
+    const double t48 = t40*p[17]; /* gamma3*1/(D/I1)*2*m*R*a3^2/I1 */
+    const double t49 = t22*t48; /* (G_level/(R*I1) - s*omega_n)*1/b*gamma3*1/(D/I1)*2*m*R*a3^2/I1 */
+    const double t50 = JLT_FMS(t26, t41, t49); /* gamma3*t25*2*m*a3^2/I1*gamma3*1/(D/I1) - t49 */
+    const double t51 = JLT_FMA(t28, p[16], t50); /* d(omega3)/d(gamma3)*I3/I1 + gamma3*t25*2*m*a3^2/I1*gamma3*1/(D/I1) - t49 */
+    const double t52 = t16*t25; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*s*b*t25 */
+    const double t53 = JLT_FNMA(t25, t52, t47); /* (t17 - s*2*m*a3^2/I1*gamma3*1/(D/I1))*m*g*a3/I1 - t25*t52 */
+    const double t54 = JLT_FNMA(t44, t46, t53); /* (t17 - s*2*m*a3^2/I1*gamma3*1/(D/I1))*m*g*a3/I1 - t25*t52 - (gamma3*(t17 - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t55 = JLT_FNMA(x[3], t51, t54); /* t54 - omega_n*t51 */
+    const double t56 = t39*t55; /* 1/(D/I1)*(t54 - omega_n*t51) */
+    out[8] = t56;
+    const double t57 = x[2]*t42; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[10] = t57;
+    const double t58 = JLT_FMA(t36, p[18], t26); /* (omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b)*1/2*R + gamma3*t25 */
+    const double t59 = t39*(-2.0); /* 1/(D/I1)*(-2) */
+    const double t60 = t58*t59; /* t58*1/(D/I1)*(-2) */
+    out[11] = t60;
+    const double t61 = JLT_FMS(t4, p[20], x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = b*I3/(R*I1) - gamma3 */
+    const double t62 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = D/I1*s^2*b*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t63 = t32*t62; /* b*t25*1/(Theta/(m*R^2*I1)) */
+    const double t64 = p[19]*t61; /* 2*I3/(R^2*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
+    const double t65 = t63*t64; /* b*t25*1/(Theta/(m*R^2*I1))*2*I3/(R^2*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
+    const double t66 = p[8]*t16; /* I3/(R^2*I1)*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*s*b */
+    const double t67 = JLT_FNMA(t25, p[20], t65); /* t65 - t25*I3/(R*I1) */
+    const double t68 = JLT_FNMA(t33, t66, t67); /* t65 - t25*I3/(R*I1) - t17*b*t25*t66 */
+    const double t69 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t70 = JLT_FMA(x[2], t69, x[1]); /* V = omega_tau*e + v_nu */
+    const double t71 = t62*t70; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t72 = t68*t71; /* (t65 - t25*I3/(R*I1) - t17*b*t25*t66)*1/(Theta/(m*R^2*I1))*V */
+    const double t73 = t69 + p[13]; /* e + I3/(m*R) */
+    const double t74 = t62*t73; /* 1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t75 = p[20]*t74; /* I3/(R*I1)*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t76 = t16*t52; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*s*b*t52 */
+    const double t77 = JLT_FNMA(t61, t74, p[22]); /* 1/2*a3 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t78 = 2.0*t62; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t79 = t22*t78; /* (G_level/(R*I1) - s*omega_n)*1/b*2*1/(Theta/(m*R^2*I1)) */
+    const double t80 = JLT_FNMA(t77, t79, t76); /* t76 - t77*(G_level/(R*I1) - s*omega_n)*1/b*2*1/(Theta/(m*R^2*I1)) */
+    const double t81 = JLT_FNMA(t63, p[21], t80); /* t80 - b*t25*1/(Theta/(m*R^2*I1))*a3*I3/(R^2*I1) */
+    const double t82 = JLT_FMA(t28, t75, t81); /* d(omega3)/d(gamma3)*I3/(R*I1)*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) + t80 - b*t25*1/(Theta/(m*R^2*I1))*a3*I3/(R^2*I1) */
+    const double t83 = JLT_FMA(x[2], t82, t72); /* omega_tau*t82 + (t65 - t25*I3/(R*I1) - t17*b*t25*t66)*1/(Theta/(m*R^2*I1))*V */
+    out[12] = t83;
+    const double t84 = p[8]*t63; /* I3/(R^2*I1)*b*t25*1/(Theta/(m*R^2*I1)) */
+    const double t85 = -t84; /* -I3/(R^2*I1)*b*t25*1/(Theta/(m*R^2*I1)) */
+    out[13] = t85;
+    const double t86 = JLT_FNMA(t22, t74, t26); /* gamma3*t25 - (G_level/(R*I1) - s*omega_n)*1/b*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t87 = JLT_FNMA(t69, t84, t86); /* t86 - e*I3/(R^2*I1)*b*t25*1/(Theta/(m*R^2*I1)) */
+    out[14] = t87;
+    const double t88 = x[2]*t74; /* omega_tau*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t89 = t4*t71; /* b*1/(Theta/(m*R^2*I1))*V */
+    const double t90 = JLT_FMA(t35, t88, t18); /* s*1/b*omega_tau*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) + omega_tau*t17 */
+    const double t91 = JLT_FNMA(t66, t89, t90); /* t90 - t66*b*1/(Theta/(m*R^2*I1))*V */
+    out[15] = t91;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -330,117 +308,114 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[26]*t3; /* m*I3*b */
-    const double t5 = JLT_FMA(p[25], t2, p[24]); /* m*R^2*I1*s^2 + I1*I3 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
-    const double t7 = JLT_FMA(p[27], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
-    const double t8 = t3*t7; /* b*D */
-    const double t9 = t6*t8; /* Theta*b*D */
-    const double t10 = t2*t9; /* s^2*Theta*b*D */
-    const double t11 = 1.0/t10; /* 1/(s^2*Theta*b*D) */
-    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
-    out[6] = t12;
-    const double t13 = t9*t12; /* Theta*b*D*s */
-    const double t14 = t11*t13; /* 1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t15 = t2*t11; /* 1/(b*D*Theta) = s^2*1/(s^2*Theta*b*D) */
-    const double t16 = t6*t15; /* 1/(b*D) = Theta*1/(b*D*Theta) */
-    const double t17 = t8*t15; /* 1/Theta = b*D*1/(b*D*Theta) */
-    const double t18 = t7*t16; /* 1/b = D*1/(b*D) */
-    const double t19 = t3*t16; /* 1/D = b*1/(b*D) */
-    const double t20 = x[3]*t14; /* omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t21 = x[3]*t12; /* omega_n*s */
-    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t23 = t3*t20; /* b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t24 = JLT_FNMA(p[29], t21, p[6]); /* G_level - R*I1*omega_n*s */
-    const double t25 = t18*t24; /* 1/b*(G_level - R*I1*omega_n*s) */
-    const double t26 = t18*t21; /* 1/b*omega_n*s */
-    const double t27 = p[13] + t22; /* I3/(m*R) + e */
-    const double t28 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t29 = p[26]*t23; /* m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t30 = p[31]*t27; /* m*R*(I3/(m*R) + e) */
-    const double t31 = p[25]*t27; /* m*R^2*I1*(I3/(m*R) + e) */
-    const double t32 = p[28]*t25; /* R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t33 = x[0]*t20; /* gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t34 = t28*t29; /* V*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t35 = t25*t30; /* 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
-    const double t36 = JLT_FMA(x[2], t35, t34); /* omega_tau*1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) + V*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t37 = JLT_FMA(t22, t29, t35); /* e*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s + 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
-    const double t38 = JLT_FNMA(t17, t37, t33); /* gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - 1/Theta*t37 */
-    out[18] = t38;
-    const double t39 = t17*t36; /* 1/Theta*t36 */
-    const double t40 = t17*t29; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t41 = JLT_FMS(x[2], t33, t39); /* omega_tau*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - 1/Theta*t36 */
-    out[3] = t41;
-    const double t42 = -t40; /* -1/Theta*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    out[17] = t42;
-    const double t43 = x[2]*p[27]; /* omega_tau*m*a3^2 */
-    const double t44 = x[2]*t14; /* omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t45 = JLT_FMS(p[14], t33, t32); /* R*I1/I3*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t46 = t18*t45; /* 1/b*t45 */
-    const double t47 = x[0]*p[12]; /* gamma3*m*g*a3/I1 */
-    const double t48 = JLT_FNMA(t20, t20, t47); /* gamma3*m*g*a3/I1 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t49 = x[0]*p[34]; /* gamma3*2*m*R^2*I1 */
-    const double t50 = JLT_FMS(p[35], t3, t49); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t51 = t39*t50; /* 1/Theta*t36*d(Theta)/d(gamma3) */
-    const double t52 = x[2]*t12; /* omega_tau*s */
-    out[0] = t52;
-    const double t53 = t31*t52; /* m*R^2*I1*(I3/(m*R) + e)*omega_tau*s */
-    const double t54 = x[0]*t43; /* gamma3*omega_tau*m*a3^2 */
-    const double t55 = t52*t54; /* omega_tau*s*gamma3*omega_tau*m*a3^2 */
-    const double t56 = JLT_FNMA(p[30], t12, t55); /* omega_tau*s*gamma3*omega_tau*m*a3^2 - m*g*a3*s */
-    const double t57 = x[0]*t44; /* gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t58 = -t57; /* -gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    out[4] = t58;
-    const double t59 = p[4]*t14; /* I1*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t60 = t48*t59; /* t48*I1*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t61 = p[36]*t25; /* m*R*a3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t62 = JLT_FMA(p[37], t23, t61); /* m*a3*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s + m*R*a3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t63 = JLT_FMS(x[0], t57, t52); /* gamma3*gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s - omega_tau*s */
-    const double t64 = JLT_FNMA(t43, t63, t60); /* t48*I1*1/(s^2*Theta*b*D)*Theta*b*D*s - omega_tau*m*a3^2*t63 */
-    const double t65 = p[5]*t46; /* I3*1/b*t45 */
-    const double t66 = JLT_FMA(t30, t65, t62); /* m*R*(I3/(m*R) + e)*I3*1/b*t45 + t62 */
-    const double t67 = JLT_FMA(x[3], t65, t64); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = omega_n*I3*1/b*t45 + t48*I1*1/(s^2*Theta*b*D)*Theta*b*D*s - omega_tau*m*a3^2*t63 */
-    const double t68 = t46 - t20; /* 1/b*t45 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t69 = p[38]*t28; /* m*R*I3*V */
-    const double t70 = JLT_FNMA(t20, t69, t51); /* 1/Theta*t36*d(Theta)/d(gamma3) - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*m*R*I3*V */
-    const double t71 = JLT_FNMA(x[2], t66, t70); /* t70 - omega_tau*(m*R*(I3/(m*R) + e)*I3*1/b*t45 + t62) */
-    const double t72 = t14*t28; /* 1/(s^2*Theta*b*D)*Theta*b*D*s*V */
-    const double t73 = t4*t72; /* m*I3*b*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
-    const double t74 = JLT_FMS(t18, t53, t73); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/b*m*R^2*I1*(I3/(m*R) + e)*omega_tau*s - m*I3*b*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
-    const double t75 = JLT_FMA(t17, t74, t57); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = t2*t3; /* s^2*b */
+    const double t9 = t6*t7; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t10 = t8*t9; /* s^2*b*Theta/(m*R^2*I1)*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t12 = t9*t11; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t13 = t8*t11; /* s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t14 = t7*t13; /* 1/(Theta/(m*R^2*I1)) = D/I1*s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t15 = t6*t13; /* 1/(D/I1) = Theta/(m*R^2*I1)*s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t16 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t16;
+    const double t17 = t2*t12; /* 1/b = s^2*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t18 = t3*t16; /* b*s */
+    const double t19 = t12*t18; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t20 = t4*t19; /* I3/(R^2*I1)*b*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t21 = x[3]*t16; /* omega_n*s */
+    const double t22 = p[11] - t21; /* G_level/(R*I1) - omega_n*s */
+    const double t23 = t17*t22; /* 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t24 = JLT_FMS(t17, t21, t23); /* 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t25 = x[2]*t16; /* omega_tau*s */
+    out[0] = t25;
+    const double t26 = p[23]*t16; /* m*g*a3/(R*I1)*s */
+    const double t27 = JLT_FNMA(x[3], t23, t26); /* m*g*a3/(R*I1)*s - omega_n*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t28 = x[3]*t19; /* omega_n*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t29 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t30 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t31 = t3*t28; /* b*t28 */
+    const double t32 = JLT_FMS(p[20], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
+    const double t33 = 2.0*t32; /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
+    const double t34 = t14*t33; /* 1/(Theta/(m*R^2*I1))*2*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
+    const double t35 = p[10]*t23; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t36 = t25*t29; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t37 = x[3]*t28; /* omega_n*t28 */
+    const double t38 = x[0]*t28; /* gamma3*t28 */
+    const double t39 = p[13] + t30; /* I3/(m*R) + e */
+    const double t40 = t14*t39; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t41 = p[8]*t14; /* I3/(R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t42 = t31*t41; /* b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t43 = -t42; /* -b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[17] = t43;
+    const double t44 = t36 - t37; /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*t28 */
+    const double t45 = x[0]*t15; /* gamma3*1/(D/I1) */
+    const double t46 = t44*t45; /* (omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*t28)*gamma3*1/(D/I1) */
+    const double t47 = JLT_FMA(x[2], t30, x[1]); /* V = omega_tau*e + v_nu */
+    const double t48 = x[0]*t19; /* gamma3*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t49 = JLT_FNMA(p[14], t38, t35); /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - R*I1/I3*gamma3*t28 */
+    const double t50 = t17*t49; /* 1/b*t49 */
+    const double t51 = t31 - t35; /* b*t28 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t52 = x[3]*t51; /* omega_n*(b*t28 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s)) */
+    out[1] = t52;
+    const double t53 = t17*t25; /* 1/b*omega_tau*s */
+    const double t54 = p[1]*t15; /* R*1/(D/I1) */
+    const double t55 = JLT_FNMA(t27, t54, t46); /* t46 - (m*g*a3/(R*I1)*s - omega_n*1/b*(G_level/(R*I1) - omega_n*s))*R*1/(D/I1) */
+    out[2] = t55;
+    const double t56 = x[2]*t40; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t57 = t42*t47; /* b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t58 = t14*t47; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t59 = JLT_FMA(t14, t23, t42); /* 1/(Theta/(m*R^2*I1))*1/b*(G_level/(R*I1) - omega_n*s) + b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t60 = t19*t28; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t28 */
+    const double t61 = JLT_FNMA(t28, t60, t36); /* omega_tau*s*omega_tau*m*a3^2/I1 - t28*t60 */
+    const double t62 = t19*t60; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t60 */
+    const double t63 = JLT_FNMA(p[3], t59, t62); /* t62 - a3*t59 */
+    const double t64 = t19*t48; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t48 */
+    const double t65 = x[2]*t48; /* omega_tau*t48 */
+    const double t66 = t57*t64; /* b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1))*V*t64 */
+    const double t67 = JLT_FMA(t23, t56, t57); /* 1/b*(G_level/(R*I1) - omega_n*s)*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t68 = JLT_FMS(t34, t67, t66); /* 1/(Theta/(m*R^2*I1))*2*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t67 - b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1))*V*t64 */
+    const double t69 = JLT_FMA(x[2], t63, t68); /* omega_tau*(t62 - a3*t59) + t68 */
+    const double t70 = JLT_FMS(x[2], t38, t67); /* omega_tau*gamma3*t28 - t67 */
+    out[3] = t70;
+    const double t71 = t50*t56; /* 1/b*t49*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t72 = JLT_FMS(t28, t58, t71); /* t28*1/(Theta/(m*R^2*I1))*V - 1/b*t49*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t73 = JLT_FNMA(p[20], t72, t69); /* omega_tau*(t62 - a3*t59) + t68 - I3/(R*I1)*t72 */
+    out[16] = t73;
+    const double t74 = JLT_FNMA(t20, t58, t65); /* omega_tau*t48 - t20*1/(Theta/(m*R^2*I1))*V */
+    const double t75 = JLT_FMA(t40, t53, t74); /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e)*1/b*omega_tau*s + omega_tau*t48 - t20*1/(Theta/(m*R^2*I1))*V */
     out[19] = t75;
-    const double t76 = t17*t71; /* 1/Theta*(t70 - omega_tau*(m*R*(I3/(m*R) + e)*I3*1/b*t45 + t62)) */
-    const double t77 = x[0]*t72; /* gamma3*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
-    const double t78 = t40*t77; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*gamma3*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
-    const double t79 = JLT_FNMA(t20, t44, t78); /* t78 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t80 = JLT_FNMA(t14, t79, t76); /* t76 - 1/(s^2*Theta*b*D)*Theta*b*D*s*t79 */
-    out[16] = t80;
-    const double t81 = t14*t23; /* 1/(s^2*Theta*b*D)*Theta*b*D*s*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t82 = JLT_FNMA(p[4], t33, t25); /* 1/b*(G_level - R*I1*omega_n*s) - I1*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t83 = JLT_FMA(x[3], t82, t56); /* numerator of d(omega_tau)/dt over D = omega_n*t82 + omega_tau*s*gamma3*omega_tau*m*a3^2 - m*g*a3*s */
-    const double t84 = JLT_FNMA(p[33], t33, t25); /* 1/b*(G_level - R*I1*omega_n*s) - 2*I1*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
-    const double t85 = JLT_FNMA(p[29], t26, t84); /* d(numerator of d(omega_tau)/dt over D)/d(omega_n) = t84 - R*I1*1/b*omega_n*s */
-    const double t86 = t19*t85; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(omega_n) */
-    out[15] = t86;
-    const double t87 = t19*t83; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t87;
-    const double t88 = x[0]*p[32]; /* gamma3*2*m*a3^2 */
-    const double t89 = t19*t88; /* 1/D*gamma3*2*m*a3^2 */
-    const double t90 = JLT_FMA(t83, t89, t67); /* numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t91 = t19*t90; /* 1/D*t90 */
-    out[12] = t91;
-    const double t92 = t52*t89; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[14] = t92;
-    const double t93 = x[3]*p[1]; /* omega_n*R */
-    const double t94 = t68*t93; /* (1/b*t45 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s)*omega_n*R */
-    const double t95 = JLT_FMS(t33, t81, t94); /* gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*t81 - (1/b*t45 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s)*omega_n*R */
-    out[8] = t95;
-    const double t96 = t23 - t32; /* b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t97 = JLT_FMS(2.0, t23, t32); /* 2*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t98 = JLT_FMA(p[10], t26, t97); /* R^2*I1/I3*1/b*omega_n*s + t97 */
-    out[11] = t98;
-    const double t99 = x[3]*t96; /* omega_n*t96 */
-    out[1] = t99;
+    const double t76 = JLT_FNMA(t23, t40, t38); /* gamma3*t28 - 1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t77 = JLT_FNMA(t30, t42, t76); /* t76 - e*b*t28*I3/(R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[18] = t77;
+    const double t78 = x[3]*t50; /* omega_n*1/b*t49 */
+    const double t79 = t37 + t78; /* omega_n*t28 + omega_n*1/b*t49 */
+    const double t80 = JLT_FNMA(p[16], t78, t61); /* omega_tau*s*omega_tau*m*a3^2/I1 - t28*t60 - I3/I1*omega_n*1/b*t49 */
+    const double t81 = p[1]*t79; /* R*(omega_n*t28 + omega_n*1/b*t49) */
+    const double t82 = -t65; /* -omega_tau*t48 */
+    out[4] = t82;
+    const double t83 = p[15]*t45; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t84 = t25*t83; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[14] = t84;
+    const double t85 = t55*t83; /* t55*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t86 = p[12]*t19; /* m*g*a3/I1*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t87 = JLT_FNMA(t29, t65, t86); /* t86 - omega_tau*m*a3^2/I1*omega_tau*t48 */
+    const double t88 = JLT_FMA(t45, t87, t85); /* gamma3*1/(D/I1)*(t86 - omega_tau*m*a3^2/I1*omega_tau*t48) + t55*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t89 = JLT_FMA(t15, t80, t88); /* 1/(D/I1)*t80 + t88 */
+    out[12] = t89;
+    const double t90 = t19*t31; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*b*t28 */
+    const double t91 = JLT_FMA(t38, t90, t81); /* gamma3*t28*t90 + R*(omega_n*t28 + omega_n*1/b*t49) */
+    out[8] = t91;
+    const double t92 = JLT_FMA(p[18], t24, t38); /* 1/2*R*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) + gamma3*t28 */
+    const double t93 = p[10]*t24; /* R^2*I1/I3*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) */
+    const double t94 = JLT_FMA(2.0, t31, t93); /* 2*b*t28 + R^2*I1/I3*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) */
+    out[11] = t94;
+    const double t95 = (-2.0)*t15; /* (-2)*1/(D/I1) */
+    const double t96 = t92*t95; /* t92*(-2)*1/(D/I1) */
+    out[15] = t96;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -449,7 +424,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = JLT_FMA(p[27], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t4 = JLT_FMA(p[25], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
     const double t6 = p[7] + t2; /* I3/(m*R^2) + s^2 */
     const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
@@ -460,7 +435,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t12 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*b*D*1/(Theta/(m*R^2*I1)*s^2*b*D) */
     const double t13 = t7*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*b*D) */
     const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t15 = x[0]*p[32]; /* gamma3*2*m*a3^2 */
+    const double t15 = x[0]*p[24]; /* gamma3*2*m*a3^2 */
     const double t16 = t3*t15; /* b*gamma3*2*m*a3^2 */
     const double t17 = p[13] + t14; /* I3/(m*R) + e */
     const double t18 = t4*t17; /* D*(I3/(m*R) + e) */
@@ -484,24 +459,24 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(p[27], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = JLT_FMA(p[25], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t6 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
     const double t7 = t6/t5; /* (G_level/(R*I1) - omega_n*s)/b */
     const double t8 = x[3]*t5; /* omega_n*b */
     const double t9 = p[10]*t3; /* R^2*I1/I3*s */
     const double t10 = JLT_FNMA(t7, t9, t8); /* v_tau = omega_n*b - (G_level/(R*I1) - omega_n*s)/b*R^2*I1/I3*s */
-    const double t11 = p[40]*x[0]; /* 2*g*a3*gamma3 */
+    const double t11 = p[27]*x[0]; /* 2*g*a3*gamma3 */
     const double t12 = JLT_FMA(x[1], x[1], t11); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = p[41]*x[2]; /* 1/m*omega_tau */
+    const double t13 = p[28]*x[2]; /* 1/m*omega_tau */
     const double t14 = x[2]*t13; /* omega_tau*1/m*omega_tau */
-    const double t15 = p[42]*x[3]; /* I1/m*omega_n */
+    const double t15 = p[29]*x[3]; /* I1/m*omega_n */
     const double t16 = JLT_FMA(x[3], t15, t12); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t17 = JLT_FMA(t4, t14, t16); /* D*omega_tau*1/m*omega_tau + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t18 = p[43]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
+    const double t18 = p[30]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
     const double t19 = JLT_FMA(t7, t18, t17); /* (G_level/(R*I1) - omega_n*s)/b*R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b + t17 */
     const double t20 = JLT_FMA(t10, t10, t19); /* energy/(1/2*m) = v_tau*v_tau + t19 */
-    const double t21 = p[39]*t20; /* 1/2*m*energy/(1/2*m) */
+    const double t21 = p[26]*t20; /* 1/2*m*energy/(1/2*m) */
     out[0] = t21;
 }
 
@@ -516,7 +491,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = t3*t4; /* s^2*b */
     const double t6 = 1.0/t5; /* 1/(s^2*b) */
     const double t7 = sqrt(t3); /* s = sqrt(s^2) */
-    const double t8 = x[3]*p[29]; /* omega_n*R*I1 */
+    const double t8 = x[3]*p[33]; /* omega_n*R*I1 */
     const double t9 = JLT_FNMA(t7, t8, p[6]); /* G_level - s*omega_n*R*I1 */
     const double t10 = x[0]*t4; /* gamma3*b */
     const double t11 = t6*t10; /* 1/(s^2*b)*gamma3*b */
@@ -524,12 +499,12 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t13 = t9*t12; /* (G_level - s*omega_n*R*I1)*1/b */
     const double t14 = t7*t11; /* s*1/(s^2*b)*gamma3*b */
     const double t15 = p[14]*x[3]; /* R*I1/I3*omega_n */
-    const double t16 = p[28]*t13; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t16 = p[32]*t13; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t17 = JLT_FMS(t14, t15, t16); /* s*1/(s^2*b)*gamma3*b*R*I1/I3*omega_n - R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t18 = t12*t17; /* 1/b*t17 */
-    const double t19 = p[27]*x[0]; /* m*a3^2*gamma3 */
+    const double t19 = p[25]*x[0]; /* m*a3^2*gamma3 */
     const double t20 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t21 = JLT_FNMA(t19, t20, p[30]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t21 = JLT_FNMA(t19, t20, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t22 = JLT_FMA(t13, t18, t21); /* (G_level - s*omega_n*R*I1)*1/b*1/b*t17 + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t23 = JLT_FNMA(t7, t18, x[3]); /* omega_n - s*1/b*t17 */
     const double t24 = p[1]*t23; /* R*(omega_n - s*1/b*t17) */
@@ -547,7 +522,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t35 = JLT_FMA(t12, t34, t4); /* d(v_tau)/d(omega_n) = 1/b*R^2*I1/I3*s^2 + b */
     const double t36 = JLT_FMA(t30, t35, t33); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
     out[3] = t36;
-    const double t37 = JLT_FMA(p[27], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t37 = JLT_FMA(p[25], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t38 = x[2]*t37; /* omega_tau*D */
     out[2] = t38;
 }
@@ -559,8 +534,8 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t5 = p[45] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t6 = p[44]/t5; /* (-I1/I3)/(b/R) */
+    const double t5 = p[35] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = p[34]/t5; /* (-I1/I3)/(b/R) */
     const double t7 = t4*t6; /* (G_level/(R*I1) - omega_n*s)*(-I1/I3)/(b/R) */
     out[0] = t7;
 }
@@ -647,15 +622,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t38[k] = p[9]*t31[k];
         t39[k] = jlt_jet_product(t32, t38, k);
         t40[k] = t39[k] - p[12]*t17[k];
-        t41[k] = jlt_jet_product(t31, t34, k);
-        t42[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t43[k] = (k == 0 ? p[13] : 0) + t42[k];
-        t44[k] = jlt_jet_product(x2, t43, k);
-        t45[k] = jlt_jet_product(x2, t42, k) + x1[k];
-        t46[k] = jlt_jet_product(t21, t45, k);
-        t47[k] = jlt_jet_product(t37, t44, k);
-        t48[k] = jlt_jet_product(t34, t46, k) + t47[k];
-        t49[k] = t41[k] - jlt_jet_product(t28, t48, k);
+        t41[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t42[k] = jlt_jet_product(x2, t41, k) + x1[k];
+        t43[k] = jlt_jet_product(t21, t42, k);
+        t44[k] = t31[k] - jlt_jet_product(t28, t43, k);
+        t45[k] = (k == 0 ? p[13] : 0) + t41[k];
+        t46[k] = jlt_jet_product(x2, t45, k);
+        t47[k] = jlt_jet_product(t28, t46, k);
+        t48[k] = jlt_jet_product(t34, t44, k);
+        t49[k] = t48[k] - jlt_jet_product(t37, t47, k);
         t50[k] = jlt_jet_product(x3, t34, k);
         t51[k] = jlt_jet_product(x3, t37, k);
         t52[k] = t40[k] - jlt_jet_product(x0, t50, k);
@@ -733,19 +708,19 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 46,
+    .state_count = 4, .param_count = 7, .block_count = 36,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 26, 11, 1, 1, 0, 13, 11 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, d(omega_n)/dt, d(v_nu)/dt, a part of d(omega_tau)/dt" },
-    .jacobian = { jacobian, 16, { 9, 54, 28, 1, 1, 0, 18, 21 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 57, 34, 1, 1, 0, 19, 26 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, G_level - (R*I1)*omega_n*s, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), gamma3*gamma3*omega_tau*((1)/s^2*Theta*b*D)*Theta*b*D*s - omega_tau*s, a part of d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_n), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), numerator of d(omega_tau)/dt over D, d(numerator of d(omega_tau)/dt over D)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega_n)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau*gamma3 - 1/(Theta/(m*R^2*I1))*(I3/(R^2*I1))*b*V, I3/(m*R) + e, d(omega_n)/dt, d(v_nu)/dt, a part of d(omega_tau)/dt" },
+    .jacobian = { jacobian, 16, { 8, 53, 29, 1, 1, 0, 17, 21 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - s*omega_n, d(omega3)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b, d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), d(Theta)/d(gamma3)/(2*m*R^2*I1) = b*(I3/(R*I1)) - gamma3, a part of d(d(omega_n)/dt)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, e + I3/(m*R), a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 10, 55, 30, 1, 1, 0, 17, 27 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s), (m*g*a3/(R*I1))*s - omega_n*1/b*(G_level/(R*I1) - omega_n*s), e = gamma3*a3 + R, d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, I3/(m*R) + e, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(v_nu)/dt, d(omega_tau)/dt, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n)" },
     .divergence = { divergence, 1, { 4, 17, 7, 1, 1, 0, 12, 10 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, I3/(m*R) + e, 1/(Theta/(m*R^2*I1))*D*(I3/(m*R) + e) + b*gamma3*(2*m*a3^2), V = omega_tau*e + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 1, { 2, 9, 9, 1, 1, 0, 9, 7 }, { 10, 31, 0, 1, 1, 0, 13, 6 },

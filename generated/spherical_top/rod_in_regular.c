@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    8    1    0    0      7    7   (49)
- *  jacobian            5   35    9    1    0    0     10    9   (130)
- *  rhs_jacobian        6   42   12    1    0    0     13    9   (168)
+ *  jacobian            5   35    9    1    0    0      9    9   (130)
+ *  rhs_jacobian        5   41   13    1    0    0     12   13   (168)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     1   10    6    0    0    0      6    5   (51)
  *  integral_gradients  3   16    3    0    0    0      6    5   (60)
@@ -18,9 +18,9 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), d(omega_tau)/dtau,
- *      a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n),
- *      omega_n*b + omega3*s*R, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s,
- *      d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau
+ *      a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, b = R*gamma3 + a3, V = omega_tau*e + v_nu,
+ *      d(omega3)/dtau, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n),
+ *      d(v_nu)/dtau, d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -176,10 +176,10 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t18 = x[5]*t17; /* 1/(D/I1) = s*1/(s*D/I1) */
     const double t19 = t14*t18; /* (s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*1/(D/I1) */
     out[12] = t19;
-    const double t20 = x[5]*t18; /* s*1/(D/I1) */
-    const double t21 = x[0]*p[11]; /* gamma3*2*m*a3^2/I1 */
-    const double t22 = t20*t21; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t23 = t1*t22; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t20 = x[5]*x[0]; /* s*gamma3 */
+    const double t21 = p[11]*t20; /* 2*m*a3^2/I1*s*gamma3 */
+    const double t22 = t18*t21; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
+    const double t23 = t1*t22; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
     out[14] = t23;
     const double t24 = x[3]*x[0]; /* omega_n*gamma3 */
     out[20] = t24;
@@ -187,39 +187,39 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t26 = t18*t25; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
     out[15] = t26;
     const double t27 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t28 = t22*t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t29 = JLT_FNMA(t20, p[12], t28); /* t28 - s*1/(D/I1)*2*m*g*a3/I1 */
-    const double t30 = t18*t29; /* 1/(D/I1)*(t28 - s*1/(D/I1)*2*m*g*a3/I1) */
-    out[17] = t30;
-    const double t31 = x[2]*x[3]; /* omega_tau*omega_n */
-    out[18] = t31;
-    const double t32 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[21] = t32;
-    out[28] = t32;
-    const double t33 = t15*t17; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t34 = x[3]*t33; /* omega_n*1/s */
-    const double t35 = JLT_FNMA(p[10], t34, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t36 = x[2]*t35; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[24] = t36;
-    const double t37 = t34*p[8]; /* omega_n*1/s*1/R */
-    const double t38 = -t37; /* -omega_n*1/s*1/R */
-    out[25] = t38;
-    const double t39 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t40 = t37*t39; /* omega_n*1/s*1/R*e */
-    const double t41 = JLT_FMS(x[0], x[4], t40); /* gamma3*omega3 - omega_n*1/s*1/R*e */
-    out[26] = t41;
-    const double t42 = JLT_FMA(x[2], t39, x[1]); /* V = omega_tau*e + v_nu */
-    const double t43 = t33*t42; /* 1/s*V */
-    const double t44 = p[13]*t43; /* (-1/R)*1/s*V */
-    out[27] = t44;
-    const double t45 = t37*t43; /* omega_n*1/s*1/R*1/s*V */
-    out[29] = t45;
-    const double t46 = -t1; /* -s*omega_tau */
-    out[30] = t46;
-    const double t47 = x[5]*x[0]; /* s*gamma3 */
-    const double t48 = -t47; /* -s*gamma3 */
+    const double t28 = t22*t27; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t29 = x[5]*p[12]; /* s*2*m*g*a3/I1 */
+    const double t30 = JLT_FNMA(t18, t29, t28); /* t28 - 1/(D/I1)*s*2*m*g*a3/I1 */
+    const double t31 = t18*t30; /* 1/(D/I1)*(t28 - 1/(D/I1)*s*2*m*g*a3/I1) */
+    out[17] = t31;
+    const double t32 = x[2]*x[3]; /* omega_tau*omega_n */
+    out[18] = t32;
+    const double t33 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[21] = t33;
+    out[28] = t33;
+    const double t34 = t15*t17; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t35 = x[3]*t34; /* omega_n*1/s */
+    const double t36 = JLT_FNMA(p[10], t35, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t37 = x[2]*t36; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[24] = t37;
+    const double t38 = t35*p[8]; /* omega_n*1/s*1/R */
+    const double t39 = -t38; /* -omega_n*1/s*1/R */
+    out[25] = t39;
+    const double t40 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t41 = t38*t40; /* omega_n*1/s*1/R*e */
+    const double t42 = JLT_FMS(x[0], x[4], t41); /* gamma3*omega3 - omega_n*1/s*1/R*e */
+    out[26] = t42;
+    const double t43 = JLT_FMA(x[2], t40, x[1]); /* V = omega_tau*e + v_nu */
+    const double t44 = t34*t43; /* 1/s*V */
+    const double t45 = p[13]*t44; /* (-1/R)*1/s*V */
+    out[27] = t45;
+    const double t46 = t38*t44; /* omega_n*1/s*1/R*1/s*V */
+    out[29] = t46;
+    const double t47 = -t1; /* -s*omega_tau */
+    out[30] = t47;
+    const double t48 = -t20; /* -s*gamma3 */
     out[32] = t48;
-    const double t49 = -t32; /* -omega_tau*gamma3 */
+    const double t49 = -t33; /* -omega_tau*gamma3 */
     out[35] = t49;
 }
 
@@ -241,14 +241,13 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[40] = 0.0;
     const double t0 = x[2]*x[3]; /* omega_tau*omega_n */
     out[24] = t0;
-    const double t1 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[26] = t1;
-    const double t2 = x[5]*x[5]; /* s*s */
-    out[8] = t2;
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t4 = x[5]*t3; /* s*D/I1 */
+    const double t1 = x[5]*x[5]; /* s*s */
+    out[8] = t1;
+    const double t2 = JLT_FMA(p[6], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t3 = p[7]*t1; /* m*g*a3/I1*s*s */
+    const double t4 = x[5]*t2; /* s*D/I1 */
     const double t5 = 1.0/t4; /* 1/(s*D/I1) */
-    const double t6 = t3*t5; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t6 = t2*t5; /* 1/s = D/I1*1/(s*D/I1) */
     const double t7 = x[5]*t5; /* 1/(D/I1) = s*1/(s*D/I1) */
     const double t8 = x[5]*x[2]; /* s*omega_tau */
     const double t9 = x[5]*t8; /* s*s*omega_tau */
@@ -260,74 +259,74 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t12 = t7*t8; /* 1/(D/I1)*s*omega_tau */
     const double t13 = p[6]*t8; /* m*a3^2/I1*s*omega_tau */
     const double t14 = t12*t13; /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t15 = x[3]*t7; /* omega_n*1/(D/I1) */
-    const double t16 = JLT_FNMA(x[3], t15, t14); /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n*1/(D/I1) */
-    out[18] = t16;
-    const double t17 = x[0]*t16; /* gamma3*t16 */
-    const double t18 = x[5]*t7; /* s*1/(D/I1) */
-    const double t19 = x[5]*p[7]; /* s*m*g*a3/I1 */
-    const double t20 = JLT_FNMA(t18, t19, t17); /* gamma3*t16 - s*1/(D/I1)*s*m*g*a3/I1 */
-    out[2] = t20;
-    const double t21 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[27] = t21;
-    out[34] = t21;
-    const double t22 = t12*t21; /* 1/(D/I1)*s*omega_tau*omega_tau*gamma3 */
-    const double t23 = JLT_FNMA(t18, t20, t22); /* 1/(D/I1)*s*omega_tau*omega_tau*gamma3 - s*1/(D/I1)*(gamma3*t16 - s*1/(D/I1)*s*m*g*a3/I1) */
-    const double t24 = p[11]*t23; /* 2*m*a3^2/I1*t23 */
-    const double t25 = JLT_FNMA(p[12], t18, t24); /* 2*m*a3^2/I1*t23 - 2*m*g*a3/I1*s*1/(D/I1) */
-    out[23] = t25;
-    const double t26 = x[3]*t21; /* omega_n*omega_tau*gamma3 */
-    out[3] = t26;
-    const double t27 = -t21; /* -omega_tau*gamma3 */
-    out[41] = t27;
-    const double t28 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t29 = x[3]*t28; /* omega_n*b */
-    const double t30 = x[5]*p[1]; /* s*R */
-    const double t31 = x[4]*t30; /* omega3*s*R */
-    const double t32 = JLT_FMA(2.0, t29, t31); /* 2*omega_n*b + omega3*s*R */
-    out[15] = t32;
-    const double t33 = t29 + t31; /* omega_n*b + omega3*s*R */
-    const double t34 = x[3]*t33; /* omega_n*(omega_n*b + omega3*s*R) */
-    out[1] = t34;
-    const double t35 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t36 = x[3]*t6; /* omega_n*1/s */
-    const double t37 = JLT_FMA(x[2], t35, x[1]); /* V = omega_tau*e + v_nu */
-    const double t38 = p[8]*t36; /* 1/R*omega_n*1/s */
-    const double t39 = JLT_FNMA(p[10], t36, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t40 = x[2]*t39; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[30] = t40;
-    const double t41 = t35*t38; /* e*1/R*omega_n*1/s */
-    const double t42 = JLT_FMS(x[0], x[4], t41); /* gamma3*omega3 - e*1/R*omega_n*1/s */
-    out[32] = t42;
-    const double t43 = -t38; /* -1/R*omega_n*1/s */
+    const double t15 = p[11]*t12; /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau */
+    const double t16 = x[0]*t8; /* gamma3*s*omega_tau */
+    const double t17 = -t16; /* -gamma3*s*omega_tau */
+    out[5] = t17;
+    const double t18 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t19 = JLT_FNMA(t7, t18, t14); /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau - 1/(D/I1)*omega_n*omega_n */
+    out[18] = t19;
+    const double t20 = x[0]*t19; /* gamma3*t19 */
+    const double t21 = JLT_FNMA(t3, t7, t20); /* gamma3*t19 - m*g*a3/I1*s*s*1/(D/I1) */
+    out[2] = t21;
+    const double t22 = JLT_FMA(p[11], t21, p[12]); /* 2*m*a3^2/I1*(gamma3*t19 - m*g*a3/I1*s*s*1/(D/I1)) + 2*m*g*a3/I1 */
+    const double t23 = p[1]*t18; /* R*omega_n*omega_n */
+    out[12] = t23;
+    const double t24 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t25 = x[3]*t6; /* omega_n*1/s */
+    const double t26 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t27 = t18*t26; /* omega_n*omega_n*b */
+    const double t28 = p[1]*x[4]; /* R*omega3 */
+    const double t29 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[27] = t29;
+    out[34] = t29;
+    const double t30 = x[3]*t29; /* omega_n*omega_tau*gamma3 */
+    out[3] = t30;
+    const double t31 = -t29; /* -omega_tau*gamma3 */
+    out[41] = t31;
+    const double t32 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t33 = t6*t32; /* 1/s*V */
+    const double t34 = p[13]*t33; /* (-1/R)*1/s*V */
+    out[33] = t34;
+    const double t35 = p[8]*t25; /* 1/R*omega_n*1/s */
+    const double t36 = t33*t35; /* 1/s*V*1/R*omega_n*1/s */
+    out[35] = t36;
+    const double t37 = t32*t35; /* V*1/R*omega_n*1/s */
+    const double t38 = JLT_FMS(x[4], t29, t37); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
+    out[4] = t38;
+    const double t39 = t15*t29; /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau*omega_tau*gamma3 */
+    const double t40 = JLT_FNMA(p[10], t25, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t41 = x[2]*t40; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[30] = t41;
+    const double t42 = t24*t35; /* e*1/R*omega_n*1/s */
+    const double t43 = -t35; /* -1/R*omega_n*1/s */
     out[31] = t43;
-    const double t44 = t37*t38; /* V*1/R*omega_n*1/s */
-    const double t45 = p[13]*t37; /* (-1/R)*V */
-    const double t46 = t6*t45; /* 1/s*(-1/R)*V */
-    out[33] = t46;
-    const double t47 = t6*t44; /* 1/s*V*1/R*omega_n*1/s */
-    out[35] = t47;
-    const double t48 = JLT_FMS(x[4], t21, t44); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
-    out[4] = t48;
-    const double t49 = x[5]*t21; /* s*omega_tau*gamma3 */
-    const double t50 = -t49; /* -s*omega_tau*gamma3 */
-    out[5] = t50;
-    const double t51 = p[11]*t49; /* 2*m*a3^2/I1*s*omega_tau*gamma3 */
-    const double t52 = t18*t51; /* s*1/(D/I1)*2*m*a3^2/I1*s*omega_tau*gamma3 */
-    out[20] = t52;
-    const double t53 = x[3]*p[1]; /* omega_n*R */
-    const double t54 = x[3]*t53; /* omega_n*omega_n*R */
-    out[12] = t54;
-    const double t55 = x[5]*t53; /* s*omega_n*R */
-    out[16] = t55;
-    const double t56 = x[4]*t53; /* omega3*omega_n*R */
-    out[17] = t56;
-    const double t57 = x[0]*(-2.0); /* gamma3*(-2) */
-    const double t58 = t15*t57; /* omega_n*1/(D/I1)*gamma3*(-2) */
-    out[21] = t58;
-    const double t59 = x[5]*x[0]; /* s*gamma3 */
-    const double t60 = -t59; /* -s*gamma3 */
-    out[38] = t60;
+    const double t44 = JLT_FMS(x[0], x[4], t42); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[32] = t44;
+    const double t45 = x[3]*2.0; /* omega_n*2 */
+    const double t46 = t26*t45; /* b*omega_n*2 */
+    const double t47 = JLT_FMA(x[5], t28, t46); /* s*R*omega3 + b*omega_n*2 */
+    out[15] = t47;
+    const double t48 = x[3]*t28; /* omega_n*R*omega3 */
+    out[17] = t48;
+    const double t49 = JLT_FMA(x[5], t48, t27); /* s*omega_n*R*omega3 + omega_n*omega_n*b */
+    out[1] = t49;
+    const double t50 = x[0]*x[3]; /* gamma3*omega_n */
+    out[26] = t50;
+    const double t51 = (-2.0)*t50; /* (-2)*gamma3*omega_n */
+    const double t52 = t7*t51; /* 1/(D/I1)*(-2)*gamma3*omega_n */
+    out[21] = t52;
+    const double t53 = x[5]*t7; /* s*1/(D/I1) */
+    const double t54 = JLT_FNMA(t22, t53, t39); /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau*omega_tau*gamma3 - t22*s*1/(D/I1) */
+    out[23] = t54;
+    const double t55 = x[5]*p[1]; /* s*R */
+    const double t56 = x[3]*t55; /* omega_n*s*R */
+    out[16] = t56;
+    const double t57 = x[5]*x[0]; /* s*gamma3 */
+    const double t58 = t15*t57; /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau*s*gamma3 */
+    out[20] = t58;
+    const double t59 = -t57; /* -s*gamma3 */
+    out[38] = t59;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -576,7 +575,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 21,
@@ -586,10 +585,10 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 6, { 1, 18, 8, 1, 0, 0, 7, 7 }, { 9, 36, 0, 4, 0, 0, 8, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(v_nu)/dtau, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau" },
-    .jacobian = { jacobian, 36, { 5, 35, 9, 1, 0, 0, 10, 9 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
+    .jacobian = { jacobian, 36, { 5, 35, 9, 1, 0, 0, 9, 9 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), s*omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), omega3 - (a3/R)*omega_n*1/s, e = gamma3*a3 + R, d(d(omega3)/dtau)/d(omega_tau), V = omega_tau*e + v_nu" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 6, 42, 12, 1, 0, 0, 13, 9 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + omega3*s*R, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 5, 41, 13, 1, 0, 0, 12, 13 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, b = R*gamma3 + a3, V = omega_tau*e + v_nu, d(omega3)/dtau, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), d(v_nu)/dtau, d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 1, 10, 6, 0, 0, 0, 6, 5 }, { 10, 41, 0, 0, 0, 0, 9, 5 },

@@ -4,13 +4,13 @@
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    8    1    0    0      9    7   (50)
- *  jacobian            5   33    9    1    0    0     10   11   (146)
- *  rhs_jacobian        7   36   12    1    0    0     12   11   (182)
+ *  jacobian            5   30   10    1    0    0     14    8   (146)
+ *  rhs_jacobian        7   36   12    1    0    0     12   12   (182)
  *  divergence          0    4    1    1    0    0      4    3   (13)
  *  integral_values     1    8    6    1    0    0      6    5   (51)
  *  integral_gradients  4   16    4    1    0    0      7    6   (67)
@@ -20,9 +20,10 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G_level^2/(R^2*I1))*1/s*1/s,
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R, b/R = a3/R + gamma3,
- *      d(v_nu)/dtau, V = omega_tau*e + v_nu, omega3 - (a3*G_level/(R^2*I1))*1/s*1/s, d(d(omega3)/dtau)/d(omega_tau),
- *      d(omega3)/dtau, d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R,
+ *      d(numerator of d(omega_tau)/dt over D)/d(s), b/R = a3/R + gamma3, d(v_nu)/dtau, V = omega_tau*e + v_nu,
+ *      omega3 - (a3*G_level/(R^2*I1))*1/s*1/s, d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau,
+ *      a part of d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -67,12 +68,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[7] = t1;
     const double t2 = params[3]*params[3]; /* a3*a3 */
     const double t3 = params[0]*t2; /* m*a3*a3 */
-    out[18] = t3;
+    out[23] = t3;
     const double t4 = t3/params[4]; /* m*a3*a3/I1 */
     out[8] = t4;
     const double t5 = params[0]*params[2]; /* m*g */
     const double t6 = params[3]*t5; /* a3*m*g */
-    out[21] = t6;
+    out[25] = t6;
     const double t7 = t6/params[4]; /* a3*m*g/I1 */
     out[9] = t7;
     const double t8 = 1.0/params[1]; /* 1/R */
@@ -80,50 +81,60 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t9 = params[4]*params[4]; /* I1*I1 */
     const double t10 = params[1]*t9; /* R*I1*I1 */
     const double t11 = params[6]*params[6]; /* G_level*G_level */
-    const double t12 = (-2.0)*t11; /* (-2)*G_level*G_level */
-    const double t13 = t12/t10; /* (-2)*G_level*G_level/(R*I1*I1) */
-    out[11] = t13;
-    const double t14 = params[3]/params[1]; /* a3/R */
-    out[12] = t14;
-    const double t15 = params[0]*2.0; /* m*2 */
-    const double t16 = t2*t15; /* a3*a3*m*2 */
-    out[23] = t16;
-    const double t17 = t16/params[4]; /* a3*a3*m*2/I1 */
-    out[13] = t17;
-    const double t18 = params[2]*t15; /* g*m*2 */
-    const double t19 = params[3]*t18; /* a3*g*m*2 */
-    out[24] = t19;
-    const double t20 = t19/params[4]; /* a3*g*m*2/I1 */
-    out[14] = t20;
-    const double t21 = params[6]*2.0; /* G_level*2 */
-    const double t22 = t21/t0; /* G_level*2/(R*I1) */
-    out[15] = t22;
-    const double t23 = params[1]*params[1]; /* R*R */
-    const double t24 = params[4]*t23; /* I1*R*R */
-    const double t25 = t21/t24; /* G_level*2/(I1*R*R) */
-    out[16] = t25;
-    const double t26 = t11/t10; /* G_level*G_level/(R*I1*I1) */
-    out[17] = t26;
-    const double t27 = params[6]/params[4]; /* G_level/I1 */
-    out[19] = t27;
-    const double t28 = t11/t24; /* G_level*G_level/(I1*R*R) */
-    out[20] = t28;
-    const double t29 = params[6]/t24; /* G_level/(I1*R*R) */
-    out[22] = t29;
-    const double t30 = t11*2.0; /* G_level*G_level*2 */
-    const double t31 = t30/t24; /* G_level*G_level*2/(I1*R*R) */
-    out[25] = t31;
-    const double t32 = params[6]*params[3]; /* G_level*a3 */
-    const double t33 = t32/t24; /* G_level*a3/(I1*R*R) */
-    out[26] = t33;
-    const double t34 = params[4]/2.0; /* I1/2 */
-    out[27] = t34;
-    const double t35 = params[0]/2.0; /* m/2 */
-    out[28] = t35;
-    const double t36 = params[1]*params[0]; /* R*m */
-    out[29] = t36;
-    const double t37 = params[6]/params[1]; /* G_level/R */
-    out[30] = t37;
+    const double t12 = t11/t10; /* G_level*G_level/(R*I1*I1) */
+    out[11] = t12;
+    const double t13 = params[6]/params[4]; /* G_level/I1 */
+    out[12] = t13;
+    const double t14 = t11*(-2.0); /* G_level*G_level*(-2) */
+    const double t15 = t14/t10; /* G_level*G_level*(-2)/(R*I1*I1) */
+    out[13] = t15;
+    const double t16 = params[3]/params[1]; /* a3/R */
+    out[14] = t16;
+    const double t17 = params[1]*params[1]; /* R*R */
+    const double t18 = t9*t17; /* I1*I1*R*R */
+    const double t19 = t11/t18; /* G_level*G_level/(I1*I1*R*R) */
+    out[15] = t19;
+    const double t20 = params[0]*2.0; /* m*2 */
+    const double t21 = t2*t20; /* a3*a3*m*2 */
+    out[26] = t21;
+    const double t22 = t21/params[4]; /* a3*a3*m*2/I1 */
+    out[16] = t22;
+    const double t23 = params[0]*params[0]; /* m*m */
+    const double t24 = 2.0*t23; /* 2*m*m */
+    const double t25 = params[2]*t24; /* g*2*m*m */
+    const double t26 = params[3]*t2; /* a3*a3*a3 */
+    const double t27 = t25*t26; /* g*2*m*m*a3*a3*a3 */
+    const double t28 = t27/t9; /* g*2*m*m*a3*a3*a3/(I1*I1) */
+    out[17] = t28;
+    const double t29 = params[2]*t20; /* g*m*2 */
+    const double t30 = params[3]*t29; /* a3*g*m*2 */
+    out[27] = t30;
+    const double t31 = t30/params[4]; /* a3*g*m*2/I1 */
+    out[18] = t31;
+    const double t32 = t11*2.0; /* G_level*G_level*2 */
+    const double t33 = t32/t18; /* G_level*G_level*2/(I1*I1*R*R) */
+    out[19] = t33;
+    const double t34 = params[4]*t17; /* I1*R*R */
+    const double t35 = params[6]*params[3]; /* G_level*a3 */
+    const double t36 = t35/t34; /* G_level*a3/(I1*R*R) */
+    out[20] = t36;
+    const double t37 = params[6]/t34; /* G_level/(I1*R*R) */
+    out[21] = t37;
+    const double t38 = params[6]*2.0; /* G_level*2 */
+    const double t39 = t38/t34; /* G_level*2/(I1*R*R) */
+    out[22] = t39;
+    const double t40 = t11/t34; /* G_level*G_level/(I1*R*R) */
+    out[24] = t40;
+    const double t41 = t32/t34; /* G_level*G_level*2/(I1*R*R) */
+    out[28] = t41;
+    const double t42 = params[4]/2.0; /* I1/2 */
+    out[29] = t42;
+    const double t43 = params[0]/2.0; /* m/2 */
+    out[30] = t43;
+    const double t44 = params[1]*params[0]; /* R*m */
+    out[31] = t44;
+    const double t45 = params[6]/params[1]; /* G_level/R */
+    out[32] = t45;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -176,68 +187,66 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = x[4]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[4] = t2;
-    const double t3 = JLT_FMA(t0, p[8], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t4 = x[4]*t3; /* s*D/I1 */
-    const double t5 = 1.0/t4; /* 1/(s*D/I1) */
-    const double t6 = t3*t5; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t7 = p[7]*t6; /* omega_n = G_level/(R*I1)*1/s */
-    const double t8 = t7*t7; /* omega_n*omega_n */
-    const double t9 = p[1]*t8; /* R*omega_n*omega_n */
-    out[5] = t9;
-    const double t10 = x[4]*p[1]; /* s*R */
-    const double t11 = t7*t10; /* omega_n*s*R */
-    out[8] = t11;
-    const double t12 = p[12] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t13 = t6*t6; /* 1/s*1/s */
-    const double t14 = t6*t13; /* 1/s*1/s*1/s */
-    const double t15 = p[11]*t12; /* (-2*G_level^2/(R*I1^2))*b/R */
-    const double t16 = t14*t15; /* 1/s*1/s*1/s*(-2*G_level^2/(R*I1^2))*b/R */
-    out[9] = t16;
-    const double t17 = t1*p[8]; /* s*omega_tau*m*a3^2/I1 */
-    const double t18 = JLT_FMS(t1, t17, t8); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
-    const double t19 = x[4]*t5; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t20 = t18*t19; /* (s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*1/(D/I1) */
-    out[10] = t20;
-    const double t21 = x[4]*x[0]; /* s*gamma3 */
-    const double t22 = p[13]*t21; /* 2*m*a3^2/I1*s*gamma3 */
-    const double t23 = t19*t22; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
-    const double t24 = t1*t23; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
-    out[12] = t24;
-    const double t25 = JLT_FMA(x[2], x[2], t8); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t26 = x[4]*p[14]; /* s*2*m*g*a3/I1 */
-    const double t27 = t19*t26; /* 1/(D/I1)*s*2*m*g*a3/I1 */
-    const double t28 = t6*t7; /* 1/s*omega_n */
-    const double t29 = x[0]*p[15]; /* gamma3*2*G_level/(R*I1) */
-    const double t30 = t6*t29; /* 1/s*gamma3*2*G_level/(R*I1) */
-    const double t31 = JLT_FMS(t28, t30, t27); /* 1/s*omega_n*1/s*gamma3*2*G_level/(R*I1) - 1/(D/I1)*s*2*m*g*a3/I1 */
-    const double t32 = JLT_FMA(t23, t25, t31); /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3*(omega_tau*omega_tau + omega_n*omega_n) + t31 */
-    const double t33 = t19*t32; /* 1/(D/I1)*t32 */
-    out[14] = t33;
-    const double t34 = JLT_FNMA(p[12], t28, x[3]); /* omega3 - a3/R*1/s*omega_n */
-    const double t35 = x[2]*t34; /* omega_tau*(omega3 - a3/R*1/s*omega_n) */
-    out[15] = t35;
-    const double t36 = t28*p[10]; /* 1/s*omega_n*1/R */
-    const double t37 = -t36; /* -1/s*omega_n*1/R */
-    out[16] = t37;
-    const double t38 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t39 = t36*t38; /* 1/s*omega_n*1/R*e */
-    const double t40 = JLT_FMS(x[0], x[3], t39); /* gamma3*omega3 - 1/s*omega_n*1/R*e */
-    out[17] = t40;
-    const double t41 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[18] = t41;
-    const double t42 = JLT_FMA(x[2], t38, x[1]); /* V = omega_tau*e + v_nu */
-    const double t43 = p[16]*t42; /* 2*G_level/(R^2*I1)*V */
-    const double t44 = t14*t43; /* 1/s*1/s*1/s*2*G_level/(R^2*I1)*V */
-    out[19] = t44;
-    const double t45 = -t1; /* -s*omega_tau */
-    out[20] = t45;
-    const double t46 = -t21; /* -s*gamma3 */
-    out[22] = t46;
-    const double t47 = -t41; /* -omega_tau*gamma3 */
-    out[24] = t47;
+    const double t1 = JLT_FMA(p[8], t0, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t2 = x[4]*t1; /* s*D/I1 */
+    const double t3 = 1.0/t2; /* 1/(s*D/I1) */
+    const double t4 = t1*t3; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t5 = x[4]*t3; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t6 = t0*t5; /* s*s*1/(D/I1) */
+    const double t7 = x[2]*t6; /* omega_tau*s*s*1/(D/I1) */
+    const double t8 = JLT_FMS(p[17], t6, p[18]); /* 2*m^2*g*a3^3/I1^2*s*s*1/(D/I1) - 2*m*g*a3/I1 */
+    const double t9 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t10 = t7*t9; /* omega_tau*s*s*1/(D/I1)*omega_tau*m*a3^2/I1 */
+    const double t11 = t4*t4; /* 1/s*1/s */
+    const double t12 = p[11]*t11; /* G_level^2/(R*I1^2)*1/s*1/s */
+    out[5] = t12;
+    const double t13 = p[15]*t5; /* G_level^2/(R^2*I1^2)*1/(D/I1) */
+    const double t14 = JLT_FNMA(t11, t13, t10); /* omega_tau*s*s*1/(D/I1)*omega_tau*m*a3^2/I1 - 1/s*1/s*G_level^2/(R^2*I1^2)*1/(D/I1) */
+    out[10] = t14;
+    const double t15 = JLT_FMS(x[2], x[2], t14); /* omega_tau*omega_tau - t14 */
+    const double t16 = x[0]*p[16]; /* gamma3*2*m*a3^2/I1 */
+    const double t17 = JLT_FMA(t15, t16, t8); /* (omega_tau*omega_tau - t14)*gamma3*2*m*a3^2/I1 + 2*m^2*g*a3^3/I1^2*s*s*1/(D/I1) - 2*m*g*a3/I1 */
+    const double t18 = t7*t16; /* omega_tau*s*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[12] = t18;
+    const double t19 = x[4]*t17; /* s*t17 */
+    const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t21 = p[14] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t22 = p[13]*t21; /* (-2*G_level^2/(R*I1^2))*b/R */
+    const double t23 = t4*t11; /* 1/s*1/s*1/s */
+    const double t24 = t22*t23; /* (-2*G_level^2/(R*I1^2))*b/R*1/s*1/s*1/s */
+    out[9] = t24;
+    const double t25 = x[0]*p[19]; /* gamma3*2*G_level^2/(R^2*I1^2) */
+    const double t26 = JLT_FMA(t23, t25, t19); /* 1/s*1/s*1/s*gamma3*2*G_level^2/(R^2*I1^2) + s*t17 */
+    const double t27 = t5*t26; /* 1/(D/I1)*(1/s*1/s*1/s*gamma3*2*G_level^2/(R^2*I1^2) + s*t17) */
+    out[14] = t27;
+    const double t28 = p[21]*t11; /* G_level/(R^2*I1)*1/s*1/s */
+    const double t29 = JLT_FNMA(p[20], t11, x[3]); /* omega3 - a3*G_level/(R^2*I1)*1/s*1/s */
+    const double t30 = x[2]*t29; /* omega_tau*(omega3 - a3*G_level/(R^2*I1)*1/s*1/s) */
+    out[15] = t30;
+    const double t31 = -t28; /* -G_level/(R^2*I1)*1/s*1/s */
+    out[16] = t31;
+    const double t32 = t20*t28; /* e*G_level/(R^2*I1)*1/s*1/s */
+    const double t33 = JLT_FMS(x[0], x[3], t32); /* gamma3*omega3 - e*G_level/(R^2*I1)*1/s*1/s */
+    out[17] = t33;
+    const double t34 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
+    const double t35 = p[22]*t34; /* 2*G_level/(R^2*I1)*V */
+    const double t36 = t23*t35; /* 1/s*1/s*1/s*2*G_level/(R^2*I1)*V */
+    out[19] = t36;
+    const double t37 = x[4]*x[2]; /* s*omega_tau */
+    const double t38 = 2.0*t37; /* 2*s*omega_tau */
+    out[4] = t38;
+    const double t39 = -t37; /* -s*omega_tau */
+    out[20] = t39;
+    const double t40 = x[4]*p[12]; /* s*G_level/I1 */
+    const double t41 = t4*t40; /* 1/s*s*G_level/I1 */
+    out[8] = t41;
+    const double t42 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[18] = t42;
+    const double t43 = -t42; /* -omega_tau*gamma3 */
+    out[24] = t43;
+    const double t44 = x[4]*x[0]; /* s*gamma3 */
+    const double t45 = -t44; /* -s*gamma3 */
+    out[22] = t45;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -253,7 +262,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = JLT_FMA(p[18], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t1 = JLT_FMA(p[23], t0, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t2 = x[4]*t1; /* s*D */
     const double t3 = 1.0/t2; /* 1/(s*D) */
     const double t4 = t1*t3; /* 1/s = D*1/(s*D) */
@@ -265,14 +274,14 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[9] = t8;
     const double t9 = -t6; /* -s*omega_tau */
     out[25] = t9;
-    const double t10 = p[18]*t6; /* m*a3^2*s*omega_tau */
+    const double t10 = p[23]*t6; /* m*a3^2*s*omega_tau */
     const double t11 = t6*t10; /* s*omega_tau*m*a3^2*s*omega_tau */
     const double t12 = t4*t4; /* 1/s*1/s */
-    const double t13 = JLT_FNMA(p[20], t12, t11); /* s*omega_tau*m*a3^2*s*omega_tau - G_level^2/(R^2*I1)*1/s*1/s */
+    const double t13 = JLT_FNMA(p[24], t12, t11); /* s*omega_tau*m*a3^2*s*omega_tau - G_level^2/(R^2*I1)*1/s*1/s */
     const double t14 = t5*t13; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - G_level^2/(R^2*I1)*1/s*1/s) */
     out[15] = t14;
     const double t15 = x[0]*t13; /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - G_level^2/(R^2*I1)*1/s*1/s) */
-    const double t16 = JLT_FMS(p[21], t0, t15); /* m*g*a3*s*s - t15 */
+    const double t16 = JLT_FMS(p[25], t0, t15); /* m*g*a3*s*s - t15 */
     const double t17 = t5*t16; /* 1/D*(m*g*a3*s*s - t15) */
     const double t18 = -t17; /* -1/D*(m*g*a3*s*s - t15) */
     out[2] = t18;
@@ -280,77 +289,77 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[23] = t19;
     const double t20 = -t19; /* -omega_tau*gamma3 */
     out[29] = t20;
-    const double t21 = p[23]*t6; /* 2*m*a3^2*s*omega_tau */
-    const double t22 = t19*t21; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
-    const double t23 = JLT_FNMA(x[4], p[24], t22); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
-    const double t24 = x[0]*t6; /* gamma3*s*omega_tau */
-    const double t25 = -t24; /* -gamma3*s*omega_tau */
-    out[4] = t25;
+    const double t21 = p[26]*t6; /* 2*m*a3^2*s*omega_tau */
+    const double t22 = x[0]*t6; /* gamma3*s*omega_tau */
+    const double t23 = -t22; /* -gamma3*s*omega_tau */
+    out[4] = t23;
+    const double t24 = t19*t21; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
+    const double t25 = JLT_FNMA(x[4], p[27], t24); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
     const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = x[4]*p[23]; /* s*2*m*a3^2 */
-    const double t28 = t5*t27; /* 1/D*s*2*m*a3^2 */
-    const double t29 = t24*t28; /* gamma3*s*omega_tau*1/D*s*2*m*a3^2 */
-    out[17] = t29;
-    const double t30 = t17*t28; /* 1/D*(m*g*a3*s*s - t15)*1/D*s*2*m*a3^2 */
-    const double t31 = p[12] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t32 = p[17]*t12; /* G_level^2/(R*I1^2)*1/s*1/s */
-    out[10] = t32;
-    const double t33 = t31*t32; /* b/R*G_level^2/(R*I1^2)*1/s*1/s */
-    const double t34 = p[11]*t31; /* (-2*G_level^2/(R*I1^2))*b/R */
-    const double t35 = x[4]*p[19]; /* s*G_level/I1 */
+    const double t27 = t4*t12; /* 1/s*1/s*1/s */
+    const double t28 = x[0]*p[28]; /* gamma3*2*G_level^2/(R^2*I1) */
+    const double t29 = JLT_FMA(t27, t28, t25); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G_level^2/(R^2*I1) + omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
+    const double t30 = p[14] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t31 = p[11]*t12; /* G_level^2/(R*I1^2)*1/s*1/s */
+    out[10] = t31;
+    const double t32 = t30*t31; /* b/R*G_level^2/(R*I1^2)*1/s*1/s */
+    const double t33 = p[13]*t30; /* (-2*G_level^2/(R*I1^2))*b/R */
+    const double t34 = t27*t33; /* 1/s*1/s*1/s*(-2*G_level^2/(R*I1^2))*b/R */
+    out[14] = t34;
+    const double t35 = x[4]*p[12]; /* s*G_level/I1 */
     const double t36 = t4*t35; /* 1/s*s*G_level/I1 */
     out[13] = t36;
-    const double t37 = JLT_FMA(x[3], t36, t33); /* omega3*1/s*s*G_level/I1 + b/R*G_level^2/(R*I1^2)*1/s*1/s */
+    const double t37 = JLT_FMA(x[3], t36, t32); /* omega3*1/s*s*G_level/I1 + b/R*G_level^2/(R*I1^2)*1/s*1/s */
     out[1] = t37;
-    const double t38 = t4*t12; /* 1/s*1/s*1/s */
-    const double t39 = t34*t38; /* (-2*G_level^2/(R*I1^2))*b/R*1/s*1/s*1/s */
-    out[14] = t39;
-    const double t40 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t41 = p[22]*t12; /* G_level/(R^2*I1)*1/s*1/s */
-    const double t42 = JLT_FNMA(p[26], t12, x[3]); /* omega3 - a3*G_level/(R^2*I1)*1/s*1/s */
-    const double t43 = x[2]*t42; /* omega_tau*(omega3 - a3*G_level/(R^2*I1)*1/s*1/s) */
-    out[20] = t43;
-    const double t44 = t26*t41; /* e*G_level/(R^2*I1)*1/s*1/s */
-    const double t45 = JLT_FMS(x[0], x[3], t44); /* gamma3*omega3 - e*G_level/(R^2*I1)*1/s*1/s */
-    out[22] = t45;
-    const double t46 = -t41; /* -G_level/(R^2*I1)*1/s*1/s */
-    out[21] = t46;
-    const double t47 = t40*t41; /* V*G_level/(R^2*I1)*1/s*1/s */
-    const double t48 = JLT_FMS(x[3], t19, t47); /* omega3*omega_tau*gamma3 - V*G_level/(R^2*I1)*1/s*1/s */
-    out[3] = t48;
-    const double t49 = p[16]*t40; /* 2*G_level/(R^2*I1)*V */
-    const double t50 = t38*t49; /* 1/s*1/s*1/s*2*G_level/(R^2*I1)*V */
-    out[24] = t50;
-    const double t51 = x[0]*p[25]; /* gamma3*2*G_level^2/(R^2*I1) */
-    const double t52 = JLT_FMA(t38, t51, t23); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G_level^2/(R^2*I1) + omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
-    const double t53 = JLT_FMA(t5, t52, t30); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) + 1/D*(m*g*a3*s*s - t15)*1/D*s*2*m*a3^2 */
-    out[19] = t53;
-    const double t54 = x[4]*x[0]; /* s*gamma3 */
-    const double t55 = -t54; /* -s*gamma3 */
-    out[27] = t55;
+    const double t38 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
+    const double t39 = p[21]*t12; /* G_level/(R^2*I1)*1/s*1/s */
+    const double t40 = JLT_FNMA(p[20], t12, x[3]); /* omega3 - a3*G_level/(R^2*I1)*1/s*1/s */
+    const double t41 = x[2]*t40; /* omega_tau*(omega3 - a3*G_level/(R^2*I1)*1/s*1/s) */
+    out[20] = t41;
+    const double t42 = t26*t39; /* e*G_level/(R^2*I1)*1/s*1/s */
+    const double t43 = JLT_FMS(x[0], x[3], t42); /* gamma3*omega3 - e*G_level/(R^2*I1)*1/s*1/s */
+    out[22] = t43;
+    const double t44 = -t39; /* -G_level/(R^2*I1)*1/s*1/s */
+    out[21] = t44;
+    const double t45 = t38*t39; /* V*G_level/(R^2*I1)*1/s*1/s */
+    const double t46 = JLT_FMS(x[3], t19, t45); /* omega3*omega_tau*gamma3 - V*G_level/(R^2*I1)*1/s*1/s */
+    out[3] = t46;
+    const double t47 = p[22]*t38; /* 2*G_level/(R^2*I1)*V */
+    const double t48 = t27*t47; /* 1/s*1/s*1/s*2*G_level/(R^2*I1)*V */
+    out[24] = t48;
+    const double t49 = x[4]*x[0]; /* s*gamma3 */
+    const double t50 = t21*t49; /* 2*m*a3^2*s*omega_tau*s*gamma3 */
+    const double t51 = t5*t50; /* 1/D*2*m*a3^2*s*omega_tau*s*gamma3 */
+    out[17] = t51;
+    const double t52 = -t49; /* -s*gamma3 */
+    out[27] = t52;
+    const double t53 = x[4]*p[26]; /* s*2*m*a3^2 */
+    const double t54 = JLT_FMA(t17, t53, t29); /* 1/D*(m*g*a3*s*s - t15)*s*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t55 = t5*t54; /* 1/D*t54 */
+    out[19] = t55;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[23]*x[0]; /* 2*m*a3^2*gamma3 */
+    const double t0 = p[26]*x[0]; /* 2*m*a3^2*gamma3 */
     const double t1 = x[2]*t0; /* omega_tau*2*m*a3^2*gamma3 */
     const double t2 = x[4]*x[4]; /* s*s */
     const double t3 = t1*t2; /* omega_tau*2*m*a3^2*gamma3*s*s */
-    const double t4 = JLT_FMA(p[18], t2, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t4 = JLT_FMA(p[23], t2, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t5 = t3/t4; /* omega_tau*2*m*a3^2*gamma3*s*s/D */
     out[0] = t5;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[14]*x[0]; /* 2*m*g*a3/I1*gamma3 */
+    const double t0 = p[18]*x[0]; /* 2*m*g*a3/I1*gamma3 */
     const double t1 = p[8]*x[4]; /* m*a3^2/I1*s */
     const double t2 = JLT_FMA(x[4], t1, 1.0); /* D/I1 = s*m*a3^2/I1*s + 1 */
     const double t3 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t4 = p[7]/x[4]; /* omega_n = G_level/(R*I1)/s */
     const double t5 = JLT_FMA(t2, t3, t0); /* D/I1*omega_tau*omega_tau + 2*m*g*a3/I1*gamma3 */
     const double t6 = JLT_FMA(t4, t4, t5); /* omega_n*omega_n + D/I1*omega_tau*omega_tau + 2*m*g*a3/I1*gamma3 */
-    const double t7 = p[27]*t6; /* 1/2*I1*t6 */
+    const double t7 = p[29]*t6; /* 1/2*I1*t6 */
     out[2] = t7;
     const double t8 = x[1]*x[1]; /* v_nu*v_nu */
     const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -358,7 +367,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t11 = x[4]*p[1]; /* s*R */
     const double t12 = JLT_FMA(x[3], t11, t10); /* v_tau = omega3*s*R + omega_n*b */
     const double t13 = JLT_FMA(t12, t12, t8); /* v_tau*v_tau + v_nu*v_nu */
-    const double t14 = p[28]*t13; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t14 = p[30]*t13; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[1] = t14;
     const double t15 = t7 + t14; /* energy = 1/2*I1*t6 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[0] = t15;
@@ -366,7 +375,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    out[10] = p[21];
+    out[10] = p[25];
     out[7] = 0.0;
     out[11] = 0.0;
     out[13] = 0.0;
@@ -378,11 +387,11 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = t1*t1; /* 1/s*1/s */
     const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t5 = t2*t4; /* omega_n*b */
-    const double t6 = p[22]*t4; /* G_level/(R^2*I1)*b */
+    const double t6 = p[21]*t4; /* G_level/(R^2*I1)*b */
     const double t7 = JLT_FNMA(t3, t6, x[3]); /* d(v_tau)/d(s)/R = omega3 - 1/s*1/s*G_level/(R^2*I1)*b */
     const double t8 = x[4]*p[1]; /* s*R */
     const double t9 = JLT_FMA(x[3], t8, t5); /* v_tau = omega3*s*R + omega_n*b */
-    const double t10 = p[29]*t9; /* m*R*v_tau */
+    const double t10 = p[31]*t9; /* m*R*v_tau */
     const double t11 = t7*t10; /* d(v_tau)/d(s)/R*m*R*v_tau */
     out[9] = t11;
     const double t12 = x[4]*t10; /* s*m*R*v_tau */
@@ -390,11 +399,11 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[8] = t12;
     const double t13 = t2*t10; /* omega_n*m*R*v_tau */
     out[5] = t13;
-    const double t14 = p[21] + t13; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
+    const double t14 = p[25] + t13; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
     out[0] = t14;
-    const double t15 = p[30]*t2; /* G_level/R*omega_n */
+    const double t15 = p[32]*t2; /* G_level/R*omega_n */
     const double t16 = t3*t15; /* 1/s*1/s*G_level/R*omega_n */
-    const double t17 = x[4]*p[18]; /* s*m*a3^2 */
+    const double t17 = x[4]*p[23]; /* s*m*a3^2 */
     const double t18 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t19 = t17*t18; /* s*m*a3^2*omega_tau*omega_tau */
     const double t20 = JLT_FMA(x[4], t17, p[4]); /* D = s*s*m*a3^2 + I1 */
@@ -566,20 +575,20 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 31,
+    .state_count = 5, .param_count = 7, .block_count = 33,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 18, 8, 1, 0, 0, 9, 7 }, { 9, 36, 0, 5, 0, 0, 8, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau, b = R*gamma3 + a3, a part of d(omega_tau)/dtau, d(v_nu)/dtau" },
-    .jacobian = { jacobian, 25, { 5, 33, 9, 1, 0, 0, 10, 11 }, { 19, 110, 0, 17, 0, 0, 12, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, s*omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), omega3 - (a3/R)*1/s*omega_n, e = gamma3*a3 + R, d(d(omega3)/dtau)/d(omega_tau), V = omega_tau*e + v_nu" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 7, 36, 12, 1, 0, 0, 12, 11 }, { 24, 137, 0, 21, 0, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G_level^2/(R^2*I1))*1/s*1/s, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R, b/R = a3/R + gamma3, d(v_nu)/dtau, V = omega_tau*e + v_nu, omega3 - (a3*G_level/(R^2*I1))*1/s*1/s, d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau, d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)" },
+    .jacobian = { jacobian, 25, { 5, 30, 10, 1, 0, 0, 14, 8 }, { 19, 110, 0, 17, 0, 0, 12, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R, b/R = a3/R + gamma3, a part of d(d(omega_tau)/dtau)/d(s), omega3 - (a3*G_level/(R^2*I1))*1/s*1/s, d(d(omega3)/dtau)/d(omega_tau), V = omega_tau*e + v_nu" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 7, 36, 12, 1, 0, 0, 12, 12 }, { 24, 137, 0, 21, 0, 0, 12, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G_level^2/(R^2*I1))*1/s*1/s, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R, d(numerator of d(omega_tau)/dt over D)/d(s), b/R = a3/R + gamma3, d(v_nu)/dtau, V = omega_tau*e + v_nu, omega3 - (a3*G_level/(R^2*I1))*1/s*1/s, d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau, a part of d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 0, 4, 1, 1, 0, 0, 4, 3 }, { 1, 11, 0, 1, 0, 0, 6, 4 },
         "" },
     .integral_values = { integral_values, 3, { 1, 8, 6, 1, 0, 0, 6, 5 }, { 10, 40, 0, 1, 0, 0, 9, 6 },

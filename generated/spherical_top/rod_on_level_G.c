@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   18    8    1    1    0     11    9   (50)
- *  jacobian            5   33   16    1    1    0     14   16   (183)
- *  rhs_jacobian        6   36   19    1    1    0     14   20   (216)
+ *  rhs                 2   18    8    1    1    0     12    7   (50)
+ *  jacobian            5   34   16    1    1    0     15   16   (183)
+ *  rhs_jacobian        4   35   20    1    1    0     18   18   (216)
  *  divergence          2    4    1    1    1    0      5    4   (15)
  *  integral_values     3    9    6    1    1    0      9    6   (54)
  *  integral_gradients  3   16    7    1    1    0     10    7   (75)
@@ -20,11 +20,13 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in e = gamma3*a3 + R, b = gamma3*R + a3,
- *      a part of d(d(v_nu)/dt)/d(gamma3), d(v_nu)/dt, omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*1/s^2*s*omega_n,
- *      omega_tau*s*omega_tau*(m*a3^2/I1) - 1/s^2*s*omega_n*1/s^2*omega_n, V = omega_tau*e + v_nu,
- *      d(d(omega3)/dt)/d(omega_tau), d(omega3)/dt, omega3*1/s^2 - (a3/R)*1/s^2*s*omega_n, d(d(omega3)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3)
+ *    digits are lost where terms nearly cancel in omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*1/s^2*s*omega_n,
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R,
+ *      gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s, V = omega_tau*e + v_nu,
+ *      omega3*1/s^2*1/s^2*s - (a3/R)*1/s^2*s*1/s^2*s*omega_n, b = gamma3*R + a3, d(v_nu)/dt, d(d(v_nu)/dt)/d(gamma3),
+ *      d(d(omega3)/dt)/d(omega_tau), d(omega3)/dt,
+ *      m*g*a3/I1 - (2*G_level/(R*I1))*gamma3*1/s^2*s*1/s^2*s*1/s^2*s*omega_n, a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(d(omega3)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -69,12 +71,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[7] = t1;
     const double t2 = params[3]*params[3]; /* a3*a3 */
     const double t3 = params[0]*t2; /* m*a3*a3 */
-    out[19] = t3;
+    out[18] = t3;
     const double t4 = t3/params[4]; /* m*a3*a3/I1 */
     out[8] = t4;
     const double t5 = params[0]*params[2]; /* m*g */
     const double t6 = params[3]*t5; /* a3*m*g */
-    out[20] = t6;
+    out[19] = t6;
     const double t7 = t6/params[4]; /* a3*m*g/I1 */
     out[9] = t7;
     const double t8 = 1.0/params[1]; /* 1/R */
@@ -86,43 +88,35 @@ static void prepare(const double *restrict params, double *restrict out)
     out[12] = t11;
     const double t12 = params[0]*2.0; /* m*2 */
     const double t13 = t2*t12; /* a3*a3*m*2 */
-    out[18] = t13;
+    out[17] = t13;
     const double t14 = t13/params[4]; /* a3*a3*m*2/I1 */
     out[13] = t14;
-    const double t15 = params[3]/params[1]; /* a3/R */
+    const double t15 = 2.0/params[1]; /* 2/R */
     out[14] = t15;
-    const double t16 = 2.0/params[1]; /* 2/R */
-    out[15] = t16;
-    const double t17 = params[1]*2.0; /* R*2 */
-    const double t18 = params[4]*t17; /* I1*R*2 */
-    const double t19 = params[6]/t18; /* G_level/(I1*R*2) */
+    const double t16 = params[1]*2.0; /* R*2 */
+    const double t17 = params[4]*t16; /* I1*R*2 */
+    const double t18 = params[6]/t17; /* G_level/(I1*R*2) */
+    out[15] = t18;
+    const double t19 = params[3]/params[1]; /* a3/R */
     out[16] = t19;
-    const double t20 = params[0]*params[0]; /* m*m */
-    const double t21 = 2.0*t20; /* 2*m*m */
-    const double t22 = params[2]*t21; /* g*2*m*m */
-    const double t23 = params[3]*t2; /* a3*a3*a3 */
-    const double t24 = t22*t23; /* g*2*m*m*a3*a3*a3 */
-    const double t25 = params[4]*params[4]; /* I1*I1 */
-    const double t26 = t24/t25; /* g*2*m*m*a3*a3*a3/(I1*I1) */
-    out[17] = t26;
-    const double t27 = params[4]/2.0; /* I1/2 */
-    out[21] = t27;
-    const double t28 = params[0]/2.0; /* m/2 */
-    out[22] = t28;
-    const double t29 = params[6]/params[1]; /* G_level/R */
-    out[23] = t29;
-    const double t30 = params[1]*params[1]; /* R*R */
-    const double t31 = params[4]*t30; /* I1*R*R */
-    const double t32 = params[6]/t31; /* G_level/(I1*R*R) */
-    out[24] = t32;
-    const double t33 = params[1]*params[0]; /* R*m */
-    out[25] = t33;
-    const double t34 = 1.0/t0; /* 1/(R*I1) */
-    out[26] = t34;
-    const double t35 = params[0]*(-2.0); /* m*(-2) */
-    const double t36 = t2*t35; /* a3*a3*m*(-2) */
-    const double t37 = t36/t0; /* a3*a3*m*(-2)/(R*I1) */
-    out[27] = t37;
+    const double t20 = params[4]/2.0; /* I1/2 */
+    out[20] = t20;
+    const double t21 = params[0]/2.0; /* m/2 */
+    out[21] = t21;
+    const double t22 = params[6]/params[1]; /* G_level/R */
+    out[22] = t22;
+    const double t23 = params[1]*params[1]; /* R*R */
+    const double t24 = params[4]*t23; /* I1*R*R */
+    const double t25 = params[6]/t24; /* G_level/(I1*R*R) */
+    out[23] = t25;
+    const double t26 = params[1]*params[0]; /* R*m */
+    out[24] = t26;
+    const double t27 = 1.0/t0; /* 1/(R*I1) */
+    out[25] = t27;
+    const double t28 = params[0]*(-2.0); /* m*(-2) */
+    const double t29 = t2*t28; /* a3*a3*m*(-2) */
+    const double t30 = t29/t0; /* a3*a3*m*(-2)/(R*I1) */
+    out[26] = t30;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -137,30 +131,30 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t7 = t3*t6; /* D/I1*s */
     const double t8 = t5*t7; /* 1/(s^2*D/I1)*D/I1*s */
     const double t9 = t2*t5; /* s^2*1/(s^2*D/I1) */
-    const double t10 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t11 = x[2]*t6; /* omega_tau*s */
-    out[0] = t11;
-    const double t12 = p[7]*t8; /* omega_n = G_level/(R*I1)*1/(s^2*D/I1)*D/I1*s */
-    const double t13 = p[8]*t10; /* m*a3^2/I1*omega_tau*gamma3 */
-    const double t14 = t11*t13; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
-    const double t15 = JLT_FNMA(p[9], t6, t14); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
-    const double t16 = x[3]*t10; /* omega3*omega_tau*gamma3 */
-    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
-    const double t19 = p[10]*t18; /* 1/R*V */
-    const double t20 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t21 = t8*t12; /* 1/(s^2*D/I1)*D/I1*s*omega_n */
-    const double t22 = JLT_FNMA(t19, t21, t16); /* omega3*omega_tau*gamma3 - 1/R*V*1/(s^2*D/I1)*D/I1*s*omega_n */
-    const double t23 = t8*t22; /* 1/(s^2*D/I1)*D/I1*s*(omega3*omega_tau*gamma3 - 1/R*V*1/(s^2*D/I1)*D/I1*s*omega_n) */
-    out[3] = t23;
-    const double t24 = t20*t21; /* b*1/(s^2*D/I1)*D/I1*s*omega_n */
-    const double t25 = JLT_FMA(p[1], x[3], t24); /* R*omega3 + b*1/(s^2*D/I1)*D/I1*s*omega_n */
-    const double t26 = t12*t25; /* omega_n*(R*omega3 + b*1/(s^2*D/I1)*D/I1*s*omega_n) */
-    out[1] = t26;
-    const double t27 = x[0]*t12; /* gamma3*omega_n */
-    const double t28 = JLT_FNMA(t21, t27, t15); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - 1/(s^2*D/I1)*D/I1*s*omega_n*gamma3*omega_n */
-    const double t29 = t9*t28; /* s^2*1/(s^2*D/I1)*t28 */
-    out[2] = t29;
+    const double t10 = x[2]*t6; /* omega_tau*s */
+    out[0] = t10;
+    const double t11 = p[7]*t8; /* omega_n = G_level/(R*I1)*1/(s^2*D/I1)*D/I1*s */
+    const double t12 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t13 = t10*t12; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t14 = t8*t11; /* 1/(s^2*D/I1)*D/I1*s*omega_n */
+    const double t15 = JLT_FNMA(t11, t14, t13); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/(s^2*D/I1)*D/I1*s*omega_n */
+    const double t16 = x[0]*t15; /* gamma3*t15 */
+    const double t17 = JLT_FNMA(p[9], t6, t16); /* gamma3*t15 - m*g*a3/I1*s */
+    const double t18 = t9*t17; /* s^2*1/(s^2*D/I1)*(gamma3*t15 - m*g*a3/I1*s) */
+    out[2] = t18;
+    const double t19 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t20 = JLT_FMA(x[2], t19, x[1]); /* V = omega_tau*e + v_nu */
+    const double t21 = p[10]*t20; /* 1/R*V */
+    const double t22 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t23 = t14*t22; /* 1/(s^2*D/I1)*D/I1*s*omega_n*b */
+    const double t24 = JLT_FMA(p[1], x[3], t23); /* R*omega3 + 1/(s^2*D/I1)*D/I1*s*omega_n*b */
+    const double t25 = t11*t24; /* omega_n*(R*omega3 + 1/(s^2*D/I1)*D/I1*s*omega_n*b) */
+    out[1] = t25;
+    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t27 = x[3]*t26; /* omega3*omega_tau*gamma3 */
+    const double t28 = JLT_FNMA(t14, t21, t27); /* omega3*omega_tau*gamma3 - 1/(s^2*D/I1)*D/I1*s*omega_n*1/R*V */
+    const double t29 = t8*t28; /* 1/(s^2*D/I1)*D/I1*s*(omega3*omega_tau*gamma3 - 1/(s^2*D/I1)*D/I1*s*omega_n*1/R*V) */
+    out[3] = t29;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -183,60 +177,61 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[2] = t8;
     const double t9 = t6*t8; /* 1/s^2*s */
     const double t10 = p[7]*t9; /* omega_n = G_level/(R*I1)*1/s^2*s */
-    const double t11 = p[1]*t10; /* R*omega_n */
-    out[7] = t11;
-    const double t12 = x[0]*t6; /* gamma3*1/s^2 */
-    const double t13 = p[13]*t7; /* 2*m*a3^2/I1*1/(D/I1) */
-    const double t14 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t15 = t6*t10; /* 1/s^2*omega_n */
-    const double t16 = p[11]*t12; /* 2*G_level/(R*I1)*gamma3*1/s^2 */
-    const double t17 = t15*t16; /* 1/s^2*omega_n*2*G_level/(R*I1)*gamma3*1/s^2 */
-    const double t18 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t19 = t8*t13; /* s*2*m*a3^2/I1*1/(D/I1) */
-    const double t20 = x[0]*t13; /* gamma3*2*m*a3^2/I1*1/(D/I1) */
-    const double t21 = t14*t19; /* gamma3*omega_tau*s*2*m*a3^2/I1*1/(D/I1) */
-    out[10] = t21;
-    const double t22 = t9 - t19; /* 1/s^2*s - s*2*m*a3^2/I1*1/(D/I1) */
-    const double t23 = t9*t10; /* 1/s^2*s*omega_n */
-    const double t24 = t10*t23; /* omega_n*1/s^2*s*omega_n */
-    const double t25 = t15*t23; /* 1/s^2*omega_n*1/s^2*s*omega_n */
-    const double t26 = x[3]*t9; /* omega3*1/s^2*s */
-    const double t27 = JLT_FNMA(t14, t18, p[9]); /* m*g*a3/I1 - gamma3*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t28 = JLT_FMS(t22, t27, t17); /* (1/s^2*s - s*2*m*a3^2/I1*1/(D/I1))*(m*g*a3/I1 - gamma3*omega_tau*omega_tau*m*a3^2/I1) - 1/s^2*omega_n*2*G_level/(R*I1)*gamma3*1/s^2 */
-    const double t29 = JLT_FNMA(t20, t24, t28); /* t28 - gamma3*2*m*a3^2/I1*1/(D/I1)*omega_n*1/s^2*s*omega_n */
-    const double t30 = x[2]*t18; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t31 = JLT_FMS(t8, t30, t25); /* s*omega_tau*omega_tau*m*a3^2/I1 - 1/s^2*omega_n*1/s^2*s*omega_n */
-    const double t32 = JLT_FMA(x[0], t25, t17); /* gamma3*1/s^2*omega_n*1/s^2*s*omega_n + 1/s^2*omega_n*2*G_level/(R*I1)*gamma3*1/s^2 */
-    const double t33 = JLT_FMA(x[0], t29, t31); /* gamma3*(t28 - gamma3*2*m*a3^2/I1*1/(D/I1)*omega_n*1/s^2*s*omega_n) + t31 */
-    const double t34 = t7*t33; /* 1/(D/I1)*t33 */
-    out[8] = t34;
-    const double t35 = p[1]*t24; /* R*omega_n*1/s^2*s*omega_n */
-    const double t36 = t9*t14; /* 1/s^2*s*gamma3*omega_tau */
-    out[15] = t36;
-    const double t37 = -t36; /* -1/s^2*s*gamma3*omega_tau */
-    out[0] = t37;
-    const double t38 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t39 = t6*t26; /* 1/s^2*omega3*1/s^2*s */
-    const double t40 = JLT_FNMA(p[14], t15, t39); /* 1/s^2*omega3*1/s^2*s - a3/R*1/s^2*omega_n */
-    const double t41 = p[16]*t6; /* 1/2*G_level/(R*I1)*1/s^2 */
-    const double t42 = JLT_FMA(t9, t41, t15); /* 1/s^2*s*1/2*G_level/(R*I1)*1/s^2 + 1/s^2*omega_n */
-    const double t43 = p[10]*t15; /* 1/R*1/s^2*omega_n */
-    const double t44 = x[2]*t40; /* omega_tau*(1/s^2*omega3*1/s^2*s - a3/R*1/s^2*omega_n) */
-    const double t45 = -t43; /* -1/R*1/s^2*omega_n */
-    out[13] = t45;
-    const double t46 = t38*t43; /* e*1/R*1/s^2*omega_n */
-    const double t47 = JLT_FMS(x[0], t26, t46); /* gamma3*omega3*1/s^2*s - e*1/R*1/s^2*omega_n */
-    out[14] = t47;
-    const double t48 = JLT_FMA(x[2], t38, x[1]); /* V = omega_tau*e + v_nu */
-    const double t49 = p[15]*t48; /* 2/R*V */
-    const double t50 = t12*t49; /* gamma3*1/s^2*2/R*V */
-    const double t51 = JLT_FNMA(t42, t50, t44); /* omega_tau*(1/s^2*omega3*1/s^2*s - a3/R*1/s^2*omega_n) - (1/s^2*s*1/2*G_level/(R*I1)*1/s^2 + 1/s^2*omega_n)*gamma3*1/s^2*2/R*V */
-    out[12] = t51;
-    const double t52 = p[12]*t12; /* G_level/I1*gamma3*1/s^2 */
-    const double t53 = JLT_FMA(t26, t52, t35); /* omega3*1/s^2*s*G_level/I1*gamma3*1/s^2 + R*omega_n*1/s^2*s*omega_n */
-    const double t54 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t55 = JLT_FMA(t32, t54, t53); /* t32*b + t53 */
-    out[4] = t55;
+    const double t11 = t6*t10; /* 1/s^2*omega_n */
+    const double t12 = p[13]*t7; /* 2*m*a3^2/I1*1/(D/I1) */
+    const double t13 = x[0]*t11; /* gamma3*1/s^2*omega_n */
+    const double t14 = p[11]*t6; /* 2*G_level/(R*I1)*1/s^2 */
+    const double t15 = t13*t14; /* gamma3*1/s^2*omega_n*2*G_level/(R*I1)*1/s^2 */
+    const double t16 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t17 = t8*t12; /* s*2*m*a3^2/I1*1/(D/I1) */
+    const double t18 = t10*t12; /* omega_n*2*m*a3^2/I1*1/(D/I1) */
+    const double t19 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t20 = t17*t19; /* s*2*m*a3^2/I1*1/(D/I1)*omega_tau*gamma3 */
+    out[10] = t20;
+    const double t21 = t9 - t17; /* 1/s^2*s - s*2*m*a3^2/I1*1/(D/I1) */
+    const double t22 = JLT_FNMA(t16, t19, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t23 = JLT_FMS(t21, t22, t15); /* (1/s^2*s - s*2*m*a3^2/I1*1/(D/I1))*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) - gamma3*1/s^2*omega_n*2*G_level/(R*I1)*1/s^2 */
+    const double t24 = x[2]*t16; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t25 = t8*t24; /* s*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t27 = x[0]*t9; /* gamma3*1/s^2*s */
+    const double t28 = x[2]*x[3]; /* omega_tau*omega3 */
+    const double t29 = t9*t28; /* 1/s^2*s*omega_tau*omega3 */
+    const double t30 = t9*t10; /* 1/s^2*s*omega_n */
+    const double t31 = JLT_FNMA(t11, t30, t25); /* s*omega_tau*omega_tau*m*a3^2/I1 - 1/s^2*omega_n*1/s^2*s*omega_n */
+    const double t32 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
+    const double t33 = p[14]*t32; /* 2/R*V */
+    const double t34 = p[15]*t6; /* 1/2*G_level/(R*I1)*1/s^2 */
+    const double t35 = JLT_FMA(t27, t34, t13); /* gamma3*1/s^2*s*1/2*G_level/(R*I1)*1/s^2 + gamma3*1/s^2*omega_n */
+    const double t36 = JLT_FNMA(t33, t35, t29); /* 1/s^2*s*omega_tau*omega3 - 2/R*V*t35 */
+    const double t37 = t6*t36; /* 1/s^2*(1/s^2*s*omega_tau*omega3 - 2/R*V*t35) */
+    const double t38 = p[12]*t6; /* G_level/I1*1/s^2 */
+    const double t39 = p[1]*t10; /* R*omega_n */
+    out[7] = t39;
+    const double t40 = t30*t39; /* 1/s^2*s*omega_n*R*omega_n */
+    const double t41 = t10*t27; /* omega_n*gamma3*1/s^2*s */
+    const double t42 = JLT_FNMA(t18, t41, t23); /* t23 - omega_n*2*m*a3^2/I1*1/(D/I1)*omega_n*gamma3*1/s^2*s */
+    const double t43 = JLT_FMA(t11, t41, t15); /* 1/s^2*omega_n*omega_n*gamma3*1/s^2*s + gamma3*1/s^2*omega_n*2*G_level/(R*I1)*1/s^2 */
+    const double t44 = JLT_FMA(x[0], t42, t31); /* gamma3*(t23 - omega_n*2*m*a3^2/I1*1/(D/I1)*omega_n*gamma3*1/s^2*s) + t31 */
+    const double t45 = t7*t44; /* 1/(D/I1)*t44 */
+    out[8] = t45;
+    const double t46 = x[3]*t27; /* omega3*gamma3*1/s^2*s */
+    const double t47 = JLT_FMA(t38, t46, t40); /* G_level/I1*1/s^2*omega3*gamma3*1/s^2*s + 1/s^2*s*omega_n*R*omega_n */
+    const double t48 = x[2]*t27; /* omega_tau*gamma3*1/s^2*s */
+    out[15] = t48;
+    const double t49 = -t48; /* -omega_tau*gamma3*1/s^2*s */
+    out[0] = t49;
+    const double t50 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t51 = JLT_FMA(t43, t50, t47); /* t43*b + t47 */
+    out[4] = t51;
+    const double t52 = x[2]*p[16]; /* omega_tau*a3/R */
+    const double t53 = JLT_FNMA(t11, t52, t37); /* 1/s^2*(1/s^2*s*omega_tau*omega3 - 2/R*V*t35) - 1/s^2*omega_n*omega_tau*a3/R */
+    out[12] = t53;
+    const double t54 = p[10]*t11; /* 1/R*1/s^2*omega_n */
+    const double t55 = JLT_FNMA(t26, t54, t46); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*omega_n */
+    out[14] = t55;
+    const double t56 = -t54; /* -1/R*1/s^2*omega_n */
+    out[13] = t56;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -258,72 +253,70 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t8 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t8;
     const double t9 = t6*t8; /* 1/s^2*s */
-    const double t10 = t7*t8; /* 1/(D/I1)*s */
-    const double t11 = x[2]*t8; /* omega_tau*s */
-    out[0] = t11;
-    const double t12 = p[7]*t9; /* omega_n = G_level/(R*I1)*1/s^2*s */
-    const double t13 = x[0]*t9; /* gamma3*1/s^2*s */
-    const double t14 = p[17]*t10; /* 2*m^2*g*a3^3/I1^2*1/(D/I1)*s */
-    const double t15 = JLT_FMS(p[9], t9, t14); /* m*g*a3/I1*1/s^2*s - 2*m^2*g*a3^3/I1^2*1/(D/I1)*s */
-    const double t16 = t9*t12; /* 1/s^2*s*omega_n */
-    const double t17 = x[2]*t9; /* omega_tau*1/s^2*s */
-    const double t18 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t19 = t6*t12; /* 1/s^2*omega_n */
-    const double t20 = x[2]*t13; /* omega_tau*gamma3*1/s^2*s */
-    out[19] = t20;
-    const double t21 = JLT_FNMA(t18, t20, t15); /* m*g*a3/I1*1/s^2*s - 2*m^2*g*a3^3/I1^2*1/(D/I1)*s - omega_tau*m*a3^2/I1*omega_tau*gamma3*1/s^2*s */
-    const double t22 = t11*t18; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t23 = -t20; /* -omega_tau*gamma3*1/s^2*s */
-    out[4] = t23;
-    const double t24 = t6*t13; /* 1/s^2*gamma3*1/s^2*s */
-    const double t25 = t12*t16; /* omega_n*1/s^2*s*omega_n */
-    const double t26 = p[1]*t12; /* R*omega_n */
-    out[11] = t26;
-    const double t27 = x[0]*t7; /* gamma3*1/(D/I1) */
-    const double t28 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t29 = x[0]*t19; /* gamma3*1/s^2*omega_n */
-    const double t30 = p[11]*t24; /* 2*G_level/(R*I1)*1/s^2*gamma3*1/s^2*s */
-    const double t31 = JLT_FNMA(t16, t30, t21); /* t21 - 1/s^2*s*omega_n*2*G_level/(R*I1)*1/s^2*gamma3*1/s^2*s */
-    const double t32 = t29 + t30; /* gamma3*1/s^2*omega_n + 2*G_level/(R*I1)*1/s^2*gamma3*1/s^2*s */
-    const double t33 = JLT_FMA(p[16], t24, t29); /* 1/2*G_level/(R*I1)*1/s^2*gamma3*1/s^2*s + gamma3*1/s^2*omega_n */
-    const double t34 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t35 = JLT_FMA(t32, t34, t26); /* (gamma3*1/s^2*omega_n + 2*G_level/(R*I1)*1/s^2*gamma3*1/s^2*s)*b + R*omega_n */
-    const double t36 = t25*t34; /* omega_n*1/s^2*s*omega_n*b */
-    const double t37 = JLT_FMA(x[3], t26, t36); /* omega3*R*omega_n + omega_n*1/s^2*s*omega_n*b */
-    out[1] = t37;
-    const double t38 = t22 - t25; /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s^2*s*omega_n */
-    const double t39 = t16*t35; /* 1/s^2*s*omega_n*t35 */
-    const double t40 = JLT_FNMA(t16, t19, t22); /* omega_tau*s*omega_tau*m*a3^2/I1 - 1/s^2*s*omega_n*1/s^2*omega_n */
-    const double t41 = p[10]*t19; /* 1/R*1/s^2*omega_n */
-    const double t42 = -t41; /* -1/R*1/s^2*omega_n */
+    const double t10 = p[7]*t9; /* omega_n = G_level/(R*I1)*1/s^2*s */
+    const double t11 = t9*t10; /* 1/s^2*s*omega_n */
+    const double t12 = x[2]*t8; /* omega_tau*s */
+    out[0] = t12;
+    const double t13 = t10*t11; /* omega_n*1/s^2*s*omega_n */
+    const double t14 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t15 = JLT_FMS(t12, t14, t13); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s^2*s*omega_n */
+    const double t16 = x[0]*t15; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s^2*s*omega_n) */
+    const double t17 = JLT_FNMA(p[9], t8, t16); /* t16 - m*g*a3/I1*s */
+    const double t18 = t7*t17; /* 1/(D/I1)*(t16 - m*g*a3/I1*s) */
+    out[2] = t18;
+    const double t19 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
+    const double t20 = t7*t19; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t21 = t17*t20; /* (t16 - m*g*a3/I1*s)*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t22 = t12*t20; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[14] = t22;
+    const double t23 = x[0]*t9; /* gamma3*1/s^2*s */
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = t9*t11; /* 1/s^2*s*1/s^2*s*omega_n */
+    const double t26 = JLT_FNMA(t11, t25, t21); /* (t16 - m*g*a3/I1*s)*1/(D/I1)*gamma3*2*m*a3^2/I1 - 1/s^2*s*omega_n*1/s^2*s*1/s^2*s*omega_n */
+    const double t27 = x[2]*t23; /* omega_tau*gamma3*1/s^2*s */
+    out[19] = t27;
+    const double t28 = JLT_FMS(x[0], t27, t12); /* gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s */
+    const double t29 = JLT_FNMA(t14, t28, t26); /* t26 - omega_tau*m*a3^2/I1*(gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s) */
+    const double t30 = -t27; /* -omega_tau*gamma3*1/s^2*s */
+    out[4] = t30;
+    const double t31 = t6*t9; /* 1/s^2*1/s^2*s */
+    const double t32 = p[12]*t6; /* G_level/I1*1/s^2 */
+    const double t33 = p[1]*t10; /* R*omega_n */
+    out[11] = t33;
+    const double t34 = t11*t33; /* 1/s^2*s*omega_n*R*omega_n */
+    const double t35 = JLT_FMA(p[11], t9, t10); /* 2*G_level/(R*I1)*1/s^2*s + omega_n */
+    const double t36 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t37 = t23*t25; /* gamma3*1/s^2*s*1/s^2*s*1/s^2*s*omega_n */
+    const double t38 = x[3]*t31; /* omega3*1/s^2*1/s^2*s */
+    const double t39 = JLT_FNMA(p[16], t25, t38); /* omega3*1/s^2*1/s^2*s - a3/R*1/s^2*s*1/s^2*s*omega_n */
+    const double t40 = p[10]*t25; /* 1/R*1/s^2*s*1/s^2*s*omega_n */
+    const double t41 = x[2]*t39; /* omega_tau*(omega3*1/s^2*1/s^2*s - a3/R*1/s^2*s*1/s^2*s*omega_n) */
+    const double t42 = -t40; /* -1/R*1/s^2*s*1/s^2*s*omega_n */
     out[17] = t42;
-    const double t43 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
-    const double t44 = t28*t41; /* e*1/R*1/s^2*omega_n */
-    const double t45 = JLT_FMS(x[3], t13, t44); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*omega_n */
-    out[18] = t45;
-    const double t46 = t41*t43; /* 1/R*1/s^2*omega_n*V */
-    const double t47 = JLT_FMS(x[3], t20, t46); /* omega3*omega_tau*gamma3*1/s^2*s - 1/R*1/s^2*omega_n*V */
-    out[3] = t47;
-    const double t48 = p[15]*t43; /* 2/R*V */
-    const double t49 = t6*t48; /* 1/s^2*2/R*V */
-    const double t50 = x[3]*t6; /* omega3*1/s^2 */
-    const double t51 = JLT_FNMA(p[14], t16, t50); /* omega3*1/s^2 - a3/R*1/s^2*s*omega_n */
-    const double t52 = t17*t51; /* omega_tau*1/s^2*s*(omega3*1/s^2 - a3/R*1/s^2*s*omega_n) */
-    const double t53 = JLT_FNMA(t33, t49, t52); /* omega_tau*1/s^2*s*(omega3*1/s^2 - a3/R*1/s^2*s*omega_n) - t33*1/s^2*2/R*V */
-    out[16] = t53;
-    const double t54 = p[13]*t27; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t55 = t11*t54; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    out[14] = t55;
-    const double t56 = JLT_FMA(t38, t54, t31); /* (omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s^2*s*omega_n)*2*m*a3^2/I1*gamma3*1/(D/I1) + t21 - 1/s^2*s*omega_n*2*G_level/(R*I1)*1/s^2*gamma3*1/s^2*s */
-    const double t57 = t27*t38; /* gamma3*1/(D/I1)*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s^2*s*omega_n) */
-    const double t58 = JLT_FNMA(p[9], t10, t57); /* t57 - m*g*a3/I1*1/(D/I1)*s */
-    out[2] = t58;
-    const double t59 = t27*t56; /* gamma3*1/(D/I1)*t56 */
-    const double t60 = JLT_FMA(t7, t40, t59); /* 1/(D/I1)*t40 + gamma3*1/(D/I1)*t56 */
-    out[12] = t60;
-    const double t61 = x[3]*p[12]; /* omega3*G_level/I1 */
-    const double t62 = JLT_FMA(t24, t61, t39); /* 1/s^2*gamma3*1/s^2*s*omega3*G_level/I1 + 1/s^2*s*omega_n*t35 */
-    out[8] = t62;
+    const double t43 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t44 = t13*t43; /* omega_n*1/s^2*s*omega_n*b */
+    const double t45 = JLT_FMA(x[3], t33, t44); /* omega3*R*omega_n + omega_n*1/s^2*s*omega_n*b */
+    out[1] = t45;
+    const double t46 = t35*t43; /* (2*G_level/(R*I1)*1/s^2*s + omega_n)*b */
+    const double t47 = x[3]*t23; /* omega3*gamma3*1/s^2*s */
+    const double t48 = JLT_FMA(t32, t47, t34); /* G_level/I1*1/s^2*omega3*gamma3*1/s^2*s + 1/s^2*s*omega_n*R*omega_n */
+    const double t49 = JLT_FMA(t37, t46, t48); /* gamma3*1/s^2*s*1/s^2*s*1/s^2*s*omega_n*(2*G_level/(R*I1)*1/s^2*s + omega_n)*b + t48 */
+    out[8] = t49;
+    const double t50 = JLT_FNMA(t24, t40, t47); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*s*1/s^2*s*omega_n */
+    out[18] = t50;
+    const double t51 = t36*t40; /* V*1/R*1/s^2*s*1/s^2*s*omega_n */
+    const double t52 = JLT_FMS(x[3], t27, t51); /* omega3*omega_tau*gamma3*1/s^2*s - V*1/R*1/s^2*s*1/s^2*s*omega_n */
+    out[3] = t52;
+    const double t53 = p[14]*t36; /* 2/R*V */
+    const double t54 = t9*t53; /* 1/s^2*s*2/R*V */
+    const double t55 = JLT_FNMA(p[11], t37, p[9]); /* m*g*a3/I1 - 2*G_level/(R*I1)*gamma3*1/s^2*s*1/s^2*s*1/s^2*s*omega_n */
+    const double t56 = JLT_FMA(t23, t55, t29); /* gamma3*1/s^2*s*t55 + t29 */
+    const double t57 = t7*t56; /* 1/(D/I1)*(gamma3*1/s^2*s*t55 + t29) */
+    out[12] = t57;
+    const double t58 = p[15]*t23; /* 1/2*G_level/(R*I1)*gamma3*1/s^2*s */
+    const double t59 = JLT_FMA(t31, t58, t37); /* 1/s^2*1/s^2*s*1/2*G_level/(R*I1)*gamma3*1/s^2*s + gamma3*1/s^2*s*1/s^2*s*1/s^2*s*omega_n */
+    const double t60 = JLT_FNMA(t54, t59, t41); /* t41 - 1/s^2*s*2/R*V*t59 */
+    out[16] = t60;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -332,8 +325,8 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(t2, p[19], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
-    const double t5 = p[18]*x[0]; /* 2*m*a3^2*gamma3 */
+    const double t4 = JLT_FMA(t2, p[18], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t5 = p[17]*x[0]; /* 2*m*a3^2*gamma3 */
     const double t6 = x[2]*t5; /* omega_tau*2*m*a3^2*gamma3 */
     const double t7 = t3*t6; /* s*omega_tau*2*m*a3^2*gamma3 */
     const double t8 = t7/t4; /* s*omega_tau*2*m*a3^2*gamma3/D */
@@ -342,7 +335,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[20]*x[0]; /* m*g*a3*gamma3 */
+    const double t0 = p[19]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
@@ -353,7 +346,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t8 = p[7]/t3; /* G_level/(R*I1)/s^2 */
     const double t9 = t7*t8; /* omega_n = s*G_level/(R*I1)/s^2 */
     const double t10 = JLT_FMA(t9, t9, t6); /* omega_n*omega_n + D/I1*omega_tau*omega_tau */
-    const double t11 = JLT_FMA(p[21], t10, t0); /* 1/2*I1*(omega_n*omega_n + D/I1*omega_tau*omega_tau) + m*g*a3*gamma3 */
+    const double t11 = JLT_FMA(p[20], t10, t0); /* 1/2*I1*(omega_n*omega_n + D/I1*omega_tau*omega_tau) + m*g*a3*gamma3 */
     out[2] = t11;
     const double t12 = x[1]*x[1]; /* v_nu*v_nu */
     const double t13 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -361,7 +354,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t15 = p[1]*x[3]; /* R*omega3 */
     const double t16 = JLT_FMA(t7, t15, t14); /* v_tau = s*R*omega3 + omega_n*b */
     const double t17 = JLT_FMA(t16, t16, t12); /* v_tau*v_tau + v_nu*v_nu */
-    const double t18 = p[22]*t17; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t18 = p[21]*t17; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[1] = t18;
     const double t19 = t11 + t18; /* energy = t11 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[0] = t19;
@@ -380,28 +373,28 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t4 = sqrt(t3); /* s = sqrt(s^2) */
     const double t5 = 1.0/t3; /* 1/s^2 */
-    const double t6 = JLT_FMA(p[19], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t6 = JLT_FMA(p[18], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t7 = x[2]*t6; /* omega_tau*D */
     out[2] = t7;
     out[10] = t7;
     const double t8 = t4*t5; /* s*1/s^2 */
     const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t10 = p[7]*t8; /* omega_n = G_level/(R*I1)*s*1/s^2 */
-    const double t11 = p[24]*t9; /* G_level/(R^2*I1)*b */
+    const double t11 = p[23]*t9; /* G_level/(R^2*I1)*b */
     const double t12 = JLT_FMS(t5, t11, x[3]); /* 1/s^2*G_level/(R^2*I1)*b - omega3 */
-    const double t13 = p[23]*t5; /* G_level/R*1/s^2 */
+    const double t13 = p[22]*t5; /* G_level/R*1/s^2 */
     const double t14 = t9*t10; /* b*omega_n */
     const double t15 = t8*t13; /* s*1/s^2*G_level/R*1/s^2 */
     const double t16 = x[0]*t12; /* gamma3*(1/s^2*G_level/(R^2*I1)*b - omega3) */
     const double t17 = JLT_FMA(t8, t16, t10); /* d(v_tau)/d(gamma3)/R = s*1/s^2*gamma3*(1/s^2*G_level/(R^2*I1)*b - omega3) + omega_n */
-    const double t18 = p[19]*x[2]; /* m*a3^2*omega_tau */
+    const double t18 = p[18]*x[2]; /* m*a3^2*omega_tau */
     const double t19 = x[2]*t18; /* omega_tau*m*a3^2*omega_tau */
     const double t20 = JLT_FNMA(t10, t15, t19); /* omega_tau*m*a3^2*omega_tau - omega_n*s*1/s^2*G_level/R*1/s^2 */
-    const double t21 = JLT_FNMA(x[0], t20, p[20]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - omega_n*s*1/s^2*G_level/R*1/s^2) */
+    const double t21 = JLT_FNMA(x[0], t20, p[19]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - omega_n*s*1/s^2*G_level/R*1/s^2) */
     out[8] = t21;
     const double t22 = p[1]*x[3]; /* R*omega3 */
     const double t23 = JLT_FMA(t4, t22, t14); /* v_tau = s*R*omega3 + b*omega_n */
-    const double t24 = p[25]*t23; /* m*R*v_tau */
+    const double t24 = p[24]*t23; /* m*R*v_tau */
     const double t25 = t4*t24; /* s*m*R*v_tau */
     out[3] = t25;
     out[7] = t25;
@@ -415,9 +408,9 @@ static void measure_values(const double *restrict x, const double *restrict p, d
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = p[19]*t0; /* m*a3^2*(1 - gamma3) */
+    const double t2 = p[18]*t0; /* m*a3^2*(1 - gamma3) */
     const double t3 = JLT_FMA(t1, t2, p[4]); /* (1 + gamma3)*m*a3^2*(1 - gamma3) + I1 */
-    const double t4 = p[26]*t3; /* 1/(R*I1)*((1 + gamma3)*m*a3^2*(1 - gamma3) + I1) */
+    const double t4 = p[25]*t3; /* 1/(R*I1)*((1 + gamma3)*m*a3^2*(1 - gamma3) + I1) */
     out[0] = t4;
 }
 
@@ -445,30 +438,30 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
@@ -479,39 +472,39 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x2, t6, k);
-        t10[k] = t5[k]*p[8] + (k == 0 ? 1.0 : 0);
-        t11[k] = jlt_jet_product(t6, t10, k);
-        t12[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t11, t12, k);
-        t13[k] = jlt_jet_product(t10, t12, k);
-        t14[k] = p[7]*t13[k];
-        t17[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t18[k] = jlt_jet_product(t13, t14, k);
-        t19[k] = jlt_jet_product(t17, t18, k);
-        t21[k] = p[1]*x3[k] + t19[k];
-        t22[k] = jlt_jet_product(t14, t21, k);
-        t23[k] = jlt_jet_product(x2, x0, k);
-        t24[k] = p[8]*t23[k];
-        t25[k] = jlt_jet_product(t7, t24, k);
-        t26[k] = jlt_jet_product(x0, t14, k);
-        t28[k] = t25[k] - t6[k]*p[9];
-        t29[k] = t28[k] - jlt_jet_product(t18, t26, k);
-        t30[k] = jlt_jet_product(t6, t12, k);
-        t31[k] = jlt_jet_product(t29, t30, k);
-        t32[k] = jlt_jet_product(x3, t23, k);
-        t35[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t36[k] = jlt_jet_product(x2, t35, k) + x1[k];
-        t37[k] = p[10]*t36[k];
-        t38[k] = t32[k] - jlt_jet_product(t18, t37, k);
-        t39[k] = jlt_jet_product(t13, t38, k);
+        t11[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t12[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t14[k] = jlt_jet_root(t13[k], t14, k);
+        t15[k] = p[8]*t13[k] + (k == 0 ? 1.0 : 0);
+        t16[k] = jlt_jet_product(t14, t15, k);
+        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
+        t18[k] = jlt_jet_product(t15, t17, k);
+        t19[k] = jlt_jet_product(t14, t17, k);
+        t20[k] = jlt_jet_product(x2, t14, k);
+        t21[k] = p[7]*t18[k];
+        t22[k] = x2[k]*p[8];
+        t23[k] = jlt_jet_product(t20, t22, k);
+        t24[k] = jlt_jet_product(t18, t21, k);
+        t25[k] = t23[k] - jlt_jet_product(t21, t24, k);
+        t26[k] = jlt_jet_product(x0, t25, k);
+        t27[k] = t26[k] - p[9]*t14[k];
+        t28[k] = jlt_jet_product(t19, t27, k);
+        t29[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t30[k] = jlt_jet_product(x2, t29, k) + x1[k];
+        t31[k] = p[10]*t30[k];
+        t32[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
+        t33[k] = jlt_jet_product(t24, t32, k);
+        t34[k] = p[1]*x3[k] + t33[k];
+        t35[k] = jlt_jet_product(t21, t34, k);
+        t36[k] = jlt_jet_product(x2, x0, k);
+        t37[k] = jlt_jet_product(x3, t36, k);
+        t38[k] = t37[k] - jlt_jet_product(t24, t31, k);
+        t39[k] = jlt_jet_product(t18, t38, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t22[k]/(k + 1);
-        next[2] = x2[k + 1] = t31[k]/(k + 1);
+        next[0] = x0[k + 1] = t20[k]/(k + 1);
+        next[1] = x1[k + 1] = t35[k]/(k + 1);
+        next[2] = x2[k + 1] = t28[k]/(k + 1);
         next[3] = x3[k + 1] = t39[k]/(k + 1);
     }
 }
@@ -583,20 +576,20 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
+    .sha256 = "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 28,
+    .state_count = 4, .param_count = 7, .block_count = 27,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 18, 8, 1, 1, 0, 11, 9 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in e = gamma3*a3 + R, V = omega_tau*e + v_nu, b = gamma3*R + a3, omega3*omega_tau*gamma3 - (1/R)*V*((1)/s^2*D/I1)*D/I1*s*omega_n, R*omega3 + b*((1)/s^2*D/I1)*D/I1*s*omega_n, a part of d(omega_tau)/dt" },
-    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 14, 16 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 1/s^2*s - s*(2*m*a3^2/I1)*1/(D/I1), m*g*a3/I1 - gamma3*omega_tau*omega_tau*(m*a3^2/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, 1/s^2*omega3*1/s^2*s - (a3/R)*1/s^2*omega_n, d(d(omega3)/dt)/d(omega_tau), V = omega_tau*e + v_nu, d(d(omega3)/dt)/d(gamma3), b = gamma3*R + a3, d(d(v_nu)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 36, 19, 1, 1, 0, 14, 20 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in e = gamma3*a3 + R, b = gamma3*R + a3, a part of d(d(v_nu)/dt)/d(gamma3), d(v_nu)/dt, omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*1/s^2*s*omega_n, omega_tau*s*omega_tau*(m*a3^2/I1) - 1/s^2*s*omega_n*1/s^2*omega_n, V = omega_tau*e + v_nu, d(d(omega3)/dt)/d(omega_tau), d(omega3)/dt, omega3*1/s^2 - (a3/R)*1/s^2*s*omega_n, d(d(omega3)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3)" },
+    .rhs = { rhs, 4, { 2, 18, 8, 1, 1, 0, 12, 7 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, b = gamma3*R + a3, R*omega3 + ((1)/s^2*D/I1)*D/I1*s*omega_n*b, omega3*omega_tau*gamma3 - ((1)/s^2*D/I1)*D/I1*s*omega_n*(1/R)*V" },
+    .jacobian = { jacobian, 16, { 5, 34, 16, 1, 1, 0, 15, 16 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 1/s^2*s - s*(2*m*a3^2/I1)*1/(D/I1), m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), b = gamma3*R + a3, d(d(v_nu)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 35, 20, 1, 1, 0, 18, 18 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*1/s^2*s*omega_n, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s, V = omega_tau*e + v_nu, omega3*1/s^2*1/s^2*s - (a3/R)*1/s^2*s*1/s^2*s*omega_n, b = gamma3*R + a3, d(v_nu)/dt, d(d(v_nu)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(omega3)/dt, m*g*a3/I1 - (2*G_level/(R*I1))*gamma3*1/s^2*s*1/s^2*s*1/s^2*s*omega_n, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 4, 1, 1, 1, 0, 5, 4 }, { 2, 11, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 3, { 3, 9, 6, 1, 1, 0, 9, 6 }, { 11, 41, 0, 1, 1, 0, 11, 7 },

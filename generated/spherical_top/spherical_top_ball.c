@@ -1,7 +1,7 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
+ *  Table:      spherical_top, SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -1,4 +1,4 @@
-/* spherical_top: its table byte for byte (SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top: its table byte for byte (SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top[];
@@ -95,7 +95,7 @@ const char jlt_table_spherical_top[] = {
     'r','e','v','e','r','s','o','r',' ','v','_','n','u',' ','-','>',' ','-','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','-','>',' ','-','o','m','e','g','a','_','t','a','u','\n',
     '\n',
     '#',' ','T','h','e',' ','c','e','n','t','r','e',' ','o','f',' ','m','a','s','s',' ','i','s',' ','a','t',' ','t','h','e',' ','h','e','i','g','h','t',' ','R',' ','+',' ','a','3',' ','g','a','m','m','a','3',';',' ','t','h','e',' ','p','l','a','n','e',' ','c','a','n','n','o','t',' ','p','u','l','l','.','\n',
-    'o','b','s','e','r','v','e',' ','c','o','n','t','a','c','t','_','f','o','r','c','e',' ','=',' ','m','*','g',' ','+',' ','m','*','a','3','*','r','a','t','e','(','r','a','t','e','(','g','a','m','m','a','3',')',')',' ','[','k','g','*','m','/','s','^','2',']',' ','"','f','o','r','c','e',' ','o','f',' ','t','h','e',' ','p','l','a','n','e',' ','o','n',' ','t','h','e',' ','s','p','h','e','r','e',',',' ','u','p','w','a','r','d','s','"','\n',
+    'o','b','s','e','r','v','e',' ','c','o','n','t','a','c','t','_','f','o','r','c','e',' ','=',' ','m','*','(','g',' ','+',' ','a','3','*','r','a','t','e','(','r','a','t','e','(','g','a','m','m','a','3',')',')',')',' ','[','k','g','*','m','/','s','^','2',']',' ','"','f','o','r','c','e',' ','o','f',' ','t','h','e',' ','p','l','a','n','e',' ','o','n',' ','t','h','e',' ','s','p','h','e','r','e',',',' ','u','p','w','a','r','d','s','"','\n',
     'v','a','l','i','d',' ','c','o','n','t','a','c','t',' ',':',' ','c','o','n','t','a','c','t','_','f','o','r','c','e',' ','>',' ','0',' ','[','k','g','*','m','/','s','^','2',']',' ','"','t','h','e',' ','p','l','a','n','e',' ','o','n','l','y',' ','p','u','s','h','e','s','"','\n',
     '\n',
     '#',' ','F','i','x','e','d',' ','p','o','i','n','t','s',' ','(','4','.','4',')',',',' ','l','i','n','e','a','r','i','z','a','t','i','o','n',' ','(','4','.','5',')',',',' ','t','r','a','c','e',' ','(','4','.','6',')',',',' ','P','r','o','p','o','s','i','t','i','o','n',' ','1','\n',
@@ -150,7 +150,7 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "E2", "I3 = 0", JLT_PROVED, "", NULL },
     { "measure", "rho", "I3 = 0", JLT_PROVED, "", NULL },
-    { "reduction", "on_level", "", JLT_PROVED, "", "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af" },
+    { "reduction", "on_level", "", JLT_PROVED, "", "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca" },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
     { "equilibria", "spin", "a3 = 0", JLT_PROVED, "", NULL },
     { "matrix", "spin", "", JLT_PROVED, "", NULL },

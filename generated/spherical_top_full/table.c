@@ -193,7 +193,7 @@ const jlt_claim jlt_claims_spherical_top_full[] = {
     { "rate", "transport1", "", JLT_PROVED, "", NULL },
     { "rate", "transport2", "", JLT_PROVED, "", NULL },
     { "rate", "transport3", "", JLT_PROVED, "", NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb" },
+    { "reduction", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
     { "equal", "normal_reaction", "", JLT_PROVED, "", NULL },
     { "equal", "constraint_force", "", JLT_PROVED, "", NULL },
     { "equal", "v_gamma", "", JLT_PROVED, "", NULL },

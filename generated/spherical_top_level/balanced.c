@@ -2,14 +2,14 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
+ *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   25    7    1    1    0     15    7   (94)
- *  jacobian            9   47   21    1    1    0     15   21   (464)
- *  rhs_jacobian        10   52   24    1    1    0     17   22   (541)
- *  divergence          3   11    5    1    1    0     11    6   (46)
+ *  jacobian            9   47   21    1    1    0     17   17   (464)
+ *  rhs_jacobian        9   49   25    1    1    0     17   25   (541)
+ *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  3   27    7    1    1    0     12    9   (123)
  *
@@ -19,15 +19,14 @@
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s,
- *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3),
- *      v_nu - 1/(Theta/m)*(I1*I3/m)*V,
+ *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3),
  *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt,
- *      a part of d(d(v_tau)/dt)/d(gamma3), a part of d(v_tau)/dt, d(d(v_tau)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(v_tau),
- *      gamma3*v_tau*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(v_tau),
- *      a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3)
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      d(d(v_nu)/dt)/d(v_tau), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(v_tau),
+ *      a part of d(v_tau)/dt, v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3),
+ *      d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(omega_tau)/dt,
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -101,17 +100,17 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t20 = params[4]*params[4]; /* I3*I3 */
     const double t21 = t0*t20; /* R*R*I3*I3 */
     out[17] = t21;
-    const double t22 = params[4]/params[3]; /* I3/I1 */
-    out[18] = t22;
-    const double t23 = t0*params[0]; /* R*R*m */
-    const double t24 = params[4]/t23; /* I3/(R*R*m) */
-    out[19] = t24;
-    const double t25 = params[1]*t0; /* R*R*R */
-    const double t26 = params[0]*t25; /* m*R*R*R */
-    const double t27 = params[3]*t26; /* I1*m*R*R*R */
-    const double t28 = t20/t27; /* I3*I3/(I1*m*R*R*R) */
+    const double t22 = params[1]*t0; /* R*R*R */
+    const double t23 = params[0]*t22; /* m*R*R*R */
+    const double t24 = params[3]*t23; /* I1*m*R*R*R */
+    const double t25 = t20/t24; /* I3*I3/(I1*m*R*R*R) */
+    out[18] = t25;
+    const double t26 = params[4]/params[3]; /* I3/I1 */
+    out[19] = t26;
+    const double t27 = t0*params[0]; /* R*R*m */
+    const double t28 = params[4]/t27; /* I3/(R*R*m) */
     out[20] = t28;
-    const double t29 = params[3]*t23; /* I1*R*R*m */
+    const double t29 = params[3]*t27; /* I1*R*R*m */
     const double t30 = params[4]*t9; /* I3*(I1 - I3) */
     const double t31 = t30/t29; /* I3*(I1 - I3)/(I1*R*R*m) */
     out[21] = t31;
@@ -203,101 +202,101 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = t2*p[7]; /* s^2*R^2*I1 */
+    const double t5 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t6 = JLT_FMA(x[0], t5, t4); /* K = gamma3*gamma3*R^2*I3 + s^2*R^2*I1 */
+    const double t7 = t6 + p[9]; /* Theta/m = K + I1*I3/m */
+    const double t8 = t2*t6; /* s^2*K */
+    const double t9 = t7*t8; /* Theta/m*s^2*K */
+    const double t10 = 1.0/t9; /* 1/(Theta/m*s^2*K) */
+    const double t11 = t7*t10; /* Theta/m*1/(Theta/m*s^2*K) */
+    const double t12 = t3*t6; /* s*K */
+    const double t13 = t11*t12; /* Theta/m*1/(Theta/m*s^2*K)*s*K */
+    const double t14 = x[0]*t13; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K */
+    const double t15 = x[2]*t14; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K */
+    const double t16 = -t15; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K */
+    out[0] = t16;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[9] = 0.0;
     out[10] = 0.0;
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[7]*t2; /* R^2*I1*s^2 */
-    const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
-    const double t6 = p[9] + t5; /* Theta/m = I1*I3/m + K */
-    const double t7 = t2*t5; /* s^2*K */
-    const double t8 = t6*t7; /* Theta/m*s^2*K */
-    const double t9 = 1.0/t8; /* 1/(Theta/m*s^2*K) */
-    const double t10 = t6*t9; /* Theta/m*1/(Theta/m*s^2*K) */
-    const double t11 = t7*t9; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
-    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
-    out[2] = t12;
-    const double t13 = t5*t12; /* K*s */
-    const double t14 = t10*t13; /* Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t15 = t2*t10; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
-    const double t16 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t17 = x[0]*t16; /* gamma3*v_tau*R*I3 */
-    const double t18 = x[3]*t12; /* v_tau*s */
-    const double t19 = JLT_FNMA(x[0], p[12], t18); /* v_tau*s - gamma3*G/I1 */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = p[9]*t20; /* I1*I3/m*V */
-    const double t22 = t11*t21; /* 1/(Theta/m)*I1*I3/m*V */
-    const double t23 = JLT_FMA(p[10], t12, t17); /* R*G*s + gamma3*v_tau*R*I3 */
-    const double t24 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t25 = x[0]*t14; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t26 = JLT_FMS(p[10], t25, t16); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
-    const double t27 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t28 = t15*t23; /* 1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t29 = t14*t23; /* Theta/m*1/(Theta/m*s^2*K)*K*s*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t30 = x[0]*t15; /* gamma3*1/K */
-    const double t31 = t15*t19; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t32 = JLT_FMA(t11, t19, t31); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t33 = x[2]*t24; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t34 = t27*t28; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t35 = t14*t28; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t36 = p[11]*t15; /* R*I3*1/K */
-    const double t37 = t14*t15; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
-    const double t38 = JLT_FMA(t17, t37, t35); /* gamma3*v_tau*R*I3*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K + t35 */
-    out[7] = t38;
-    const double t39 = t14*t35; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t35 */
-    const double t40 = t35*t39; /* t35*Theta/m*1/(Theta/m*s^2*K)*K*s*t35 */
-    const double t41 = x[1] - t22; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t42 = t30*t33; /* gamma3*1/K*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t43 = t30*t35; /* gamma3*1/K*t35 */
-    const double t44 = t32*t42; /* t32*gamma3*1/K*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t45 = t11*t35; /* 1/(Theta/m)*t35 */
-    const double t46 = JLT_FNMA(t22, t45, t44); /* t32*gamma3*1/K*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) - 1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*t35 */
-    const double t47 = t31*t33; /* 1/K*(v_tau*s - gamma3*G/I1)*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t48 = t11*t29; /* 1/(Theta/m)*Theta/m*1/(Theta/m*s^2*K)*K*s*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t49 = -t48; /* -t48 */
-    out[13] = t49;
-    const double t50 = p[16]*t45; /* R*I1*I3/m*1/(Theta/m)*t35 */
-    const double t51 = t26 - t34; /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - gamma3*(2*R^2*I1 - 2*R^2*I3)*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t52 = JLT_FNMA(2.0, t34, t26); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 2*gamma3*(2*R^2*I1 - 2*R^2*I3)*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t53 = JLT_FMS(t25, t29, t51); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*Theta/m*1/(Theta/m*s^2*K)*K*s*(R*G*s + gamma3*v_tau*R*I3) - t51 */
-    const double t54 = t37*t53; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*t53 */
-    const double t55 = x[3]*t54; /* v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*t53 */
-    out[4] = t55;
-    const double t56 = JLT_FMA(x[3], t25, p[12]); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
-    const double t57 = JLT_FMS(t42, t56, t47); /* gamma3*1/K*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) - t47 */
-    const double t58 = JLT_FNMA(t27, t46, t57); /* t57 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t46 */
-    const double t59 = JLT_FNMA(t41, t54, t58); /* t57 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t46 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*t53 */
-    out[12] = t59;
-    const double t60 = t36*t41; /* R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t61 = t28*t56; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
-    const double t62 = JLT_FMA(t31, t52, t61); /* 1/K*(v_tau*s - gamma3*G/I1)*t52 + t61 */
-    const double t63 = t12*t28; /* s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t64 = x[0]*t31; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t65 = JLT_FNMA(t24, t64, t50); /* R*I1*I3/m*1/(Theta/m)*t35 - R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*(v_tau*s - gamma3*G/I1) */
-    out[14] = t65;
-    const double t66 = JLT_FMA(p[11], t64, t63); /* R*I3*gamma3*1/K*(v_tau*s - gamma3*G/I1) + s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t67 = t25*t60; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t68 = JLT_FMA(t12, t42, t67); /* s*gamma3*1/K*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t67 */
-    const double t69 = -t68; /* -t68 */
-    out[15] = t69;
-    const double t70 = x[2]*t25; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t71 = -t70; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    out[0] = t71;
-    const double t72 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t73 = t43*t72; /* gamma3*1/K*t35*gamma3*2*R*I3 */
-    const double t74 = JLT_FMA(t36, t66, t73); /* R*I3*1/K*t66 + gamma3*1/K*t35*gamma3*2*R*I3 */
-    const double t75 = -t74; /* -(R*I3*1/K*t66 + gamma3*1/K*t35*gamma3*2*R*I3) */
-    out[11] = t75;
-    const double t76 = 2.0*t43; /* 2*gamma3*1/K*t35 */
-    const double t77 = JLT_FMS(t51, t76, t40); /* t51*2*gamma3*1/K*t35 - t35*Theta/m*1/(Theta/m*s^2*K)*K*s*t35 */
-    const double t78 = JLT_FMA(t36, t62, t77); /* R*I3*1/K*(1/K*(v_tau*s - gamma3*G/I1)*t52 + t61) + t51*2*gamma3*1/K*t35 - t35*Theta/m*1/(Theta/m*s^2*K)*K*s*t35 */
-    out[8] = t78;
+    const double t17 = t3*p[10]; /* s*R*G */
+    const double t18 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t19 = JLT_FMA(x[0], t18, t17); /* gamma3*v_tau*R*I3 + s*R*G */
+    const double t20 = t2*t11; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
+    const double t21 = t13*t20; /* Theta/m*1/(Theta/m*s^2*K)*s*K*1/K */
+    const double t22 = t19*t21; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta/m*1/(Theta/m*s^2*K)*s*K*1/K */
+    const double t23 = t13*t22; /* Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t24 = t14*t23; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t25 = JLT_FMS(t14, p[10], t18); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 */
+    const double t26 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t27 = t19*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t28 = t26*t27; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t29 = t25 - t28; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - gamma3*(2*R^2*I1 - 2*R^2*I3)*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t30 = JLT_FNMA(t21, t29, t24); /* t24 - Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*t29 */
+    const double t31 = x[3]*t30; /* v_tau*(t24 - Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*t29) */
+    out[4] = t31;
+    const double t32 = x[0]*p[11]; /* gamma3*R*I3 */
+    const double t33 = t21*t32; /* Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*gamma3*R*I3 */
+    const double t34 = JLT_FMA(x[3], t33, t22); /* v_tau*Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*gamma3*R*I3 + t22 */
+    out[7] = t34;
+    const double t35 = x[0]*t20; /* gamma3*1/K */
+    const double t36 = 2.0*t35; /* 2*gamma3*1/K */
+    const double t37 = JLT_FNMA(t29, t36, t23); /* Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - t29*2*gamma3*1/K */
+    const double t38 = t22*t37; /* t22*(Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - t29*2*gamma3*1/K) */
+    const double t39 = JLT_FMA(t14, x[3], p[12]); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1 */
+    const double t40 = t27*t39; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
+    const double t41 = JLT_FNMA(t28, 2.0, t25); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - gamma3*(2*R^2*I1 - 2*R^2*I3)*(gamma3*v_tau*R*I3 + s*R*G)*1/K*2 */
+    const double t42 = t3*x[3]; /* s*v_tau */
+    const double t43 = JLT_FNMA(x[0], p[12], t42); /* s*v_tau - gamma3*G/I1 */
+    const double t44 = t20*t43; /* 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t45 = JLT_FMA(t41, t44, t40); /* t41*1/K*(s*v_tau - gamma3*G/I1) + t40 */
+    const double t46 = p[11]*t20; /* R*I3*1/K */
+    const double t47 = JLT_FMS(t45, t46, t38); /* (t41*1/K*(s*v_tau - gamma3*G/I1) + t40)*R*I3*1/K - t22*(Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - t29*2*gamma3*1/K) */
+    out[8] = t47;
+    const double t48 = x[0]*p[15]; /* gamma3*2*R*I3 */
+    const double t49 = t35*t48; /* gamma3*1/K*gamma3*2*R*I3 */
+    const double t50 = t22*t49; /* t22*gamma3*1/K*gamma3*2*R*I3 */
+    const double t51 = t3*t27; /* s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t52 = t35*t43; /* gamma3*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t53 = JLT_FMA(p[11], t52, t51); /* R*I3*gamma3*1/K*(s*v_tau - gamma3*G/I1) + s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t54 = JLT_FMA(t46, t53, t50); /* R*I3*1/K*t53 + t22*gamma3*1/K*gamma3*2*R*I3 */
+    const double t55 = -t54; /* -(R*I3*1/K*t53 + t22*gamma3*1/K*gamma3*2*R*I3) */
+    out[11] = t55;
+    const double t56 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t57 = t8*t10; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
+    const double t58 = p[9]*t56; /* I1*I3/m*V */
+    const double t59 = t57*t58; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t60 = x[1] - t59; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t61 = t22*t57; /* t22*1/(Theta/m) */
+    const double t62 = t59*t61; /* 1/(Theta/m)*I1*I3/m*V*t22*1/(Theta/m) */
+    const double t63 = t20 + t57; /* 1/K + 1/(Theta/m) */
+    const double t64 = t57*p[13]; /* 1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t65 = x[2]*t64; /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t66 = t63*t65; /* (1/K + 1/(Theta/m))*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t67 = JLT_FNMA(t52, t66, t62); /* 1/(Theta/m)*I1*I3/m*V*t22*1/(Theta/m) - gamma3*1/K*(s*v_tau - gamma3*G/I1)*t66 */
+    const double t68 = t26*t67; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t67 */
+    const double t69 = JLT_FNMA(t35, t39, t44); /* 1/K*(s*v_tau - gamma3*G/I1) - gamma3*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
+    const double t70 = JLT_FNMA(t65, t69, t68); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t67 - omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*t69 */
+    const double t71 = JLT_FNMA(t30, t60, t70); /* t70 - (t24 - Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*t29)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    out[12] = t71;
+    const double t72 = JLT_FMS(p[9], t61, t22); /* I1*I3/m*t22*1/(Theta/m) - t22 */
+    out[13] = t72;
+    const double t73 = t61*p[16]; /* t22*1/(Theta/m)*R*I1*I3/m */
+    const double t74 = JLT_FNMA(t52, t64, t73); /* t22*1/(Theta/m)*R*I1*I3/m - gamma3*1/K*(s*v_tau - gamma3*G/I1)*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    out[14] = t74;
+    const double t75 = t33*t60; /* Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*gamma3*R*I3*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t76 = t3*t35; /* s*gamma3*1/K */
+    const double t77 = JLT_FMA(t65, t76, t75); /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*s*gamma3*1/K + t75 */
+    const double t78 = -t77; /* -t77 */
+    out[15] = t78;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -315,101 +314,98 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
     const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
     const double t6 = p[9] + t5; /* Theta/m = I1*I3/m + K */
-    const double t7 = t2*t5; /* s^2*K */
-    const double t8 = t6*t7; /* Theta/m*s^2*K */
-    const double t9 = 1.0/t8; /* 1/(Theta/m*s^2*K) */
-    const double t10 = t6*t9; /* Theta/m*1/(Theta/m*s^2*K) */
-    const double t11 = t7*t9; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
+    const double t7 = t2*t6; /* s^2*Theta/m */
+    const double t8 = t5*t7; /* K*s^2*Theta/m */
+    const double t9 = 1.0/t8; /* 1/(K*s^2*Theta/m) */
+    const double t10 = t7*t9; /* 1/K = s^2*Theta/m*1/(K*s^2*Theta/m) */
+    const double t11 = t5*t9; /* K*1/(K*s^2*Theta/m) */
     const double t12 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t12;
-    const double t13 = t2*t10; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
-    const double t14 = t5*t12; /* K*s */
-    const double t15 = t10*t14; /* Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t16 = x[2]*t12; /* omega_tau*s */
-    out[0] = t16;
-    const double t17 = p[10]*t12; /* R*G*s */
-    const double t18 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t19 = JLT_FMA(x[0], t18, t17); /* gamma3*v_tau*R*I3 + R*G*s */
-    const double t20 = x[0]*t13; /* gamma3*1/K */
-    const double t21 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t22 = t20*t21; /* gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t23 = t13*t19; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t24 = t15*t19; /* Theta/m*1/(Theta/m*s^2*K)*K*s*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t25 = x[3]*t12; /* v_tau*s */
-    const double t26 = JLT_FNMA(x[0], p[12], t25); /* v_tau*s - gamma3*G/I1 */
-    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t28 = p[9]*t27; /* I1*I3/m*V */
-    const double t29 = x[0]*t15; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t30 = JLT_FMS(p[10], t29, t18); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
-    const double t31 = x[2]*t29; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t32 = -t31; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    out[4] = t32;
-    const double t33 = t15*t23; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t34 = x[3]*t33; /* v_tau*t33 */
-    out[1] = t34;
-    const double t35 = t20*t24; /* gamma3*1/K*Theta/m*1/(Theta/m*s^2*K)*K*s*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t36 = t11*t24; /* 1/(Theta/m)*Theta/m*1/(Theta/m*s^2*K)*K*s*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t37 = -t36; /* -t36 */
-    out[17] = t37;
-    const double t38 = x[2]*t22; /* omega_tau*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t39 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t40 = t13*t26; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t41 = JLT_FNMA(t11, t28, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t42 = t26*t38; /* (v_tau*s - gamma3*G/I1)*omega_tau*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t43 = t15*t35; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t35 */
-    const double t44 = JLT_FNMA(t23, t39, t30); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t45 = JLT_FNMA(t13, t44, t43); /* Theta/m*1/(Theta/m*s^2*K)*K*s*t35 - 1/K*t44 */
-    const double t46 = p[11]*t13; /* R*I3*1/K */
-    const double t47 = x[3]*t15; /* v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t48 = t45*t47; /* (Theta/m*1/(Theta/m*s^2*K)*K*s*t35 - 1/K*t44)*v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    out[8] = t48;
-    const double t49 = p[15]*t20; /* 2*R*I3*gamma3*1/K */
-    const double t50 = t35*t49; /* t35*2*R*I3*gamma3*1/K */
-    const double t51 = JLT_FMA(p[11], t40, t35); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + t35 */
-    const double t52 = t23*t51; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(R*I3*1/K*(v_tau*s - gamma3*G/I1) + t35) */
-    const double t53 = -t52; /* -t52 */
-    out[2] = t53;
-    const double t54 = t23*t46; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t55 = t40*t46; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
-    const double t56 = t30*t55; /* (R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3)*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
-    const double t57 = t11*t33; /* 1/(Theta/m)*t33 */
-    const double t58 = JLT_FMS(t28, t57, t42); /* I1*I3/m*V*1/(Theta/m)*t33 - t42 */
-    const double t59 = t39*t58; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*(I1*I3/m*V*1/(Theta/m)*t33 - t42) */
-    const double t60 = t39*t40; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t61 = JLT_FMA(t33, t41, t42); /* t33*(v_nu - 1/(Theta/m)*I1*I3/m*V) + t42 */
-    const double t62 = -t61; /* -(t33*(v_nu - 1/(Theta/m)*I1*I3/m*V) + t42) */
+    const double t13 = t6*t12; /* Theta/m*s */
+    const double t14 = t11*t13; /* K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t15 = t2*t11; /* 1/(Theta/m) = s^2*K*1/(K*s^2*Theta/m) */
+    const double t16 = p[10]*t12; /* R*G*s */
+    const double t17 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
+    const double t19 = t10*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t20 = x[3]*t12; /* v_tau*s */
+    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
+    const double t22 = t14*t19; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t23 = x[3]*t22; /* v_tau*t22 */
+    out[1] = t23;
+    const double t24 = p[13]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t25 = x[0]*t10; /* gamma3*1/K */
+    const double t26 = x[0]*t14; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t27 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t28 = t24*t25; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t29 = x[2]*t24; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t30 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t31 = p[9]*t30; /* I1*I3/m*V */
+    const double t32 = t14*t22; /* K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
+    const double t33 = JLT_FMS(p[10], t26, t17); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 */
+    const double t34 = t19*t27; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t35 = t10*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t36 = p[11]*t10; /* R*I3*1/K */
+    const double t37 = t21*t28; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t38 = t26*t32; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
+    const double t39 = t33 - t34; /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t40 = JLT_FNMA(2.0, t34, t33); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t41 = t10*t14; /* 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t42 = JLT_FNMA(t39, t41, t38); /* t38 - t39*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t43 = t14*t25; /* K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K */
+    const double t44 = JLT_FMA(t17, t43, t22); /* v_tau*R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K + t22 */
+    out[11] = t44;
+    const double t45 = p[11]*t43; /* R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K */
+    const double t46 = x[3]*t42; /* v_tau*(t38 - t39*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s) */
+    out[8] = t46;
+    const double t47 = p[17]*t35; /* R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t48 = t25*t47; /* gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t49 = t19*t36; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t50 = t21*t49; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t51 = t35*t36; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
+    const double t52 = JLT_FMA(t12, t49, t48); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t53 = x[2]*t12; /* omega_tau*s */
+    out[0] = t53;
+    const double t54 = x[2]*t37; /* omega_tau*t37 */
+    const double t55 = t10*t54; /* 1/K*omega_tau*t37 */
+    const double t56 = JLT_FNMA(t15, t31, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t57 = t42*t56; /* (t38 - t39*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t58 = t45*t56; /* R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t59 = JLT_FMA(t28, t53, t58); /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s + t58 */
+    const double t60 = -t59; /* -t59 */
+    out[19] = t60;
+    const double t61 = JLT_FMA(t22, t56, t54); /* t22*(v_nu - 1/(Theta/m)*I1*I3/m*V) + omega_tau*t37 */
+    const double t62 = -t61; /* -(t22*(v_nu - 1/(Theta/m)*I1*I3/m*V) + omega_tau*t37) */
     out[3] = t62;
-    const double t63 = t15*t41; /* Theta/m*1/(Theta/m*s^2*K)*K*s*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t64 = t15*t33; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t33 */
-    const double t65 = t45*t63; /* (Theta/m*1/(Theta/m*s^2*K)*K*s*t35 - 1/K*t44)*Theta/m*1/(Theta/m*s^2*K)*K*s*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t66 = p[16]*t57; /* R*I1*I3/m*1/(Theta/m)*t33 */
-    const double t67 = JLT_FNMA(t22, t26, t66); /* R*I1*I3/m*1/(Theta/m)*t33 - gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*(v_tau*s - gamma3*G/I1) */
-    out[18] = t67;
-    const double t68 = p[11]*t20; /* R*I3*gamma3*1/K */
-    const double t69 = t63*t68; /* Theta/m*1/(Theta/m*s^2*K)*K*s*(v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
-    const double t70 = JLT_FMA(t47, t68, t33); /* v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*gamma3*1/K + t33 */
-    out[11] = t70;
-    const double t71 = JLT_FMA(x[0], t47, p[12]); /* gamma3*v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
-    const double t72 = JLT_FMA(t12, t38, t69); /* s*omega_tau*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t69 */
-    const double t73 = -t72; /* -t72 */
-    out[19] = t73;
-    const double t74 = p[17]*t20; /* R^2*I3^2*gamma3*1/K */
-    const double t75 = JLT_FMA(t40, t74, t50); /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K + t35*2*R*I3*gamma3*1/K */
-    const double t76 = JLT_FMA(t12, t54, t75); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + t75 */
-    const double t77 = -t76; /* -(s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + t75) */
-    out[15] = t77;
-    const double t78 = 2.0*t20; /* 2*gamma3*1/K */
-    const double t79 = JLT_FNMA(t44, t78, t64); /* Theta/m*1/(Theta/m*s^2*K)*K*s*t33 - t44*2*gamma3*1/K */
-    const double t80 = JLT_FNMA(2.0, t60, t71); /* gamma3*v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 - 2*gamma3*(2*R^2*I1 - 2*R^2*I3)*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t81 = JLT_FMA(t54, t80, t56); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*t80 + t56 */
-    const double t82 = JLT_FNMA(t33, t79, t81); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*t80 + t56 - t33*(Theta/m*1/(Theta/m*s^2*K)*K*s*t33 - t44*2*gamma3*1/K) */
-    out[12] = t82;
-    const double t83 = t71 - t60; /* gamma3*v_tau*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 - gamma3*(2*R^2*I1 - 2*R^2*I3)*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t84 = JLT_FMS(t38, t83, t65); /* omega_tau*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t83 - t65 */
-    const double t85 = x[2]*p[13]; /* omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t86 = JLT_FNMA(t40, t85, t59); /* t59 - 1/K*(v_tau*s - gamma3*G/I1)*omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t87 = JLT_FMA(t11, t86, t84); /* 1/(Theta/m)*t86 + t84 */
-    out[16] = t87;
+    const double t63 = JLT_FMA(x[3], t26, p[12]); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1 */
+    const double t64 = t49*t63; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) */
+    const double t65 = JLT_FMA(t40, t51, t64); /* t40*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t64 */
+    const double t66 = JLT_FMS(t25, t63, t35); /* gamma3*1/K*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t67 = JLT_FMS(t29, t66, t57); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t66 - t57 */
+    const double t68 = x[2]*t26; /* omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t69 = -t68; /* -omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    out[4] = t69;
+    const double t70 = t15*t22; /* 1/(Theta/m)*t22 */
+    const double t71 = JLT_FNMA(t31, t70, t54); /* omega_tau*t37 - I1*I3/m*V*1/(Theta/m)*t22 */
+    const double t72 = JLT_FMA(t15, t71, t55); /* 1/(Theta/m)*(omega_tau*t37 - I1*I3/m*V*1/(Theta/m)*t22) + 1/K*omega_tau*t37 */
+    const double t73 = JLT_FNMA(t27, t72, t67); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t66 - t57 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t72 */
+    out[16] = t73;
+    const double t74 = JLT_FMS(p[16], t70, t37); /* R*I1*I3/m*1/(Theta/m)*t22 - t37 */
+    out[18] = t74;
+    const double t75 = JLT_FMS(p[9], t70, t22); /* I1*I3/m*1/(Theta/m)*t22 - t22 */
+    out[17] = t75;
+    const double t76 = x[0]*t22; /* gamma3*t22 */
+    const double t77 = JLT_FMA(t19, t76, t50); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t22 + t50 */
+    const double t78 = -t77; /* -(1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t22 + t50) */
+    out[2] = t78;
+    const double t79 = 2.0*t25; /* 2*gamma3*1/K */
+    const double t80 = JLT_FNMA(t39, t79, t32); /* K*1/(K*s^2*Theta/m)*Theta/m*s*t22 - t39*2*gamma3*1/K */
+    const double t81 = JLT_FNMA(t22, t80, t65); /* t40*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t64 - t22*(K*1/(K*s^2*Theta/m)*Theta/m*s*t22 - t39*2*gamma3*1/K) */
+    out[12] = t81;
+    const double t82 = p[15]*t25; /* 2*R*I3*gamma3*1/K */
+    const double t83 = JLT_FMA(t76, t82, t52); /* gamma3*t22*2*R*I3*gamma3*1/K + t52 */
+    const double t84 = -t83; /* -(gamma3*t22*2*R*I3*gamma3*1/K + t52) */
+    out[15] = t84;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -417,25 +413,27 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[18]; /* gamma3*I3/I1 */
+    const double t3 = x[0]*p[19]; /* gamma3*I3/I1 */
     const double t4 = JLT_FMA(x[0], t3, t2); /* K/(R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
     const double t5 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t6 = t4*t5; /* K/(R^2*I1)*s */
     const double t7 = p[21]*t2; /* I3*(I1 - I3)/(m*R^2*I1)*(1 - gamma3)*(gamma3 + 1) */
-    const double t8 = p[19] + t4; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t8 = p[20] + t4; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
     const double t9 = t6*t8; /* K/(R^2*I1)*s*Theta/(m*R^2*I1) */
     const double t10 = 1.0/t9; /* 1/(K/(R^2*I1)*s*Theta/(m*R^2*I1)) */
     const double t11 = t6*t10; /* 1/(Theta/(m*R^2*I1)) = K/(R^2*I1)*s*1/(K/(R^2*I1)*s*Theta/(m*R^2*I1)) */
-    const double t12 = JLT_FMA(t7, t11, t4); /* I3*(I1 - I3)/(m*R^2*I1)*(1 - gamma3)*(gamma3 + 1)*1/(Theta/(m*R^2*I1)) + K/(R^2*I1) */
-    const double t13 = x[0]*t8; /* gamma3*Theta/(m*R^2*I1) */
-    const double t14 = t10*t13; /* 1/(K/(R^2*I1)*s*Theta/(m*R^2*I1))*gamma3*Theta/(m*R^2*I1) */
-    const double t15 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t16 = p[20]*t15; /* I3^2/(m*R^3*I1)*V */
-    const double t17 = t11*t16; /* 1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V */
-    const double t18 = JLT_FNMA(x[1], p[22], t17); /* 1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V - v_nu*I3/(R*I1) */
-    const double t19 = JLT_FNMA(x[2], t12, t18); /* 1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V - v_nu*I3/(R*I1) - omega_tau*t12 */
-    const double t20 = t14*t19; /* 1/(K/(R^2*I1)*s*Theta/(m*R^2*I1))*gamma3*Theta/(m*R^2*I1)*t19 */
-    out[0] = t20;
+    const double t12 = t8*t10; /* 1/(s*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(K/(R^2*I1)*s*Theta/(m*R^2*I1)) */
+    const double t13 = JLT_FMA(t7, t11, t4); /* I3*(I1 - I3)/(m*R^2*I1)*(1 - gamma3)*(gamma3 + 1)*1/(Theta/(m*R^2*I1)) + K/(R^2*I1) */
+    const double t14 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
+    const double t15 = p[18]*t14; /* I3^2/(m*R^3*I1)*V */
+    const double t16 = t11*t15; /* 1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V */
+    const double t17 = t12*t16; /* 1/(s*(K/(R^2*I1)))*1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V */
+    const double t18 = x[1]*p[22]; /* v_nu*I3/(R*I1) */
+    const double t19 = JLT_FNMA(t12, t18, t17); /* 1/(s*(K/(R^2*I1)))*1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V - 1/(s*(K/(R^2*I1)))*v_nu*I3/(R*I1) */
+    const double t20 = x[2]*t12; /* omega_tau*1/(s*(K/(R^2*I1))) */
+    const double t21 = JLT_FNMA(t13, t20, t19); /* t19 - t13*omega_tau*1/(s*(K/(R^2*I1))) */
+    const double t22 = x[0]*t21; /* gamma3*(t19 - t13*omega_tau*1/(s*(K/(R^2*I1)))) */
+    out[0] = t22;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -444,10 +442,10 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
-    const double t4 = x[0]*p[18]; /* gamma3*I3/I1 */
+    const double t4 = x[0]*p[19]; /* gamma3*I3/I1 */
     const double t5 = JLT_FMA(x[0], t4, t3); /* K/(R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
     const double t6 = 1.0/t5; /* 1/(K/(R^2*I1)) */
-    const double t7 = t5 + p[19]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
+    const double t7 = t5 + p[20]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
     const double t8 = x[3]*x[3]; /* v_tau*v_tau */
     const double t9 = JLT_FMA(t7, t8, p[24]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
     const double t10 = JLT_FMA(t6, t9, t0); /* 1/(K/(R^2*I1))*(Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1)) + v_nu*v_nu */
@@ -849,7 +847,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af",
+    .sha256 = "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .state_count = 4, .param_count = 7, .block_count = 36,
@@ -859,11 +857,11 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 25, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau*s - gamma3*(G/I1), v_tau*gamma3*(R*I3) + (R*G)*s, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(omega_tau)/dt, a part of d(v_tau)/dt" },
-    .jacobian = { jacobian, 16, { 9, 47, 21, 1, 1, 0, 15, 21 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*s + gamma3*v_tau*(R*I3), (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), d(d(v_nu)/dt)/d(v_tau), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(omega_tau)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 10, 52, 24, 1, 1, 0, 17, 22 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(v_tau)/dt, d(d(v_tau)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(v_tau), gamma3*v_tau*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3)" },
-    .divergence = { divergence, 1, { 3, 11, 5, 1, 1, 0, 11, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
+    .jacobian = { jacobian, 16, { 9, 47, 21, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*(R*G) - v_tau*(R*I3), 2*R^2*I1 - 2*R^2*I3, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*v_tau + G/I1, a part of d(d(omega_tau)/dt)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 9, 49, 25, 1, 1, 0, 17, 25 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
+    .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of the divergence, V = R*omega_tau + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 12, 7, 1, 1, 0, 8, 6 }, { 10, 36, 0, 3, 1, 0, 14, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*R + v_nu, v_tau*s - gamma3*(G/I1), F0" },

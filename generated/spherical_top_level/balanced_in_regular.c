@@ -3,14 +3,14 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
+ *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   22    7    1    0    0     12    7   (93)
- *  jacobian            8   55   29    1    0    0     14   19   (644)
- *  rhs_jacobian        11   58   26    1    0    0     13   23   (723)
- *  divergence          2    8    4    1    0    0      9    5   (41)
+ *  jacobian            9   57   26    1    0    0     14   21   (644)
+ *  rhs_jacobian        12   56   26    1    0    0     14   19   (723)
+ *  divergence          3    8    4    1    0    0     10    5   (41)
  *  integral_values     1   12    7    1    0    0      7    5   (47)
  *  integral_gradients  0   24    9    1    0    0     11    7   (195)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
@@ -20,14 +20,14 @@
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1),
  *      s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V,
- *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau),
- *      (R*G)*1/K - (2*R^2*I1)*1/K*(gamma3*v_tau*(R*I3) + s*(R*G))*s*1/K,
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(v_tau),
+ *      d(d(v_nu)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau),
+ *      a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3),
  *      a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s),
- *      a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(v_tau)/dtau, d(d(omega_tau)/dtau)/d(s),
- *      a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3),
- *      d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_tau),
- *      d(d(omega_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(s)
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
+ *      (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), d(d(v_tau)/dtau)/d(s),
+ *      a part of d(v_tau)/dtau, d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3),
+ *      d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -77,7 +77,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t4 = params[4]*t2; /* I3*R*R */
     out[10] = t4;
     const double t5 = params[4]*params[3]; /* I3*I1 */
-    out[36] = t5;
+    out[35] = t5;
     const double t6 = t5/params[0]; /* I3*I1/m */
     out[11] = t6;
     const double t7 = params[6]/params[3]; /* G/I1 */
@@ -125,56 +125,55 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t36 = params[4]*t35; /* I3*R*R*2*I1*I1 */
     const double t37 = t36/params[0]; /* I3*R*R*2*I1*I1/m */
     out[25] = t37;
-    const double t38 = -t11; /* -I3*R*R*I1*(I1 - I3)/m */
-    out[26] = t38;
-    const double t39 = t9*t31; /* (I1 - I3)*R*I1 */
-    const double t40 = t39/params[0]; /* (I1 - I3)*R*I1/m */
+    const double t38 = t9*t31; /* (I1 - I3)*R*I1 */
+    const double t39 = t38/params[0]; /* (I1 - I3)*R*I1/m */
+    out[26] = t39;
+    const double t40 = params[0]/2.0; /* m/2 */
     out[27] = t40;
-    const double t41 = params[0]/2.0; /* m/2 */
+    const double t41 = params[4]/params[3]; /* I3/I1 */
     out[28] = t41;
-    const double t42 = params[4]/params[3]; /* I3/I1 */
-    out[29] = t42;
-    const double t43 = t2*params[0]; /* R*R*m */
-    const double t44 = params[3]*t43; /* I1*R*R*m */
-    const double t45 = params[6]*params[6]; /* G*G */
-    const double t46 = t45/t44; /* G*G/(I1*R*R*m) */
+    const double t42 = t2*params[0]; /* R*R*m */
+    const double t43 = params[3]*t42; /* I1*R*R*m */
+    const double t44 = params[6]*params[6]; /* G*G */
+    const double t45 = t44/t43; /* G*G/(I1*R*R*m) */
+    out[29] = t45;
+    const double t46 = params[4]/t42; /* I3/(R*R*m) */
     out[30] = t46;
-    const double t47 = params[4]/t43; /* I3/(R*R*m) */
+    const double t47 = params[3]/2.0; /* I1/2 */
     out[31] = t47;
-    const double t48 = params[3]/2.0; /* I1/2 */
+    const double t48 = params[0]*t34; /* m*I1*I1 */
     out[32] = t48;
-    const double t49 = params[0]*t34; /* m*I1*I1 */
-    out[33] = t49;
-    const double t50 = params[3]*params[0]; /* I1*m */
-    const double t51 = t9*t50; /* (I1 - I3)*I1*m */
+    const double t49 = params[3]*params[0]; /* I1*m */
+    const double t50 = t9*t49; /* (I1 - I3)*I1*m */
+    out[33] = t50;
+    const double t51 = 1.0/params[0]; /* 1/m */
     out[34] = t51;
-    const double t52 = 1.0/params[0]; /* 1/m */
-    out[35] = t52;
-    const double t53 = t45/params[0]; /* G*G/m */
-    out[37] = t53;
-    const double t54 = params[0]*2.0; /* m*2 */
-    const double t55 = t2*t2; /* R*R*R*R */
-    const double t56 = t54*t55; /* m*2*R*R*R*R */
-    const double t57 = t34*t56; /* I1*I1*m*2*R*R*R*R */
-    const double t58 = params[4]*t57; /* I3*I1*I1*m*2*R*R*R*R */
-    const double t59 = t9*t58; /* (I1 - I3)*I3*I1*I1*m*2*R*R*R*R */
-    out[38] = t59;
-    const double t60 = 2.0/params[0]; /* 2/m */
-    out[39] = t60;
-    const double t61 = params[6]*t14; /* G*I1*R*R*2 */
-    const double t62 = t9*t61; /* (I1 - I3)*G*I1*R*R*2 */
-    out[40] = t62;
-    const double t63 = t34*t54; /* I1*I1*m*2 */
-    out[41] = t63;
-    const double t64 = params[1]*t54; /* R*m*2 */
+    const double t52 = t44/params[0]; /* G*G/m */
+    out[36] = t52;
+    const double t53 = t2*t2; /* R*R*R*R */
+    const double t54 = (-4.0)*t53; /* (-4)*R*R*R*R */
+    const double t55 = t34*t54; /* I1*I1*(-4)*R*R*R*R */
+    const double t56 = params[4]*t55; /* I3*I1*I1*(-4)*R*R*R*R */
+    const double t57 = t9*t56; /* (I1 - I3)*I3*I1*I1*(-4)*R*R*R*R */
+    out[37] = t57;
+    const double t58 = t2*(-2.0); /* R*R*(-2) */
+    const double t59 = params[3]*t58; /* I1*R*R*(-2) */
+    const double t60 = params[6]*t59; /* G*I1*R*R*(-2) */
+    const double t61 = t9*t60; /* (I1 - I3)*G*I1*R*R*(-2) */
+    out[38] = t61;
+    const double t62 = params[0]*2.0; /* m*2 */
+    const double t63 = t34*t62; /* I1*I1*m*2 */
+    out[39] = t63;
+    const double t64 = params[1]*t62; /* R*m*2 */
     const double t65 = t34*t64; /* I1*I1*R*m*2 */
-    out[42] = t65;
+    out[40] = t65;
     const double t66 = t9*t35; /* (I1 - I3)*R*R*2*I1*I1 */
-    out[43] = t66;
-    const double t67 = params[3]*t34; /* I1*I1*I1 */
-    const double t68 = t56*t67; /* m*2*R*R*R*R*I1*I1*I1 */
-    const double t69 = t9*t68; /* (I1 - I3)*m*2*R*R*R*R*I1*I1*I1 */
-    out[44] = t69;
+    out[41] = t66;
+    const double t67 = 4.0*t53; /* 4*R*R*R*R */
+    const double t68 = params[3]*t34; /* I1*I1*I1 */
+    const double t69 = t67*t68; /* 4*R*R*R*R*I1*I1*I1 */
+    const double t70 = t9*t69; /* (I1 - I3)*4*R*R*R*R*I1*I1*I1 */
+    out[42] = t70;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -255,82 +254,82 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[5] = t18;
     const double t19 = JLT_FMA(t3, t14, t13); /* v_tau*R*I3*gamma3*1/K + 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
     out[8] = t19;
-    const double t20 = t10*t13; /* 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t21 = x[4]*t20; /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t22 = p[15]*t21; /* 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t23 = JLT_FMS(t10, p[7], t22); /* 1/K*R*G - 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t24 = x[3]*t23; /* v_tau*(1/K*R*G - 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)) */
-    out[9] = t24;
-    const double t25 = t14*p[16]; /* gamma3*1/K*4*R^2*I3 */
-    const double t26 = JLT_FMS(t15, t25, t20); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*gamma3*1/K*4*R^2*I3 - 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t27 = x[4]*x[3]; /* s*v_tau */
-    const double t28 = JLT_FNMA(x[0], p[12], t27); /* s*v_tau - gamma3*G/I1 */
-    const double t29 = p[8]*t28; /* R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t30 = x[4]*t29; /* s*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t31 = t10*t30; /* 1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t32 = t10*t31; /* 1/K*1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t33 = JLT_FMA(2.0, t15, t32); /* 2*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K + 1/K*1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t34 = t28*p[17]; /* (s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t20 = t10*p[7]; /* 1/K*R*G */
+    const double t21 = x[4]*t10; /* s*1/K */
+    const double t22 = t13*t21; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
+    const double t23 = p[15]*t22; /* 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
+    const double t24 = t20 - t23; /* 1/K*R*G - 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
+    const double t25 = x[3]*t24; /* v_tau*(1/K*R*G - 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K) */
+    out[9] = t25;
+    const double t26 = x[0]*p[16]; /* gamma3*4*R^2*I3 */
+    const double t27 = JLT_FMS(t15, t26, t13); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*gamma3*4*R^2*I3 - 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t28 = p[8]*t10; /* R*I3*1/K */
+    const double t29 = x[4]*x[3]; /* s*v_tau */
+    const double t30 = JLT_FNMA(x[0], p[12], t29); /* s*v_tau - gamma3*G/I1 */
+    const double t31 = t21*t30; /* s*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t32 = t28*t31; /* R*I3*1/K*s*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t33 = JLT_FMA(2.0, t15, t32); /* 2*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K + R*I3*1/K*s*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t34 = t30*p[17]; /* (s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
     const double t35 = t14*t34; /* gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
-    const double t36 = t21*t35; /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
-    const double t37 = JLT_FMA(t21, p[18], t36); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*G/I1 + t36 */
-    const double t38 = JLT_FMA(t12, t26, t37); /* (v_tau*R*I3*gamma3 + s*R*G)*t26 + s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*G/I1 + t36 */
+    const double t36 = t22*t35; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t37 = JLT_FMA(t22, p[18], t36); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*R*I3*G/I1 + t36 */
+    const double t38 = JLT_FMA(t13, t27, t37); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*t27 + 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*R*I3*G/I1 + t36 */
     const double t39 = JLT_FNMA(t3, t33, t38); /* t38 - v_tau*R*I3*t33 */
     out[10] = t39;
-    const double t40 = x[4]*t21; /* s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t41 = JLT_FMA(x[0], t33, t40); /* gamma3*t33 + s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t42 = p[19]*t41; /* (-R*I3)*(gamma3*t33 + s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)) */
+    const double t40 = x[4]*t22; /* s*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
+    const double t41 = JLT_FMA(x[0], t33, t40); /* gamma3*t33 + s*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
+    const double t42 = p[19]*t41; /* (-R*I3)*(gamma3*t33 + s*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K) */
     out[13] = t42;
-    const double t43 = t20*t29; /* 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t44 = JLT_FMA(t12, t14, t31); /* (v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K + 1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t45 = JLT_FNMA(p[20], t44, t3); /* v_tau*R*I3 - 4*R^2*I1*t44 */
-    const double t46 = JLT_FMA(p[7], t33, t43); /* R*G*t33 + t43 */
-    const double t47 = JLT_FMA(t21, t45, t46); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*(v_tau*R*I3 - 4*R^2*I1*t44) + R*G*t33 + t43 */
-    const double t48 = -t47; /* -t47 */
-    out[14] = t48;
-    const double t49 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t50 = t6*t9; /* 1/(Theta/m) = K*1/(K*Theta/m) */
-    const double t51 = p[11]*t49; /* I1*I3/m*V */
-    const double t52 = JLT_FNMA(t50, t51, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t53 = t10*t52; /* 1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t54 = t1*t28; /* s*omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t55 = p[13]*t54; /* R^2*I1*I3*(I1 - I3)/m*s*omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t56 = t9*t55; /* 1/(K*Theta/m)*R^2*I1*I3*(I1 - I3)/m*s*omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t57 = t10 + t50; /* 1/K + 1/(Theta/m) */
-    const double t58 = x[0]*p[22]; /* gamma3*R^2*(I1 - I3) */
-    const double t59 = t54*t58; /* s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) */
-    const double t60 = JLT_FNMA(t12, t49, t59); /* s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) - (v_tau*R*I3*gamma3 + s*R*G)*V */
-    const double t61 = t9*t60; /* 1/(K*Theta/m)*t60 */
-    const double t62 = t57*t61; /* (1/K + 1/(Theta/m))*1/(K*Theta/m)*t60 */
-    const double t63 = x[0]*p[21]; /* gamma3*2*R^2*I1*I3^2/m */
-    const double t64 = t14*t50; /* gamma3*1/K*1/(Theta/m) */
-    const double t65 = t1*p[23]; /* s*omega_tau*R^2*I3*G*(I1 - I3)/m */
-    const double t66 = JLT_FMS(t62, t63, t56); /* (1/K + 1/(Theta/m))*1/(K*Theta/m)*t60*gamma3*2*R^2*I1*I3^2/m - t56 */
-    const double t67 = JLT_FMA(t64, t65, t66); /* gamma3*1/K*1/(Theta/m)*s*omega_tau*R^2*I3*G*(I1 - I3)/m + t66 */
-    const double t68 = JLT_FNMA(t3, t53, t67); /* t67 - v_tau*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t69 = JLT_FMA(t16, x[1], t68); /* 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*v_nu + t67 - v_tau*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    out[15] = t69;
-    const double t70 = t12*t50; /* (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
-    const double t71 = -t70; /* -(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
-    out[16] = t71;
-    const double t72 = t50*p[24]; /* 1/(Theta/m)*R*I1*I3/m */
-    const double t73 = t13*t72; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m */
-    const double t74 = p[13]*t64; /* R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    const double t75 = x[4]*t74; /* s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    const double t76 = JLT_FNMA(t28, t75, t73); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m - (s*v_tau - gamma3*G/I1)*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    out[17] = t76;
-    const double t77 = p[8]*t14; /* R*I3*gamma3*1/K */
-    const double t78 = t52*t77; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
-    const double t79 = JLT_FMA(t1, t75, t78); /* s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) + (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
-    const double t80 = -t79; /* -t79 */
-    out[18] = t80;
-    const double t81 = p[7]*t53; /* R*G*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t82 = x[2]*t28; /* omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t83 = JLT_FMA(t1, x[3], t82); /* s*omega_tau*v_tau + omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t84 = x[4]*p[25]; /* s*2*R^2*I1^2*I3/m */
-    const double t85 = JLT_FMS(t62, t84, t81); /* (1/K + 1/(Theta/m))*1/(K*Theta/m)*t60*s*2*R^2*I1^2*I3/m - R*G*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t86 = JLT_FNMA(t74, t83, t85); /* t85 - R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m)*(s*omega_tau*v_tau + omega_tau*(s*v_tau - gamma3*G/I1)) */
-    const double t87 = JLT_FMA(t22, x[1], t86); /* 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*v_nu + t86 */
+    const double t43 = t29 + t30; /* s*v_tau + s*v_tau - gamma3*G/I1 */
+    const double t44 = t13*t43; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t45 = t28*t44; /* R*I3*1/K*t44 */
+    const double t46 = t12*t14; /* (v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
+    const double t47 = JLT_FMA(p[8], t31, t46); /* R*I3*s*1/K*(s*v_tau - gamma3*G/I1) + (v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
+    const double t48 = t22*p[20]; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*4*R^2*I1 */
+    const double t49 = JLT_FMS(t47, t48, t45); /* t47*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*4*R^2*I1 - R*I3*1/K*t44 */
+    const double t50 = JLT_FNMA(p[7], t33, t49); /* t49 - R*G*t33 */
+    out[14] = t50;
+    const double t51 = t6*t9; /* 1/(Theta/m) = K*1/(K*Theta/m) */
+    const double t52 = t1*t30; /* s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t53 = t51*t52; /* 1/(Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t54 = p[13]*t53; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t55 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t56 = t51*t55; /* 1/(Theta/m)*V */
+    const double t57 = JLT_FNMA(p[11], t56, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
+    const double t58 = JLT_FMA(t3, t57, t54); /* v_tau*R*I3*(v_nu - I1*I3/m*1/(Theta/m)*V) + t54 */
+    const double t59 = t16*x[1]; /* 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*v_nu */
+    const double t60 = t10 + t51; /* 1/K + 1/(Theta/m) */
+    const double t61 = x[0]*p[22]; /* gamma3*R^2*(I1 - I3) */
+    const double t62 = t53*t61; /* 1/(Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) */
+    const double t63 = JLT_FNMA(t12, t56, t62); /* t62 - (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*V */
+    const double t64 = t60*t63; /* (1/K + 1/(Theta/m))*(t62 - (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*V) */
+    const double t65 = t14*p[21]; /* gamma3*1/K*2*R^2*I1*I3^2/m */
+    const double t66 = t14*t51; /* gamma3*1/K*1/(Theta/m) */
+    const double t67 = t1*p[23]; /* s*omega_tau*R^2*I3*G*(I1 - I3)/m */
+    const double t68 = JLT_FMA(t66, t67, t59); /* gamma3*1/K*1/(Theta/m)*s*omega_tau*R^2*I3*G*(I1 - I3)/m + 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*v_nu */
+    const double t69 = JLT_FMA(t64, t65, t68); /* t64*gamma3*1/K*2*R^2*I1*I3^2/m + t68 */
+    const double t70 = JLT_FNMA(t10, t58, t69); /* t64*gamma3*1/K*2*R^2*I1*I3^2/m + t68 - 1/K*(v_tau*R*I3*(v_nu - I1*I3/m*1/(Theta/m)*V) + t54) */
+    out[15] = t70;
+    const double t71 = t12*t51; /* (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
+    const double t72 = -t71; /* -(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
+    out[16] = t72;
+    const double t73 = t51*p[24]; /* 1/(Theta/m)*R*I1*I3/m */
+    const double t74 = t13*t73; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m */
+    const double t75 = p[13]*t66; /* R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    const double t76 = x[4]*t75; /* s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    const double t77 = JLT_FNMA(t30, t76, t74); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m - (s*v_tau - gamma3*G/I1)*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    out[17] = t77;
+    const double t78 = t1*t76; /* s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    const double t79 = p[8]*t14; /* R*I3*gamma3*1/K */
+    const double t80 = JLT_FMA(t57, t79, t78); /* (v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*gamma3*1/K + s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    const double t81 = -t80; /* -t80 */
+    out[18] = t81;
+    const double t82 = t20*t57; /* 1/K*R*G*(v_nu - I1*I3/m*1/(Theta/m)*V) */
+    const double t83 = x[2]*t43; /* omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t84 = t21*p[25]; /* s*1/K*2*R^2*I1^2*I3/m */
+    const double t85 = JLT_FMS(t23, x[1], t82); /* 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*v_nu - 1/K*R*G*(v_nu - I1*I3/m*1/(Theta/m)*V) */
+    const double t86 = JLT_FNMA(t75, t83, t85); /* t85 - R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m)*omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t87 = JLT_FMA(t64, t84, t86); /* t64*s*1/K*2*R^2*I1^2*I3/m + t86 */
     out[19] = t87;
     const double t88 = -t1; /* -s*omega_tau */
     out[20] = t88;
@@ -367,109 +366,108 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t10 = x[3]*p[8]; /* v_tau*R*I3 */
     const double t11 = JLT_FMA(x[0], t10, t9); /* gamma3*v_tau*R*I3 + s*R*G */
     const double t12 = x[4]*x[3]; /* s*v_tau */
-    const double t13 = JLT_FNMA(x[0], p[12], t12); /* s*v_tau - gamma3*G/I1 */
-    const double t14 = t12 + t13; /* s*v_tau + s*v_tau - gamma3*G/I1 */
-    const double t15 = t7*t14; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t17 = t7*t11; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t18 = t11*t16; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
-    const double t19 = p[11]*t16; /* I1*I3/m*V */
-    const double t20 = JLT_FNMA(t8, t19, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t21 = x[3]*t17; /* v_tau*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[1] = t21;
-    const double t22 = x[4]*t7; /* s*1/K */
-    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t24 = -t23; /* -omega_tau*gamma3 */
-    out[29] = t24;
-    const double t25 = t13*t22; /* (s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t26 = p[22]*t13; /* R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
-    const double t27 = x[4]*t23; /* s*omega_tau*gamma3 */
-    const double t28 = JLT_FNMA(t26, t27, t18); /* (gamma3*v_tau*R*I3 + s*R*G)*V - R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1)*s*omega_tau*gamma3 */
-    const double t29 = -t27; /* -s*omega_tau*gamma3 */
-    out[4] = t29;
-    const double t30 = p[26]*t27; /* (-R^2*I1*I3*(I1 - I3)/m)*s*omega_tau*gamma3 */
-    const double t31 = t7*t10; /* 1/K*v_tau*R*I3 */
-    const double t32 = p[7]*t7; /* R*G*1/K */
-    const double t33 = t17*t22; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t34 = t8*t22; /* 1/(Theta/m)*s*1/K */
-    const double t35 = x[0]*t17; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t36 = p[8]*t25; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t13 = x[4]*x[2]; /* s*omega_tau */
+    const double t14 = 2.0*t13; /* 2*s*omega_tau */
+    out[9] = t14;
+    const double t15 = -t13; /* -s*omega_tau */
+    out[25] = t15;
+    const double t16 = JLT_FNMA(x[0], p[12], t12); /* s*v_tau - gamma3*G/I1 */
+    const double t17 = t12 + t16; /* s*v_tau + s*v_tau - gamma3*G/I1 */
+    const double t18 = t7*t17; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t19 = x[4]*t7; /* s*1/K */
+    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t21 = t7*t11; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t22 = t11*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
+    const double t23 = p[11]*t20; /* I1*I3/m*V */
+    const double t24 = JLT_FNMA(t8, t23, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t25 = x[3]*t21; /* v_tau*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[1] = t25;
+    const double t26 = t16*t19; /* (s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t27 = p[22]*t16; /* R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
+    const double t28 = x[0]*t13; /* gamma3*s*omega_tau */
+    const double t29 = JLT_FNMA(t27, t28, t22); /* (gamma3*v_tau*R*I3 + s*R*G)*V - R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1)*gamma3*s*omega_tau */
+    const double t30 = -t28; /* -gamma3*s*omega_tau */
+    out[4] = t30;
+    const double t31 = t8*t29; /* 1/(Theta/m)*t29 */
+    const double t32 = x[4]*t13; /* s*s*omega_tau */
+    out[0] = t32;
+    const double t33 = p[23]*t13; /* R^2*I3*G*(I1 - I3)/m*s*omega_tau */
+    const double t34 = t8*t33; /* 1/(Theta/m)*R^2*I3*G*(I1 - I3)/m*s*omega_tau */
+    const double t35 = p[8]*t26; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t36 = x[0]*t21; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
     const double t37 = p[13]*t8; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t38 = t25*t37; /* (s*v_tau - gamma3*G/I1)*s*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t39 = t23*t37; /* omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t40 = p[14]*t17; /* 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t41 = x[0]*t7; /* gamma3*1/K */
-    const double t42 = JLT_FMA(t10, t41, t17); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[13] = t42;
-    const double t43 = t7 + t8; /* 1/K + 1/(Theta/m) */
-    const double t44 = t28*t43; /* t28*(1/K + 1/(Theta/m)) */
-    const double t45 = p[15]*t33; /* 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t46 = t17*t17; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t47 = JLT_FMS(p[18], t33, t46); /* R*I3*G/I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t46 */
-    const double t48 = p[8]*t15; /* R*I3*1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t49 = t17*t48; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I3*1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t50 = t20*t31; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
-    const double t51 = p[23]*t23; /* R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 */
-    const double t52 = JLT_FMS(t34, t51, t50); /* 1/(Theta/m)*s*1/K*R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
-    const double t53 = JLT_FNMA(x[2], t38, t52); /* t52 - omega_tau*t38 */
-    const double t54 = t20*t32; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t55 = JLT_FMS(x[1], t45, t54); /* v_nu*2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t56 = JLT_FNMA(t15, t39, t55); /* t55 - 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t57 = t32 - t45; /* R*G*1/K - 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t58 = x[3]*t57; /* v_tau*(R*G*1/K - 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K) */
-    out[14] = t58;
-    const double t59 = t35 + t36; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t60 = JLT_FMA(2.0, t35, t36); /* 2*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t61 = JLT_FNMA(t31, t60, t47); /* R*I3*G/I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t46 - 1/K*v_tau*R*I3*t60 */
-    const double t62 = JLT_FNMA(t40, t41, t31); /* 1/K*v_tau*R*I3 - 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G)*gamma3*1/K */
-    const double t63 = x[3]*t62; /* v_tau*t62 */
-    out[10] = t63;
-    const double t64 = x[1]*t40; /* v_nu*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t65 = t17*t20; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t66 = JLT_FMA(t23, t38, t65); /* omega_tau*gamma3*t38 + t65 */
-    const double t67 = -t66; /* -(omega_tau*gamma3*t38 + t65) */
-    out[3] = t67;
-    const double t68 = x[4]*t33; /* s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t69 = p[20]*t33; /* 4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t70 = JLT_FMS(t59, t69, t49); /* t59*4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t49 */
-    const double t71 = JLT_FNMA(t32, t60, t70); /* t59*4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t49 - R*G*1/K*t60 */
-    out[19] = t71;
-    const double t72 = JLT_FMA(t41, t60, t68); /* gamma3*1/K*t60 + s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t73 = p[19]*t72; /* (-R*I3)*(gamma3*1/K*t60 + s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K) */
-    out[18] = t73;
-    const double t74 = t17*t59; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t59 */
-    const double t75 = -t74; /* -1/K*(gamma3*v_tau*R*I3 + s*R*G)*t59 */
-    out[2] = t75;
-    const double t76 = p[21]*t8; /* 2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t77 = JLT_FNMA(t44, t76, t64); /* v_nu*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t28*(1/K + 1/(Theta/m))*2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t78 = JLT_FMA(t41, t77, t53); /* gamma3*1/K*t77 + t52 - omega_tau*t38 */
+    const double t38 = t26*t37; /* (s*v_tau - gamma3*G/I1)*s*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t39 = t32*t37; /* s*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t40 = JLT_FMA(p[8], t24, t39); /* R*I3*(v_nu - 1/(Theta/m)*I1*I3/m*V) + s*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t41 = p[7]*t7; /* R*G*1/K */
+    const double t42 = t19*t21; /* s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t43 = p[25]*t19; /* 2*R^2*I1^2*I3/m*s*1/K */
+    const double t44 = t7*t10; /* 1/K*v_tau*R*I3 */
+    const double t45 = x[0]*t7; /* gamma3*1/K */
+    const double t46 = JLT_FMA(t10, t45, t21); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[13] = t46;
+    const double t47 = t7 + t8; /* 1/K + 1/(Theta/m) */
+    const double t48 = t31*t47; /* 1/(Theta/m)*t29*(1/K + 1/(Theta/m)) */
+    const double t49 = t8*t21; /* 1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t50 = t40*t45; /* t40*gamma3*1/K */
+    const double t51 = -t50; /* -t40*gamma3*1/K */
+    out[23] = t51;
+    const double t52 = JLT_FMS(p[11], t49, t21); /* I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[21] = t52;
+    const double t53 = p[24]*t49; /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t54 = JLT_FNMA(x[0], t38, t53); /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - gamma3*t38 */
+    out[22] = t54;
+    const double t55 = x[2]*t38; /* omega_tau*t38 */
+    const double t56 = p[14]*t21; /* 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t57 = JLT_FMA(x[1], t56, t34); /* v_nu*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + 1/(Theta/m)*R^2*I3*G*(I1 - I3)/m*s*omega_tau */
+    const double t58 = JLT_FNMA(t45, t56, t44); /* 1/K*v_tau*R*I3 - gamma3*1/K*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t59 = x[3]*t58; /* v_tau*t58 */
+    out[10] = t59;
+    const double t60 = JLT_FNMA(p[21], t48, t57); /* t57 - 2*R^2*I1*I3^2/m*1/(Theta/m)*t29*(1/K + 1/(Theta/m)) */
+    const double t61 = p[15]*t42; /* 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t62 = JLT_FMA(2.0, t36, t35); /* 2*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t63 = t35 + t36; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K + gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t64 = p[8]*t21; /* R*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t65 = t18*t64; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*R*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t66 = t24*t41; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
+    const double t67 = JLT_FMS(x[1], t61, t66); /* v_nu*2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
+    const double t68 = t41 - t61; /* R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t69 = x[3]*t68; /* v_tau*(R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
+    out[14] = t69;
+    const double t70 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t71 = t37*t70; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*omega_tau*gamma3 */
+    const double t72 = JLT_FNMA(t18, t71, t67); /* t67 - 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*omega_tau*gamma3 */
+    const double t73 = JLT_FNMA(t43, t48, t72); /* t72 - 2*R^2*I1^2*I3/m*s*1/K*1/(Theta/m)*t29*(1/K + 1/(Theta/m)) */
+    out[24] = t73;
+    const double t74 = -t70; /* -omega_tau*gamma3 */
+    out[29] = t74;
+    const double t75 = t21*t24; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t76 = JLT_FMA(x[0], t55, t75); /* gamma3*omega_tau*t38 + t75 */
+    const double t77 = JLT_FMA(t24, t44, t55); /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 + omega_tau*t38 */
+    const double t78 = JLT_FMS(t45, t60, t77); /* gamma3*1/K*(t57 - 2*R^2*I1*I3^2/m*1/(Theta/m)*t29*(1/K + 1/(Theta/m))) - t77 */
     out[20] = t78;
-    const double t79 = t8*t17; /* 1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t80 = JLT_FMS(p[11], t79, t17); /* I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[21] = t80;
-    const double t81 = p[24]*t79; /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t82 = JLT_FNMA(x[0], t38, t81); /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - gamma3*t38 */
-    out[22] = t82;
-    const double t83 = p[19]*t41; /* (-R*I3)*gamma3*1/K */
-    const double t84 = t20*t83; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*(-R*I3)*gamma3*1/K */
-    const double t85 = JLT_FMA(t30, t34, t84); /* (-R^2*I1*I3*(I1 - I3)/m)*s*omega_tau*gamma3*1/(Theta/m)*s*1/K + (v_nu - 1/(Theta/m)*I1*I3/m*V)*(-R*I3)*gamma3*1/K */
-    out[23] = t85;
-    const double t86 = p[16]*t41; /* 4*R^2*I3*gamma3*1/K */
-    const double t87 = JLT_FMA(t74, t86, t61); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t59*4*R^2*I3*gamma3*1/K + t61 */
-    out[15] = t87;
-    const double t88 = p[25]*t34; /* 2*R^2*I1^2*I3/m*1/(Theta/m)*s*1/K */
-    const double t89 = JLT_FNMA(t44, t88, t56); /* t56 - t28*(1/K + 1/(Theta/m))*2*R^2*I1^2*I3/m*1/(Theta/m)*s*1/K */
-    out[24] = t89;
-    const double t90 = x[4]*x[2]; /* s*omega_tau */
-    const double t91 = x[4]*t90; /* s*s*omega_tau */
-    out[0] = t91;
-    const double t92 = 2.0*t90; /* 2*s*omega_tau */
-    out[9] = t92;
-    const double t93 = -t90; /* -s*omega_tau */
-    out[25] = t93;
-    const double t94 = x[4]*x[0]; /* s*gamma3 */
-    const double t95 = -t94; /* -s*gamma3 */
-    out[27] = t95;
+    const double t79 = -t76; /* -(gamma3*omega_tau*t38 + t75) */
+    out[3] = t79;
+    const double t80 = t44*t62; /* 1/K*v_tau*R*I3*t62 */
+    const double t81 = JLT_FMS(p[18], t42, t80); /* R*I3*G/I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*v_tau*R*I3*t62 */
+    const double t82 = p[16]*t45; /* 4*R^2*I3*gamma3*1/K */
+    const double t83 = JLT_FMS(t63, t82, t21); /* t63*4*R^2*I3*gamma3*1/K - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t84 = JLT_FMA(t21, t83, t81); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(t63*4*R^2*I3*gamma3*1/K - 1/K*(gamma3*v_tau*R*I3 + s*R*G)) + t81 */
+    out[15] = t84;
+    const double t85 = t21*t63; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t63 */
+    const double t86 = -t85; /* -1/K*(gamma3*v_tau*R*I3 + s*R*G)*t63 */
+    out[2] = t86;
+    const double t87 = x[4]*t42; /* s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t88 = JLT_FMA(t45, t62, t87); /* gamma3*1/K*t62 + s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t89 = p[19]*t88; /* (-R*I3)*(gamma3*1/K*t62 + s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
+    out[18] = t89;
+    const double t90 = p[20]*t42; /* 4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t91 = JLT_FMS(t63, t90, t65); /* t63*4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t65 */
+    const double t92 = JLT_FNMA(t41, t62, t91); /* t63*4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t65 - R*G*1/K*t62 */
+    out[19] = t92;
+    const double t93 = x[4]*x[0]; /* s*gamma3 */
+    const double t94 = -t93; /* -s*gamma3 */
+    out[27] = t94;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -480,40 +478,41 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s*s */
     const double t4 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
     const double t5 = p[11]*t4; /* I1*I3/m*V */
-    const double t6 = x[2]*p[27]; /* omega_tau*R*I1*(I1 - I3)/m */
+    const double t6 = x[2]*p[26]; /* omega_tau*R*I1*(I1 - I3)/m */
     const double t7 = JLT_FNMA(t0, t6, t5); /* I1*I3/m*V - s*s*omega_tau*R*I1*(I1 - I3)/m */
     const double t8 = p[11] + t3; /* Theta/m = I1*I3/m + K */
     const double t9 = JLT_FNMA(x[1], t8, t7); /* I1*I3/m*V - s*s*omega_tau*R*I1*(I1 - I3)/m - v_nu*Theta/m */
     const double t10 = t3*t8; /* K*Theta/m */
     const double t11 = p[8]*t9; /* R*I3*(I1*I3/m*V - s*s*omega_tau*R*I1*(I1 - I3)/m - v_nu*Theta/m) */
     const double t12 = t11/t10; /* t11/(K*Theta/m) */
-    const double t13 = t12 - x[2]; /* t11/(K*Theta/m) - omega_tau */
-    const double t14 = x[0]*t13; /* gamma3*(t11/(K*Theta/m) - omega_tau) */
-    out[0] = t14;
+    const double t13 = x[2] - t12; /* omega_tau - t11/(K*Theta/m) */
+    const double t14 = x[0]*t13; /* gamma3*(omega_tau - t11/(K*Theta/m)) */
+    const double t15 = -t14; /* -gamma3*(omega_tau - t11/(K*Theta/m)) */
+    out[0] = t15;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
     const double t1 = x[4]*x[4]; /* s*s */
-    const double t2 = p[29]*x[0]; /* I3/I1*gamma3 */
+    const double t2 = p[28]*x[0]; /* I3/I1*gamma3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* K/(R^2*I1) = gamma3*I3/I1*gamma3 + s*s */
     const double t4 = 1.0/t3; /* 1/(K/(R^2*I1)) */
-    const double t5 = t3 + p[31]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
+    const double t5 = t3 + p[30]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
     const double t6 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t7 = JLT_FMA(t5, t6, p[30]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t7 = JLT_FMA(t5, t6, p[29]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
     const double t8 = JLT_FMA(t4, t7, t0); /* 1/(K/(R^2*I1))*(Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1)) + v_nu*v_nu */
-    const double t9 = p[28]*t8; /* 1/2*m*t8 */
-    const double t10 = p[32]*x[2]; /* 1/2*I1*omega_tau */
+    const double t9 = p[27]*t8; /* 1/2*m*t8 */
+    const double t10 = p[31]*x[2]; /* 1/2*I1*omega_tau */
     const double t11 = JLT_FMA(x[2], t10, t9); /* omega_tau*1/2*I1*omega_tau + 1/2*m*t8 */
     out[0] = t11;
     const double t12 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t13 = p[33]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t13 = p[32]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t14 = t12*t13; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t15 = x[4]*x[3]; /* s*v_tau */
     const double t16 = JLT_FNMA(x[0], p[12], t15); /* s*v_tau - gamma3*G/I1 */
     const double t17 = t4*t16; /* 1/(K/(R^2*I1))*(s*v_tau - gamma3*G/I1) */
-    const double t18 = t5*p[34]; /* Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
+    const double t18 = t5*p[33]; /* Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
     const double t19 = t17*t18; /* 1/(K/(R^2*I1))*(s*v_tau - gamma3*G/I1)*Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
     const double t20 = JLT_FMA(t17, t19, t14); /* 1/(K/(R^2*I1))*(s*v_tau - gamma3*G/I1)*t19 + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t20;
@@ -521,49 +520,49 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[10]*x[0]; /* R^2*I3*gamma3 */
-    const double t1 = x[4]*p[9]; /* s*R^2*I1 */
-    const double t2 = x[4]*t1; /* s*s*R^2*I1 */
-    const double t3 = JLT_FMA(x[0], t0, t2); /* K = gamma3*R^2*I3*gamma3 + s*s*R^2*I1 */
+    const double t0 = x[4]*p[9]; /* s*R^2*I1 */
+    const double t1 = x[4]*t0; /* s*s*R^2*I1 */
+    const double t2 = x[0]*p[10]; /* gamma3*R^2*I3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + s*s*R^2*I1 */
     const double t4 = 1.0/t3; /* 1/K */
-    const double t5 = JLT_FMA(p[0], t3, p[36]); /* Theta = m*K + I1*I3 */
+    const double t5 = JLT_FMA(p[0], t3, p[35]); /* Theta = m*K + I1*I3 */
     const double t6 = t4*t5; /* 1/K*Theta */
     const double t7 = x[3]*t6; /* v_tau*1/K*Theta */
     out[3] = t7;
-    const double t8 = JLT_FNMA(p[35], t7, x[3]); /* v_tau - 1/m*v_tau*1/K*Theta */
+    const double t8 = JLT_FNMA(p[34], t7, x[3]); /* v_tau - 1/m*v_tau*1/K*Theta */
     const double t9 = x[3]*t8; /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) */
-    const double t10 = JLT_FNMA(t4, p[37], t9); /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m */
+    const double t10 = JLT_FNMA(t4, p[36], t9); /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m */
     const double t11 = p[0]*t4; /* m*1/K */
     const double t12 = t10*t11; /* (v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
-    const double t13 = t0*t12; /* R^2*I3*gamma3*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
+    const double t13 = t2*t12; /* gamma3*R^2*I3*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
     out[0] = t13;
     const double t14 = p[0]*x[1]; /* m*v_nu */
     out[1] = t14;
     const double t15 = p[3]*x[2]; /* I1*omega_tau */
     out[2] = t15;
-    const double t16 = t1*t12; /* s*R^2*I1*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
+    const double t16 = t0*t12; /* s*R^2*I1*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
     out[4] = t16;
     const double t17 = x[4]*x[3]; /* s*v_tau */
     const double t18 = JLT_FNMA(x[0], p[12], t17); /* s*v_tau - gamma3*G/I1 */
     const double t19 = t4*t18; /* 1/K*(s*v_tau - gamma3*G/I1) */
     const double t20 = t6*t19; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t21 = JLT_FNMA(p[39], t20, t19); /* 1/K*(s*v_tau - gamma3*G/I1) - 2/m*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t21 = JLT_FNMA(t19, p[27], t20); /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) - 1/K*(s*v_tau - gamma3*G/I1)*1/2*m */
     const double t22 = t19*t21; /* 1/K*(s*v_tau - gamma3*G/I1)*t21 */
-    const double t23 = x[0]*p[38]; /* gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
-    const double t24 = t22*t23; /* 1/K*(s*v_tau - gamma3*G/I1)*t21*gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
-    const double t25 = JLT_FNMA(t20, p[40], t24); /* t24 - 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1*G*(I1 - I3) */
+    const double t23 = x[0]*p[37]; /* gamma3*(-4*R^4*I1^2*I3*(I1 - I3)) */
+    const double t24 = t22*t23; /* 1/K*(s*v_tau - gamma3*G/I1)*t21*gamma3*(-4*R^4*I1^2*I3*(I1 - I3)) */
+    const double t25 = JLT_FMA(t20, p[38], t24); /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*(-2*R^2*I1*G*(I1 - I3)) + t24 */
     out[5] = t25;
     const double t26 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t27 = p[41]*t26; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t27 = p[39]*t26; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[6] = t27;
-    const double t28 = t26*p[42]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t28 = t26*p[40]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[7] = t28;
-    const double t29 = t20*p[43]; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t29 = t20*p[41]; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
     const double t30 = x[4]*t29; /* s*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
     out[8] = t30;
     const double t31 = x[3]*t29; /* v_tau*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
-    const double t32 = x[4]*p[44]; /* s*2*m*R^4*I1^3*(I1 - I3) */
-    const double t33 = JLT_FMA(t22, t32, t31); /* 1/K*(s*v_tau - gamma3*G/I1)*t21*s*2*m*R^4*I1^3*(I1 - I3) + t31 */
+    const double t32 = x[4]*p[42]; /* s*4*R^4*I1^3*(I1 - I3) */
+    const double t33 = JLT_FNMA(t22, t32, t31); /* t31 - 1/K*(s*v_tau - gamma3*G/I1)*t21*s*4*R^4*I1^3*(I1 - I3) */
     out[9] = t33;
 }
 
@@ -731,21 +730,21 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af",
+    .sha256 = "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
-    .state_count = 5, .param_count = 7, .block_count = 45,
+    .state_count = 5, .param_count = 7, .block_count = 43,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 22, 7, 1, 0, 0, 12, 7 }, { 16, 71, 0, 6, 0, 0, 10, 8 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), a part of d(omega_tau)/dtau, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(v_tau)/dtau" },
-    .jacobian = { jacobian, 25, { 8, 55, 29, 1, 0, 0, 14, 19 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in v_tau*(R*I3)*gamma3 + s*(R*G), a part of d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), 1/K*(R*G) - (2*R^2*I1)*s*1/K*1/K*(v_tau*(R*I3)*gamma3 + s*(R*G)), a part of d(d(omega_tau)/dtau)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), s*omega_tau*v_tau + omega_tau*(s*v_tau - gamma3*(G/I1)), d(d(v_tau)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 58, 26, 1, 0, 0, 13, 23 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau), (R*G)*1/K - (2*R^2*I1)*1/K*(gamma3*v_tau*(R*I3) + s*(R*G))*s*1/K, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(v_tau)/dtau, d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(s)" },
-    .divergence = { divergence, 1, { 2, 8, 4, 1, 0, 0, 9, 5 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
+    .jacobian = { jacobian, 25, { 9, 57, 26, 1, 0, 0, 14, 21 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in v_tau*(R*I3)*gamma3 + s*(R*G), a part of d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), 1/K*(R*G) - (2*R^2*I1)*1/K*(v_tau*(R*I3)*gamma3 + s*(R*G))*s*1/K, a part of d(d(omega_tau)/dtau)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), s*v_tau + s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), V = omega_tau*R + v_nu, v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 12, 56, 26, 1, 0, 0, 14, 19 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(v_tau), d(d(v_nu)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), d(d(v_tau)/dtau)/d(s), a part of d(v_tau)/dtau, d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(s)" },
+    .divergence = { divergence, 1, { 3, 8, 4, 1, 0, 0, 10, 5 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, (I1*I3/m)*V - s*s*omega_tau*(R*I1*(I1 - I3)/m) - v_nu*Theta/m, a part of the divergence" },
     .integral_values = { integral_values, 2, { 1, 12, 7, 1, 0, 0, 7, 5 }, { 9, 35, 0, 3, 0, 0, 12, 6 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in omega_tau*R + v_nu, s*v_tau - gamma3*(G/I1), F0" },

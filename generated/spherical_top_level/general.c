@@ -1,38 +1,37 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
- *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
+ *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   30   13    1    1    0     16   11   (110)
- *  jacobian            9   60   34    1    1    0     18   26   (567)
- *  rhs_jacobian        10   61   36    1    1    0     18   24   (653)
+ *  rhs                 4   30   13    1    1    0     17   10   (110)
+ *  jacobian            11   58   31    1    1    0     19   23   (567)
+ *  rhs_jacobian        11   66   35    1    1    0     20   27   (653)
  *  divergence          4   21    9    1    1    0     14    9   (60)
  *  integral_values     4    6    6    1    0    0      8    5   (40)
  *  integral_gradients  6   11    5    1    0    0     10    5   (59)
- *  observe_values      2   16    9    1    1    0     11    9   (67)
- *  valid_values        2   16    9    1    1    0     11    9   (67)
+ *  observe_values      2   20   10    1    1    0     12   10   (66)
+ *  valid_values        2   20   10    1    1    0     12   10   (66)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s,
- *      v_tau*s - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1),
- *      (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3), a part of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_tau)/dt)/d(gamma3), e = gamma3*a3 + R,
- *      v_tau*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1,
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu,
- *      v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau),
- *      d(d(v_tau)/dt)/d(v_nu), a part of d(v_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau),
- *      d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      d(d(omega_tau)/dt)/d(gamma3)
+ *    digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, (R*G)*s + v_tau*(R*I3)*b/R,
+ *      gamma3*(R*(I1 - I3)) - (I3*a3), omega_tau*(m*a3^2/I1)*omega_tau*gamma3*1/(D/I1) - (m*g*a3/I1)*1/(D/I1),
+ *      v_tau*s - (G/I1)*b/R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), e = gamma3*a3 + R,
+ *      a part of d(d(v_tau)/dt)/d(gamma3), (R*G)*gamma3*D/I1*Theta/m*((1)/Theta/m*D/I1*s^2*K)*K*s - v_tau*(R*I3),
+ *      V = omega_tau*e + v_nu, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt,
+ *      v_nu - V*(I1*I3/m)*1/(Theta/m), d(d(v_nu)/dt)/d(v_tau), d(d(v_tau)/dt)/d(omega_tau),
+ *      v_tau*gamma3*D/I1*Theta/m*((1)/Theta/m*D/I1*s^2*K)*K*s + G/I1,
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau),
+ *      a part of d(v_tau)/dt, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3),
+ *      d(d(v_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -101,31 +100,31 @@ static void prepare(const double *restrict params, double *restrict out)
     out[19] = t22;
     const double t23 = params[4]*t21; /* I3*R*R*2 */
     out[20] = t23;
-    const double t24 = params[0]*params[0]; /* m*m */
-    const double t25 = 2.0*t24; /* 2*m*m */
-    const double t26 = params[3]*params[3]; /* I1*I1 */
-    const double t27 = t0*t0; /* a3*a3*a3*a3 */
-    const double t28 = t25*t27; /* 2*m*m*a3*a3*a3*a3 */
-    const double t29 = t28/t26; /* 2*m*m*a3*a3*a3*a3/(I1*I1) */
-    out[21] = t29;
-    const double t30 = params[2]*t25; /* g*2*m*m */
-    const double t31 = params[5]*t0; /* a3*a3*a3 */
-    const double t32 = t30*t31; /* g*2*m*m*a3*a3*a3 */
-    const double t33 = t32/t26; /* g*2*m*m*a3*a3*a3/(I1*I1) */
-    out[22] = t33;
-    const double t34 = params[6]/params[3]; /* G/I1 */
-    out[23] = t34;
-    const double t35 = params[0]*2.0; /* m*2 */
-    const double t36 = t0*t35; /* a3*a3*m*2 */
-    out[27] = t36;
-    const double t37 = t36/params[3]; /* a3*a3*m*2/I1 */
-    out[24] = t37;
-    const double t38 = params[5]*t6; /* a3*I1*I3 */
-    const double t39 = t38/params[0]; /* a3*I1*I3/m */
-    out[25] = t39;
-    const double t40 = t5*params[4]; /* I1*R*R*I3 */
-    const double t41 = t16*t40; /* (I1 - I3)*I1*R*R*I3 */
-    const double t42 = t41/params[0]; /* (I1 - I3)*I1*R*R*I3/m */
+    const double t24 = params[0]*2.0; /* m*2 */
+    const double t25 = t0*t24; /* a3*a3*m*2 */
+    out[27] = t25;
+    const double t26 = t25/params[3]; /* a3*a3*m*2/I1 */
+    out[21] = t26;
+    const double t27 = params[6]/params[3]; /* G/I1 */
+    out[22] = t27;
+    const double t28 = params[5]*t6; /* a3*I1*I3 */
+    const double t29 = t28/params[0]; /* a3*I1*I3/m */
+    out[23] = t29;
+    const double t30 = t5*params[4]; /* I1*R*R*I3 */
+    const double t31 = t16*t30; /* (I1 - I3)*I1*R*R*I3 */
+    const double t32 = t31/params[0]; /* (I1 - I3)*I1*R*R*I3/m */
+    out[24] = t32;
+    const double t33 = params[0]*params[0]; /* m*m */
+    const double t34 = 2.0*t33; /* 2*m*m */
+    const double t35 = params[3]*params[3]; /* I1*I1 */
+    const double t36 = t0*t0; /* a3*a3*a3*a3 */
+    const double t37 = t34*t36; /* 2*m*m*a3*a3*a3*a3 */
+    const double t38 = t37/t35; /* 2*m*m*a3*a3*a3*a3/(I1*I1) */
+    out[25] = t38;
+    const double t39 = params[2]*t34; /* g*2*m*m */
+    const double t40 = params[5]*t0; /* a3*a3*a3 */
+    const double t41 = t39*t40; /* g*2*m*m*a3*a3*a3 */
+    const double t42 = t41/t35; /* g*2*m*m*a3*a3*a3/(I1*I1) */
     out[26] = t42;
     const double t43 = params[4]/params[3]; /* I3/I1 */
     out[28] = t43;
@@ -147,9 +146,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[35] = t54;
     const double t55 = t53/t5; /* G*G/(I1*R*R) */
     out[36] = t55;
-    const double t56 = params[0]*params[3]; /* m*I1 */
-    const double t57 = params[5]*t56; /* a3*m*I1 */
-    out[38] = t57;
+    const double t56 = params[0]*params[5]; /* m*a3 */
+    out[38] = t56;
+    const double t57 = params[2]/params[3]; /* g/I1 */
+    out[39] = t57;
+    const double t58 = params[5]/params[3]; /* a3/I1 */
+    out[40] = t58;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -181,157 +183,154 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t24 = t19*t23; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*1/K*(v_tau*I3*b + R*G*s) */
     const double t25 = x[3]*t24; /* v_tau*t24 */
     out[1] = t25;
-    const double t26 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t28 = p[10]*t27; /* I1*I3/m*V */
-    const double t29 = JLT_FNMA(t16, t28, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t30 = t24*t29; /* t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t31 = x[0]*t24; /* gamma3*t24 */
-    const double t32 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t33 = x[0]*t32; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t34 = x[3]*t17; /* v_tau*s */
-    const double t35 = JLT_FNMA(p[13], t3, t34); /* v_tau*s - G/(R*I1)*b */
-    const double t36 = t14*t35; /* 1/K*(v_tau*s - G/(R*I1)*b) */
-    const double t37 = JLT_FMA(p[12], t36, t31); /* R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*t24 */
-    const double t38 = x[2]*t17; /* omega_tau*s */
-    out[0] = t38;
-    const double t39 = t33*t38; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t40 = JLT_FNMA(p[11], t17, t39); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t41 = JLT_FNMA(t23, t37, t40); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - 1/K*(v_tau*I3*b + R*G*s)*(R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*t24) */
-    const double t42 = t20*t41; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t41 */
-    out[2] = t42;
-    const double t43 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t44 = x[2]*p[14]; /* omega_tau*R*I1*I3/m */
-    const double t45 = t43*t44; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
-    const double t46 = t16*t45; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
-    const double t47 = JLT_FMA(t36, t46, t30); /* 1/K*(v_tau*s - G/(R*I1)*b)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t48 = -t47; /* -t47 */
-    out[3] = t48;
+    const double t26 = x[2]*t17; /* omega_tau*s */
+    out[0] = t26;
+    const double t27 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t28 = t26*t27; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t29 = JLT_FNMA(t23, t24, t28); /* omega_tau*s*omega_tau*m*a3^2/I1 - 1/K*(v_tau*I3*b + R*G*s)*t24 */
+    const double t30 = x[0]*t29; /* gamma3*t29 */
+    const double t31 = JLT_FNMA(p[11], t17, t30); /* gamma3*t29 - m*g*a3/I1*s */
+    const double t32 = x[3]*t17; /* v_tau*s */
+    const double t33 = JLT_FNMA(p[13], t3, t32); /* v_tau*s - G/(R*I1)*b */
+    const double t34 = t14*t33; /* 1/K*(v_tau*s - G/(R*I1)*b) */
+    const double t35 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t36 = JLT_FMA(x[2], t35, x[1]); /* V = omega_tau*e + v_nu */
+    const double t37 = p[10]*t36; /* I1*I3/m*V */
+    const double t38 = JLT_FNMA(t16, t37, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t39 = t24*t38; /* t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t40 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t41 = x[2]*p[14]; /* omega_tau*R*I1*I3/m */
+    const double t42 = t40*t41; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
+    const double t43 = t16*t42; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
+    const double t44 = JLT_FMA(t34, t43, t39); /* 1/K*(v_tau*s - G/(R*I1)*b)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t45 = -t44; /* -t44 */
+    out[3] = t45;
+    const double t46 = p[12]*t34; /* R*I3*1/K*(v_tau*s - G/(R*I1)*b) */
+    const double t47 = JLT_FNMA(t23, t46, t31); /* gamma3*t29 - m*g*a3/I1*s - 1/K*(v_tau*I3*b + R*G*s)*R*I3*1/K*(v_tau*s - G/(R*I1)*b) */
+    const double t48 = t20*t47; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t47 */
+    out[2] = t48;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
-    out[2] = t3;
-    const double t4 = JLT_FMA(t2, p[7], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
-    const double t5 = t2*p[9]; /* s^2*R^2*I1 */
-    const double t6 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t7 = p[17]*t6; /* R^2*I3*b/R */
-    const double t8 = JLT_FMA(t6, t7, t5); /* K = b/R*R^2*I3*b/R + s^2*R^2*I1 */
-    const double t9 = t8 + p[10]; /* Theta/m = K + I1*I3/m */
-    const double t10 = t2*t4; /* s^2*D/I1 */
-    const double t11 = t8*t10; /* K*s^2*D/I1 */
-    const double t12 = t9*t11; /* Theta/m*K*s^2*D/I1 */
-    const double t13 = 1.0/t12; /* 1/(Theta/m*K*s^2*D/I1) */
-    const double t14 = t9*t13; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t15 = t8*t14; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t16 = t3*t4; /* s*D/I1 */
-    const double t17 = t15*t16; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
-    const double t18 = x[0]*t17; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
-    const double t19 = x[2]*t18; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
-    const double t20 = -t19; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
-    out[0] = t20;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[9] = 0.0;
-    const double t21 = t3*p[8]; /* s*R*G */
-    const double t22 = x[3]*p[12]; /* v_tau*R*I3 */
-    const double t23 = JLT_FMA(t6, t22, t21); /* b/R*v_tau*R*I3 + s*R*G */
-    const double t24 = t10*t14; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t25 = t23*t24; /* (b/R*v_tau*R*I3 + s*R*G)*1/K */
-    const double t26 = t17*t25; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*(b/R*v_tau*R*I3 + s*R*G)*1/K */
-    const double t27 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t28 = JLT_FMS(t6, p[20], t27); /* d(K)/d(gamma3) = b/R*2*R^2*I3 - gamma3*2*R^2*I1 */
-    const double t29 = t24*t25; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K */
-    const double t30 = JLT_FMS(t18, p[8], t22); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*R*G - v_tau*R*I3 */
-    const double t31 = t24*t30; /* 1/K*t30 */
-    const double t32 = JLT_FMA(t28, t29, t31); /* d(K)/d(gamma3)*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K + 1/K*t30 */
-    const double t33 = JLT_FMS(t18, t26, t32); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t26 - (d(K)/d(gamma3)*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K + 1/K*t30) */
-    const double t34 = t17*t33; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t33 */
-    const double t35 = x[3]*t34; /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t33 */
-    out[4] = t35;
-    const double t36 = t6*p[12]; /* b/R*R*I3 */
-    const double t37 = t24*t36; /* 1/K*b/R*R*I3 */
-    const double t38 = t17*t37; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/K*b/R*R*I3 */
-    const double t39 = JLT_FMA(x[3], t38, t26); /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/K*b/R*R*I3 + t26 */
-    out[7] = t39;
-    const double t40 = t2*t15; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t41 = t3*t40; /* s*1/(D/I1) */
-    const double t42 = x[0]*t40; /* gamma3*1/(D/I1) */
-    const double t43 = JLT_FNMA(t18, t42, t41); /* s*1/(D/I1) - gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*gamma3*1/(D/I1) */
-    const double t44 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t45 = x[2]*t44; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t46 = t43*t45; /* t43*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t47 = t17*p[11]; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*m*g*a3/I1 */
-    const double t48 = x[2]*t3; /* omega_tau*s */
-    const double t49 = t42*t48; /* gamma3*1/(D/I1)*omega_tau*s */
-    const double t50 = x[2]*p[21]; /* omega_tau*2*m^2*a3^4/I1^2 */
-    const double t51 = t25*t42; /* (b/R*v_tau*R*I3 + s*R*G)*1/K*gamma3*1/(D/I1) */
-    const double t52 = JLT_FMS(p[7], t51, t32); /* m*a3^2/I1*(b/R*v_tau*R*I3 + s*R*G)*1/K*gamma3*1/(D/I1) - (d(K)/d(gamma3)*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K + 1/K*t30) */
-    const double t53 = t26*2.0; /* t26*2 */
-    const double t54 = JLT_FNMA(t41, p[22], t47); /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*m*g*a3/I1 - s*1/(D/I1)*2*m^2*g*a3^3/I1^2 */
-    const double t55 = JLT_FMA(t49, t50, t54); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t54 */
-    const double t56 = JLT_FNMA(t52, t53, t55); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t54 - t52*t26*2 */
-    const double t57 = t17*t40; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/(D/I1) */
-    const double t58 = t26*t26; /* t26*t26 */
-    const double t59 = JLT_FMA(t18, x[3], p[23]); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1 */
-    const double t60 = t3*x[3]; /* s*v_tau */
-    const double t61 = JLT_FNMA(t6, p[23], t60); /* s*v_tau - b/R*G/I1 */
-    const double t62 = t24*t61; /* 1/K*(s*v_tau - b/R*G/I1) */
-    const double t63 = t28*t62; /* d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1) */
-    const double t64 = JLT_FMA(2.0, t63, t59); /* 2*d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1) + gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1 */
-    const double t65 = p[12]*t40; /* R*I3*1/(D/I1) */
-    const double t66 = t29*t65; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) */
-    const double t67 = t62*t65; /* 1/K*(s*v_tau - b/R*G/I1)*R*I3*1/(D/I1) */
-    const double t68 = JLT_FNMA(t51, p[24], t31); /* 1/K*t30 - (b/R*v_tau*R*I3 + s*R*G)*1/K*gamma3*1/(D/I1)*2*m*a3^2/I1 */
-    const double t69 = JLT_FNMA(t57, t58, t46); /* t43*omega_tau*omega_tau*m*a3^2/I1 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/(D/I1)*t26*t26 */
-    const double t70 = JLT_FMA(t64, t66, t69); /* t64*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) + t69 */
-    const double t71 = JLT_FMA(t67, t68, t70); /* 1/K*(s*v_tau - b/R*G/I1)*R*I3*1/(D/I1)*t68 + t64*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) + t69 */
-    const double t72 = JLT_FMA(t42, t56, t71); /* gamma3*1/(D/I1)*t56 + t71 */
-    out[8] = t72;
-    const double t73 = t49*p[24]; /* gamma3*1/(D/I1)*omega_tau*s*2*m*a3^2/I1 */
-    out[10] = t73;
-    const double t74 = JLT_FMA(t42, t53, t67); /* gamma3*1/(D/I1)*t26*2 + 1/K*(s*v_tau - b/R*G/I1)*R*I3*1/(D/I1) */
-    const double t75 = t37*t74; /* 1/K*b/R*R*I3*t74 */
-    const double t76 = JLT_FMA(t3, t66, t75); /* s*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) + 1/K*b/R*R*I3*t74 */
-    const double t77 = -t76; /* -t76 */
-    out[11] = t77;
-    const double t78 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t79 = JLT_FMA(x[2], t78, x[1]); /* V = omega_tau*e + v_nu */
-    const double t80 = t11*t13; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
-    const double t81 = p[10]*t80; /* I1*I3/m*1/(Theta/m) */
-    const double t82 = JLT_FNMA(t79, t81, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t83 = t34*t82; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t33*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t84 = t59 + t63; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1 + d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1) */
-    const double t85 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t86 = p[14]*t85; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t87 = t24*t86; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t88 = t80*t86; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t89 = t63*t88; /* d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1)*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t90 = JLT_FNMA(t62, p[26], t89); /* t89 - 1/K*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
-    const double t91 = JLT_FMA(t26, p[25], t90); /* t26*I1*I3*a3/m + t89 - 1/K*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
-    const double t92 = JLT_FMA(t84, t87, t91); /* t84*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t91 */
-    const double t93 = x[2]*t92; /* omega_tau*(t84*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t91) */
-    const double t94 = t26*t81; /* t26*I1*I3/m*1/(Theta/m) */
-    const double t95 = t28*t79; /* d(K)/d(gamma3)*V */
-    const double t96 = JLT_FNMA(t94, t95, t93); /* t93 - t26*I1*I3/m*1/(Theta/m)*d(K)/d(gamma3)*V */
-    const double t97 = JLT_FMS(t80, t96, t83); /* 1/(Theta/m)*(t93 - t26*I1*I3/m*1/(Theta/m)*d(K)/d(gamma3)*V) - t83 */
-    out[12] = t97;
-    const double t98 = t94 - t26; /* t26*I1*I3/m*1/(Theta/m) - t26 */
-    out[13] = t98;
-    const double t99 = t78*t94; /* e*t26*I1*I3/m*1/(Theta/m) */
-    const double t100 = JLT_FNMA(t62, t88, t99); /* e*t26*I1*I3/m*1/(Theta/m) - 1/K*(s*v_tau - b/R*G/I1)*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    out[14] = t100;
-    const double t101 = t38*t82; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/K*b/R*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t102 = t48*t88; /* omega_tau*s*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t103 = JLT_FMA(t24, t102, t101); /* 1/K*t102 + t101 */
-    const double t104 = -t103; /* -(1/K*t102 + t101) */
-    out[15] = t104;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
+    const double t4 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t5 = p[17]*t3; /* R^2*I3*b/R */
+    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t7 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = p[10] + t6; /* Theta/m = I1*I3/m + K */
+    const double t9 = t6*t7; /* K*D/I1 */
+    const double t10 = t8*t9; /* Theta/m*K*D/I1 */
+    const double t11 = t2*t10; /* s^2*Theta/m*K*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(s^2*Theta/m*K*D/I1) */
+    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t13;
+    const double t14 = t10*t13; /* Theta/m*K*D/I1*s */
+    const double t15 = t2*t12; /* 1/(K*(D/I1)*(Theta/m)) = s^2*1/(s^2*Theta/m*K*D/I1) */
+    const double t16 = t12*t14; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t17 = t8*t15; /* 1/(K*(D/I1)) = Theta/m*1/(K*(D/I1)*(Theta/m)) */
+    const double t18 = t9*t15; /* 1/(Theta/m) = K*D/I1*1/(K*(D/I1)*(Theta/m)) */
+    const double t19 = t7*t17; /* 1/K = D/I1*1/(K*(D/I1)) */
+    const double t20 = t6*t17; /* 1/(D/I1) = K*1/(K*(D/I1)) */
+    const double t21 = p[8]*t13; /* R*G*s */
+    const double t22 = p[12]*t3; /* R*I3*b/R */
+    const double t23 = JLT_FMA(x[3], t22, t21); /* v_tau*R*I3*b/R + R*G*s */
+    const double t24 = t19*t23; /* 1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t25 = t19*t22; /* 1/K*R*I3*b/R */
+    const double t26 = x[0]*t16; /* gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t27 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t28 = p[14]*t27; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t29 = p[8]*t26; /* R*G*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t30 = JLT_FNMA(x[3], p[12], t29); /* R*G*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s - v_tau*R*I3 */
+    const double t31 = t19*t30; /* 1/K*t30 */
+    const double t32 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t33 = JLT_FMS(p[20], t3, t32); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
+    const double t34 = x[0]*t20; /* gamma3*1/(D/I1) */
+    const double t35 = x[3]*t13; /* v_tau*s */
+    const double t36 = JLT_FNMA(p[22], t3, t35); /* v_tau*s - G/I1*b/R */
+    const double t37 = t19*t36; /* 1/K*(v_tau*s - G/I1*b/R) */
+    const double t38 = t16*t24; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t39 = t19*t24; /* 1/K*1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t40 = t19*t28; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t41 = t18*t28; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t42 = p[21]*t34; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t43 = t24*t42; /* 1/K*(v_tau*R*I3*b/R + R*G*s)*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t44 = t33*t39; /* d(K)/d(gamma3)*1/K*1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t45 = p[12]*t39; /* R*I3*1/K*1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t46 = JLT_FMA(x[3], t26, p[22]); /* v_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1 */
+    const double t47 = 2.0*t34; /* 2*gamma3*1/(D/I1) */
+    const double t48 = t38*t47; /* t38*2*gamma3*1/(D/I1) */
+    const double t49 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t50 = p[23]*t38; /* I1*I3*a3/m*t38 */
+    const double t51 = JLT_FMA(t40, t46, t50); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1) + I1*I3*a3/m*t38 */
+    const double t52 = t45*t46; /* R*I3*1/K*1/K*(v_tau*R*I3*b/R + R*G*s)*(v_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1) */
+    const double t53 = t40 + t41; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t54 = JLT_FNMA(t33, t53, p[24]); /* R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t53 */
+    const double t55 = JLT_FNMA(t37, t54, t51); /* t51 - 1/K*(v_tau*s - G/I1*b/R)*(R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t53) */
+    const double t56 = x[2]*t55; /* omega_tau*t55 */
+    const double t57 = t31 + t44; /* 1/K*t30 + d(K)/d(gamma3)*1/K*1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t58 = t31 - t43; /* 1/K*t30 - 1/K*(v_tau*R*I3*b/R + R*G*s)*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t59 = JLT_FMA(2.0, t44, t58); /* 2*d(K)/d(gamma3)*1/K*1/K*(v_tau*R*I3*b/R + R*G*s) + t58 */
+    const double t60 = x[0]*t43; /* gamma3*1/K*(v_tau*R*I3*b/R + R*G*s)*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t61 = JLT_FMA(t16, t38, t60); /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t38 + t60 */
+    const double t62 = JLT_FMS(t13, t42, t26); /* s*2*m*a3^2/I1*gamma3*1/(D/I1) - gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t63 = JLT_FMS(p[11], t62, t52); /* m*g*a3/I1*t62 - t52 */
+    const double t64 = JLT_FMA(t38, t61, t63); /* t38*(1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t38 + t60) + m*g*a3/I1*t62 - t52 */
+    const double t65 = t13*t20; /* s*1/(D/I1) */
+    const double t66 = JLT_FMA(t34, t62, t65); /* gamma3*1/(D/I1)*t62 + s*1/(D/I1) */
+    const double t67 = x[2]*t13; /* omega_tau*s */
+    const double t68 = t42*t67; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
+    out[10] = t68;
+    const double t69 = t18*t67; /* 1/(Theta/m)*omega_tau*s */
+    const double t70 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t71 = x[2]*t70; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t72 = t66*t71; /* (gamma3*1/(D/I1)*t62 + s*1/(D/I1))*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t73 = JLT_FMA(t48, t57, t72); /* t38*2*gamma3*1/(D/I1)*(1/K*t30 + d(K)/d(gamma3)*1/K*1/K*(v_tau*R*I3*b/R + R*G*s)) + t72 */
+    const double t74 = JLT_FMS(t26, t38, t57); /* gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t38 - (1/K*t30 + d(K)/d(gamma3)*1/K*1/K*(v_tau*R*I3*b/R + R*G*s)) */
+    const double t75 = t16*t74; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t74 */
+    const double t76 = t16*t25; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K*R*I3*b/R */
+    const double t77 = x[2]*t26; /* omega_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t78 = -t77; /* -omega_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    out[0] = t78;
+    const double t79 = x[3]*t75; /* v_tau*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t74 */
+    out[4] = t79;
+    const double t80 = JLT_FMA(x[3], t76, t38); /* v_tau*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K*R*I3*b/R + t38 */
+    out[7] = t80;
+    const double t81 = p[12]*t37; /* R*I3*1/K*(v_tau*s - G/I1*b/R) */
+    const double t82 = JLT_FNMA(t59, t81, t64); /* t64 - (2*d(K)/d(gamma3)*1/K*1/K*(v_tau*R*I3*b/R + R*G*s) + t58)*R*I3*1/K*(v_tau*s - G/I1*b/R) */
+    const double t83 = JLT_FNMA(t20, t82, t73); /* t73 - 1/(D/I1)*t82 */
+    out[8] = t83;
+    const double t84 = JLT_FMA(t20, t81, t48); /* 1/(D/I1)*R*I3*1/K*(v_tau*s - G/I1*b/R) + t38*2*gamma3*1/(D/I1) */
+    const double t85 = t25*t84; /* 1/K*R*I3*b/R*t84 */
+    const double t86 = JLT_FMA(t45, t65, t85); /* R*I3*1/K*1/K*(v_tau*R*I3*b/R + R*G*s)*s*1/(D/I1) + 1/K*R*I3*b/R*t84 */
+    const double t87 = -t86; /* -t86 */
+    out[11] = t87;
+    const double t88 = JLT_FMA(x[2], t49, x[1]); /* V = omega_tau*e + v_nu */
+    const double t89 = t33*t88; /* d(K)/d(gamma3)*V */
+    const double t90 = p[10]*t18; /* I1*I3/m*1/(Theta/m) */
+    const double t91 = JLT_FNMA(t88, t90, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t92 = t38*t90; /* t38*I1*I3/m*1/(Theta/m) */
+    const double t93 = JLT_FNMA(t89, t92, t56); /* omega_tau*t55 - d(K)/d(gamma3)*V*t38*I1*I3/m*1/(Theta/m) */
+    const double t94 = t92 - t38; /* t38*I1*I3/m*1/(Theta/m) - t38 */
+    out[13] = t94;
+    const double t95 = t49*t92; /* e*t38*I1*I3/m*1/(Theta/m) */
+    const double t96 = JLT_FNMA(t37, t41, t95); /* e*t38*I1*I3/m*1/(Theta/m) - 1/K*(v_tau*s - G/I1*b/R)*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    out[14] = t96;
+    const double t97 = t76*t91; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K*R*I3*b/R*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t98 = JLT_FMA(t40, t69, t97); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*1/(Theta/m)*omega_tau*s + t97 */
+    const double t99 = t75*t91; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t74*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t100 = JLT_FMS(t18, t93, t99); /* 1/(Theta/m)*(omega_tau*t55 - d(K)/d(gamma3)*V*t38*I1*I3/m*1/(Theta/m)) - t99 */
+    out[12] = t100;
+    const double t101 = -t98; /* -t98 */
+    out[15] = t101;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -345,126 +344,131 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t4 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t5 = p[9]*t2; /* R^2*I1*s^2 */
-    const double t6 = p[17]*t3; /* R^2*I3*b/R */
-    const double t7 = JLT_FMA(t3, t6, t5); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
-    const double t8 = t2*t4; /* s^2*D/I1 */
-    const double t9 = p[10] + t7; /* Theta/m = I1*I3/m + K */
-    const double t10 = t7*t8; /* K*s^2*D/I1 */
-    const double t11 = t9*t10; /* Theta/m*K*s^2*D/I1 */
-    const double t12 = 1.0/t11; /* 1/(Theta/m*K*s^2*D/I1) */
-    const double t13 = t9*t12; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t14 = t10*t12; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
-    const double t15 = t8*t13; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t16 = t7*t13; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t4 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t5 = p[17]*t3; /* R^2*I3*b/R */
+    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t7 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = t2*t6; /* s^2*K */
+    const double t9 = p[10] + t6; /* Theta/m = I1*I3/m + K */
+    const double t10 = t7*t8; /* D/I1*s^2*K */
+    const double t11 = t9*t10; /* Theta/m*D/I1*s^2*K */
+    const double t12 = 1.0/t11; /* 1/(Theta/m*D/I1*s^2*K) */
+    const double t13 = t9*t12; /* Theta/m*1/(Theta/m*D/I1*s^2*K) */
+    const double t14 = t10*t12; /* 1/(Theta/m) = D/I1*s^2*K*1/(Theta/m*D/I1*s^2*K) */
+    const double t15 = t8*t13; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*D/I1*s^2*K) */
+    const double t16 = t7*t13; /* D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K) */
     const double t17 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t17;
-    const double t18 = t4*t17; /* D/I1*s */
-    const double t19 = t16*t18; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t20 = t2*t16; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t21 = p[8]*t17; /* R*G*s */
-    const double t22 = x[3]*p[12]; /* v_tau*R*I3 */
-    const double t23 = JLT_FMA(t3, t22, t21); /* b/R*v_tau*R*I3 + R*G*s */
-    const double t24 = t15*t23; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t25 = x[3]*t17; /* v_tau*s */
-    const double t26 = JLT_FNMA(p[23], t3, t25); /* v_tau*s - G/I1*b/R */
+    const double t18 = t6*t17; /* K*s */
+    const double t19 = t2*t16; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K) */
+    const double t20 = t16*t18; /* D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    const double t21 = p[12]*t3; /* R*I3*b/R */
+    const double t22 = x[3]*t21; /* v_tau*R*I3*b/R */
+    const double t23 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t24 = x[0]*t15; /* gamma3*1/(D/I1) */
+    const double t25 = JLT_FMA(p[8], t17, t22); /* R*G*s + v_tau*R*I3*b/R */
+    const double t26 = x[2]*t24; /* omega_tau*gamma3*1/(D/I1) */
     const double t27 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
     const double t28 = p[14]*t27; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t29 = t14*t28; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t30 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t31 = JLT_FMS(p[20], t3, t30); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
-    const double t32 = p[12]*t15; /* R*I3*1/K */
-    const double t33 = t3*t32; /* b/R*R*I3*1/K */
-    const double t34 = t19*t24; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t35 = x[3]*t34; /* v_tau*t34 */
-    out[1] = t35;
-    const double t36 = x[0]*t20; /* gamma3*1/(D/I1) */
-    const double t37 = t26*t32; /* (v_tau*s - G/I1*b/R)*R*I3*1/K */
-    const double t38 = t20*t37; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
-    const double t39 = t24*t32; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t40 = x[0]*t19; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t41 = JLT_FMS(p[8], t40, t22); /* R*G*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*R*I3 */
-    const double t42 = t15*t41; /* 1/K*t41 */
-    const double t43 = t15*t31; /* 1/K*d(K)/d(gamma3) */
-    const double t44 = p[26]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/K */
-    const double t45 = t15*t29; /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t46 = JLT_FNMA(t29, t43, t44); /* R^2*I1*I3*(I1 - I3)/m*1/K - 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*1/K*d(K)/d(gamma3) */
-    const double t47 = t26*t46; /* (v_tau*s - G/I1*b/R)*t46 */
-    const double t48 = t26*t45; /* (v_tau*s - G/I1*b/R)*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t49 = JLT_FNMA(p[25], t34, t47); /* (v_tau*s - G/I1*b/R)*t46 - I1*I3*a3/m*t34 */
-    const double t50 = t34*t36; /* t34*gamma3*1/(D/I1) */
-    const double t51 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t52 = JLT_FMA(x[3], t40, p[23]); /* v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1 */
-    const double t53 = x[2]*t17; /* omega_tau*s */
-    out[0] = t53;
-    const double t54 = t17*t20; /* s*1/(D/I1) */
-    const double t55 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t56 = t38 + t50; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t34*gamma3*1/(D/I1) */
-    const double t57 = t24*t56; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*(1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t34*gamma3*1/(D/I1)) */
-    const double t58 = JLT_FMA(2.0, t50, t38); /* 2*t34*gamma3*1/(D/I1) + 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
-    const double t59 = JLT_FMA(x[2], t51, x[1]); /* V = omega_tau*e + v_nu */
-    const double t60 = t14*t59; /* 1/(Theta/m)*V */
-    const double t61 = t31*t60; /* d(K)/d(gamma3)*1/(Theta/m)*V */
-    const double t62 = JLT_FNMA(p[10], t60, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t63 = t45*t52; /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) */
-    const double t64 = JLT_FMA(t43, t48, t63); /* 1/K*d(K)/d(gamma3)*t48 + t63 */
-    const double t65 = JLT_FNMA(t14, t49, t64); /* 1/K*d(K)/d(gamma3)*t48 + t63 - 1/(Theta/m)*((v_tau*s - G/I1*b/R)*t46 - I1*I3*a3/m*t34) */
-    const double t66 = p[10]*t14; /* I1*I3/m*1/(Theta/m) */
-    const double t67 = x[2]*t65; /* omega_tau*t65 */
-    const double t68 = t34*t66; /* t34*I1*I3/m*1/(Theta/m) */
-    const double t69 = JLT_FNMA(t61, t68, t67); /* omega_tau*t65 - d(K)/d(gamma3)*1/(Theta/m)*V*t34*I1*I3/m*1/(Theta/m) */
-    const double t70 = JLT_FMS(t51, t68, t48); /* e*t34*I1*I3/m*1/(Theta/m) - t48 */
-    out[18] = t70;
-    const double t71 = t68 - t34; /* t34*I1*I3/m*1/(Theta/m) - t34 */
-    out[17] = t71;
-    const double t72 = x[2]*t48; /* omega_tau*t48 */
-    const double t73 = JLT_FMA(t34, t62, t72); /* t34*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t48 */
-    const double t74 = -t73; /* -(t34*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t48) */
-    out[3] = t74;
-    const double t75 = t53*t55; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t76 = t19*t34; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t34 */
-    const double t77 = JLT_FNMA(t34, t76, t75); /* omega_tau*s*omega_tau*m*a3^2/I1 - t34*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t34 */
-    const double t78 = JLT_FMA(t39, t52, t77); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) + t77 */
-    const double t79 = p[11]*t19; /* m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t80 = JLT_FMS(p[22], t54, t79); /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) - m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t81 = JLT_FMA(p[24], t57, t80); /* 2*m*a3^2/I1*t57 + t80 */
-    const double t82 = 2.0*t43; /* 2*1/K*d(K)/d(gamma3) */
-    const double t83 = JLT_FMS(t19, t40, t43); /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - 1/K*d(K)/d(gamma3) */
-    const double t84 = t57*t82; /* t57*2*1/K*d(K)/d(gamma3) */
-    const double t85 = t34*t83; /* t34*t83 */
-    const double t86 = JLT_FMA(t42, t58, t84); /* 1/K*t41*t58 + t57*2*1/K*d(K)/d(gamma3) */
-    const double t87 = JLT_FMA(t20, t78, t86); /* 1/(D/I1)*t78 + 1/K*t41*t58 + t57*2*1/K*d(K)/d(gamma3) */
-    const double t88 = JLT_FNMA(t19, t42, t85); /* t34*t83 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*t41 */
-    const double t89 = JLT_FNMA(t62, t88, t69); /* t69 - (v_nu - I1*I3/m*1/(Theta/m)*V)*(t34*t83 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*t41) */
-    out[16] = t89;
-    const double t90 = x[3]*t88; /* v_tau*(t34*t83 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*t41) */
-    out[8] = t90;
-    const double t91 = t19*t33; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
-    const double t92 = t33*t58; /* b/R*R*I3*1/K*t58 */
-    const double t93 = JLT_FMA(t39, t54, t92); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*s*1/(D/I1) + b/R*R*I3*1/K*t58 */
-    const double t94 = JLT_FMA(p[11], t54, t57); /* m*g*a3/I1*s*1/(D/I1) + t57 */
-    const double t95 = JLT_FMA(x[3], t91, t34); /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K + t34 */
-    out[11] = t95;
-    const double t96 = t62*t91; /* (v_nu - I1*I3/m*1/(Theta/m)*V)*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
-    const double t97 = JLT_FMA(t45, t53, t96); /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*s + t96 */
-    const double t98 = -t93; /* -t93 */
-    out[15] = t98;
-    const double t99 = -t97; /* -t97 */
-    out[19] = t99;
-    const double t100 = t36*t53; /* gamma3*1/(D/I1)*omega_tau*s */
-    const double t101 = JLT_FMS(t55, t100, t94); /* omega_tau*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s - (m*g*a3/I1*s*1/(D/I1) + t57) */
-    out[2] = t101;
-    const double t102 = t40*t55; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*omega_tau*m*a3^2/I1 */
-    const double t103 = JLT_FNMA(p[21], t100, t102); /* t102 - 2*m^2*a3^4/I1^2*gamma3*1/(D/I1)*omega_tau*s */
-    const double t104 = JLT_FMA(x[2], t103, t81); /* omega_tau*(t102 - 2*m^2*a3^4/I1^2*gamma3*1/(D/I1)*omega_tau*s) + 2*m*a3^2/I1*t57 + t80 */
-    const double t105 = JLT_FNMA(t36, t104, t87); /* 1/(D/I1)*t78 + 1/K*t41*t58 + t57*2*1/K*d(K)/d(gamma3) - gamma3*1/(D/I1)*t104 */
-    out[12] = t105;
-    const double t106 = p[24]*t100; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
-    out[14] = t106;
-    const double t107 = x[2]*t40; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t108 = -t107; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    out[4] = t108;
+    const double t29 = t15*t23; /* 1/(D/I1)*omega_tau*m*a3^2/I1 */
+    const double t30 = t23*t26; /* omega_tau*m*a3^2/I1*omega_tau*gamma3*1/(D/I1) */
+    const double t31 = JLT_FNMA(p[11], t15, t30); /* omega_tau*m*a3^2/I1*omega_tau*gamma3*1/(D/I1) - m*g*a3/I1*1/(D/I1) */
+    const double t32 = p[25]*t24; /* 2*m^2*a3^4/I1^2*gamma3*1/(D/I1) */
+    const double t33 = JLT_FMA(t26, t32, t29); /* omega_tau*gamma3*1/(D/I1)*2*m^2*a3^4/I1^2*gamma3*1/(D/I1) + 1/(D/I1)*omega_tau*m*a3^2/I1 */
+    const double t34 = x[2]*t17; /* omega_tau*s */
+    out[0] = t34;
+    const double t35 = t33*t34; /* t33*omega_tau*s */
+    const double t36 = t19*t25; /* 1/K*(R*G*s + v_tau*R*I3*b/R) */
+    const double t37 = t14*t25; /* 1/(Theta/m)*(R*G*s + v_tau*R*I3*b/R) */
+    const double t38 = t20*t37; /* D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*1/(Theta/m)*(R*G*s + v_tau*R*I3*b/R) */
+    const double t39 = -t38; /* -t38 */
+    out[17] = t39;
+    const double t40 = x[3]*t17; /* v_tau*s */
+    const double t41 = JLT_FNMA(p[22], t3, t40); /* v_tau*s - G/I1*b/R */
+    const double t42 = p[12]*t15; /* R*I3*1/(D/I1) */
+    const double t43 = t19*t42; /* 1/K*R*I3*1/(D/I1) */
+    const double t44 = x[0]*t20; /* gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    const double t45 = JLT_FNMA(t31, t44, t35); /* t33*omega_tau*s - t31*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    const double t46 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t47 = JLT_FMS(p[20], t3, t46); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
+    const double t48 = t20*t36; /* D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*1/K*(R*G*s + v_tau*R*I3*b/R) */
+    const double t49 = x[3]*t48; /* v_tau*t48 */
+    out[1] = t49;
+    const double t50 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t51 = t14*t28; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t52 = JLT_FMA(t19, t28, t51); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t53 = JLT_FNMA(t47, t52, p[24]); /* R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t52 */
+    const double t54 = p[8]*t44; /* R*G*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    const double t55 = JLT_FNMA(x[3], p[12], t54); /* R*G*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s - v_tau*R*I3 */
+    const double t56 = t36*t43; /* 1/K*(R*G*s + v_tau*R*I3*b/R)*1/K*R*I3*1/(D/I1) */
+    const double t57 = t24*t48; /* gamma3*1/(D/I1)*t48 */
+    const double t58 = JLT_FMA(x[2], t50, x[1]); /* V = omega_tau*e + v_nu */
+    const double t59 = p[10]*t14; /* I1*I3/m*1/(Theta/m) */
+    const double t60 = t19*t41; /* 1/K*(v_tau*s - G/I1*b/R) */
+    const double t61 = t43*t60; /* 1/K*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t62 = t41*t56; /* (v_tau*s - G/I1*b/R)*1/K*(R*G*s + v_tau*R*I3*b/R)*1/K*R*I3*1/(D/I1) */
+    const double t63 = JLT_FMA(t36, t57, t62); /* 1/K*(R*G*s + v_tau*R*I3*b/R)*gamma3*1/(D/I1)*t48 + t62 */
+    const double t64 = JLT_FMS(t17, t31, t63); /* s*t31 - (1/K*(R*G*s + v_tau*R*I3*b/R)*gamma3*1/(D/I1)*t48 + t62) */
+    out[2] = t64;
+    const double t65 = t36*t47; /* 1/K*(R*G*s + v_tau*R*I3*b/R)*d(K)/d(gamma3) */
+    const double t66 = t47*t58; /* d(K)/d(gamma3)*V */
+    const double t67 = JLT_FNMA(t58, t59, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t68 = t48*t59; /* t48*I1*I3/m*1/(Theta/m) */
+    const double t69 = t20*t48; /* D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*t48 */
+    const double t70 = t19*t20; /* 1/K*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    const double t71 = JLT_FMA(t22, t70, t48); /* v_tau*R*I3*b/R*1/K*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s + t48 */
+    out[11] = t71;
+    const double t72 = 2.0*t19; /* 2*1/K */
+    const double t73 = t57*t72; /* gamma3*1/(D/I1)*t48*2*1/K */
+    const double t74 = t19*t51; /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t75 = t51*t60; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t76 = JLT_FMS(t50, t68, t75); /* e*t48*I1*I3/m*1/(Theta/m) - t75 */
+    out[18] = t76;
+    const double t77 = JLT_FMA(x[3], t44, p[22]); /* v_tau*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s + G/I1 */
+    const double t78 = JLT_FMA(t56, t77, t45); /* 1/K*(R*G*s + v_tau*R*I3*b/R)*1/K*R*I3*1/(D/I1)*(v_tau*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s + G/I1) + t45 */
+    const double t79 = t44*t69; /* gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*t48 */
+    const double t80 = x[2]*t44; /* omega_tau*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    const double t81 = -t80; /* -omega_tau*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s */
+    out[4] = t81;
+    const double t82 = t55 + t65; /* t55 + 1/K*(R*G*s + v_tau*R*I3*b/R)*d(K)/d(gamma3) */
+    const double t83 = JLT_FMA(2.0, t65, t55); /* 2*1/K*(R*G*s + v_tau*R*I3*b/R)*d(K)/d(gamma3) + t55 */
+    const double t84 = JLT_FNMA(t70, t82, t79); /* t79 - 1/K*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*(t55 + 1/K*(R*G*s + v_tau*R*I3*b/R)*d(K)/d(gamma3)) */
+    const double t85 = JLT_FMA(t73, t82, t78); /* gamma3*1/(D/I1)*t48*2*1/K*(t55 + 1/K*(R*G*s + v_tau*R*I3*b/R)*d(K)/d(gamma3)) + t78 */
+    const double t86 = JLT_FMA(t61, t83, t85); /* 1/K*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R)*(2*1/K*(R*G*s + v_tau*R*I3*b/R)*d(K)/d(gamma3) + t55) + t85 */
+    const double t87 = t61 + t73; /* 1/K*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) + gamma3*1/(D/I1)*t48*2*1/K */
+    const double t88 = t21*t87; /* R*I3*b/R*t87 */
+    const double t89 = JLT_FMA(t17, t56, t88); /* s*1/K*(R*G*s + v_tau*R*I3*b/R)*1/K*R*I3*1/(D/I1) + R*I3*b/R*t87 */
+    const double t90 = -t89; /* -t89 */
+    out[15] = t90;
+    const double t91 = p[26]*t17; /* 2*m^2*g*a3^3/I1^2*s */
+    const double t92 = t24*t91; /* gamma3*1/(D/I1)*2*m^2*g*a3^3/I1^2*s */
+    const double t93 = JLT_FMA(t48, t69, t92); /* t48*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*t48 + gamma3*1/(D/I1)*2*m^2*g*a3^3/I1^2*s */
+    const double t94 = JLT_FNMA(t15, t93, t86); /* t86 - 1/(D/I1)*t93 */
+    const double t95 = t21*t67; /* R*I3*b/R*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t96 = t70*t95; /* 1/K*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s*R*I3*b/R*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t97 = p[21]*t24; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t98 = JLT_FNMA(t63, t97, t94); /* t86 - 1/(D/I1)*t93 - (1/K*(R*G*s + v_tau*R*I3*b/R)*gamma3*1/(D/I1)*t48 + t62)*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[12] = t98;
+    const double t99 = t34*t97; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[14] = t99;
+    const double t100 = JLT_FMA(t34, t74, t96); /* omega_tau*s*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t96 */
+    const double t101 = -t100; /* -t100 */
+    out[19] = t101;
+    const double t102 = x[2]*t74; /* omega_tau*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t103 = x[3]*t84; /* v_tau*t84 */
+    out[8] = t103;
+    const double t104 = t67*t84; /* (v_nu - V*I1*I3/m*1/(Theta/m))*t84 */
+    const double t105 = JLT_FMS(t77, t102, t104); /* (v_tau*gamma3*D/I1*Theta/m*1/(Theta/m*D/I1*s^2*K)*K*s + G/I1)*t102 - (v_nu - V*I1*I3/m*1/(Theta/m))*t84 */
+    const double t106 = t48*t67; /* t48*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t107 = JLT_FMA(x[2], t75, t106); /* omega_tau*t75 + t48*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t108 = -t107; /* -(omega_tau*t75 + t48*(v_nu - V*I1*I3/m*1/(Theta/m))) */
+    out[3] = t108;
+    const double t109 = p[23]*t48; /* I1*I3*a3/m*t48 */
+    const double t110 = JLT_FNMA(t53, t60, t109); /* I1*I3*a3/m*t48 - (R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t52)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t111 = x[2]*t110; /* omega_tau*t110 */
+    const double t112 = JLT_FMS(t66, t68, t111); /* d(K)/d(gamma3)*V*t48*I1*I3/m*1/(Theta/m) - omega_tau*t110 */
+    const double t113 = JLT_FNMA(t14, t112, t105); /* t105 - 1/(Theta/m)*(d(K)/d(gamma3)*V*t48*I1*I3/m*1/(Theta/m) - omega_tau*t110) */
+    out[16] = t113;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -564,69 +568,79 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 static void observe_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = p[9]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t4 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
-    const double t5 = t4*p[4]; /* b*I3 */
-    const double t6 = JLT_FMA(t4, t5, t3); /* K = b*b*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t7 = t2*p[11]; /* (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
-    const double t8 = t6*x[2]; /* K*omega_tau */
-    const double t9 = t8*t8; /* K*omega_tau*K*omega_tau */
-    const double t10 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t11 = p[8]*t10; /* R*G*s */
-    const double t12 = JLT_FMA(t5, x[3], t11); /* b*I3*v_tau + R*G*s */
-    const double t13 = JLT_FMA(t12, t12, t9); /* (b*I3*v_tau + R*G*s)*(b*I3*v_tau + R*G*s) + K*omega_tau*K*omega_tau */
-    const double t14 = x[0]*t13; /* gamma3*t13 */
-    const double t15 = t10*x[3]; /* s*v_tau */
-    const double t16 = JLT_FNMA(t4, p[13], t15); /* s*v_tau - b*G/(R*I1) */
-    const double t17 = t10*p[12]; /* s*R*I3 */
-    const double t18 = t16*t17; /* (s*v_tau - b*G/(R*I1))*s*R*I3 */
-    const double t19 = JLT_FMA(t12, t18, t14); /* (b*I3*v_tau + R*G*s)*(s*v_tau - b*G/(R*I1))*s*R*I3 + gamma3*t13 */
-    const double t20 = JLT_FMA(t2, p[30], p[3]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t21 = t6*t20; /* K*D */
-    const double t22 = 1.0/t21; /* 1/(K*D) */
-    const double t23 = t20*t22; /* 1/K = D*1/(K*D) */
-    const double t24 = t23*t23; /* 1/K*1/K */
-    const double t25 = JLT_FMA(t19, t24, t7); /* t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
-    const double t26 = p[38]*t6; /* m*I1*a3*K */
-    const double t27 = t22*t26; /* 1/(K*D)*m*I1*a3*K */
-    const double t28 = JLT_FNMA(t25, t27, p[37]); /* contact_force = m*g - (t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1)*1/(K*D)*m*I1*a3*K */
-    out[0] = t28;
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
+    const double t4 = p[4]*t3; /* I3*b */
+    const double t5 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t6 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t7 = JLT_FMA(t3, t4, t6); /* K = b*I3*b + R^2*I1*s^2 */
+    const double t8 = t2*t5; /* s^2*D/I1 */
+    const double t9 = x[0]*t5; /* gamma3*D/I1 */
+    const double t10 = t7*t8; /* K*s^2*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(K*s^2*D/I1) */
+    const double t12 = t8*t11; /* 1/K = s^2*D/I1*1/(K*s^2*D/I1) */
+    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t14 = t7*t13; /* K*s */
+    const double t15 = t11*t14; /* 1/(K*s^2*D/I1)*K*s */
+    const double t16 = t2*t15; /* s^2*1/(K*s^2*D/I1)*K*s */
+    const double t17 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t18 = x[2]*t17; /* omega_tau*gamma3*omega_tau */
+    const double t19 = p[8]*t13; /* R*G*s */
+    const double t20 = JLT_FMA(x[3], t4, t19); /* v_tau*I3*b + R*G*s */
+    const double t21 = t9*t20; /* gamma3*D/I1*(v_tau*I3*b + R*G*s) */
+    const double t22 = t15*t21; /* 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
+    const double t23 = t12*t20; /* 1/K*(v_tau*I3*b + R*G*s) */
+    const double t24 = t12*t23; /* 1/K*1/K*(v_tau*I3*b + R*G*s) */
+    const double t25 = JLT_FNMA(p[40], t18, p[39]); /* g/I1 - a3/I1*omega_tau*gamma3*omega_tau */
+    const double t26 = p[38]*t25; /* m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t27 = t13*t26; /* s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t28 = x[3]*t13; /* v_tau*s */
+    const double t29 = JLT_FNMA(p[13], t3, t28); /* v_tau*s - G/(R*I1)*b */
+    const double t30 = JLT_FMA(p[12], t29, t22); /* R*I3*(v_tau*s - G/(R*I1)*b) + 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
+    const double t31 = JLT_FMA(t24, t30, t27); /* 1/K*1/K*(v_tau*I3*b + R*G*s)*t30 + s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t32 = JLT_FMA(t16, t31, t18); /* s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau */
+    const double t33 = JLT_FNMA(p[38], t32, p[37]); /* contact_force = m*g - m*a3*(s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau) */
+    out[0] = t33;
 }
 
 static void valid_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = p[9]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t4 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
-    const double t5 = t4*p[4]; /* b*I3 */
-    const double t6 = JLT_FMA(t4, t5, t3); /* K = b*b*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t7 = t2*p[11]; /* (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
-    const double t8 = t6*x[2]; /* K*omega_tau */
-    const double t9 = t8*t8; /* K*omega_tau*K*omega_tau */
-    const double t10 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t11 = p[8]*t10; /* R*G*s */
-    const double t12 = JLT_FMA(t5, x[3], t11); /* b*I3*v_tau + R*G*s */
-    const double t13 = JLT_FMA(t12, t12, t9); /* (b*I3*v_tau + R*G*s)*(b*I3*v_tau + R*G*s) + K*omega_tau*K*omega_tau */
-    const double t14 = x[0]*t13; /* gamma3*t13 */
-    const double t15 = t10*x[3]; /* s*v_tau */
-    const double t16 = JLT_FNMA(t4, p[13], t15); /* s*v_tau - b*G/(R*I1) */
-    const double t17 = t10*p[12]; /* s*R*I3 */
-    const double t18 = t16*t17; /* (s*v_tau - b*G/(R*I1))*s*R*I3 */
-    const double t19 = JLT_FMA(t12, t18, t14); /* (b*I3*v_tau + R*G*s)*(s*v_tau - b*G/(R*I1))*s*R*I3 + gamma3*t13 */
-    const double t20 = JLT_FMA(t2, p[30], p[3]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t21 = t6*t20; /* K*D */
-    const double t22 = 1.0/t21; /* 1/(K*D) */
-    const double t23 = t20*t22; /* 1/K = D*1/(K*D) */
-    const double t24 = t23*t23; /* 1/K*1/K */
-    const double t25 = JLT_FMA(t19, t24, t7); /* t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
-    const double t26 = p[38]*t6; /* m*I1*a3*K */
-    const double t27 = t22*t26; /* 1/(K*D)*m*I1*a3*K */
-    const double t28 = JLT_FNMA(t25, t27, p[37]); /* contact_force = m*g - (t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1)*1/(K*D)*m*I1*a3*K */
-    out[0] = t28;
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
+    const double t4 = p[4]*t3; /* I3*b */
+    const double t5 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t6 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t7 = JLT_FMA(t3, t4, t6); /* K = b*I3*b + R^2*I1*s^2 */
+    const double t8 = t2*t5; /* s^2*D/I1 */
+    const double t9 = x[0]*t5; /* gamma3*D/I1 */
+    const double t10 = t7*t8; /* K*s^2*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(K*s^2*D/I1) */
+    const double t12 = t8*t11; /* 1/K = s^2*D/I1*1/(K*s^2*D/I1) */
+    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t14 = t7*t13; /* K*s */
+    const double t15 = t11*t14; /* 1/(K*s^2*D/I1)*K*s */
+    const double t16 = t2*t15; /* s^2*1/(K*s^2*D/I1)*K*s */
+    const double t17 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t18 = x[2]*t17; /* omega_tau*gamma3*omega_tau */
+    const double t19 = p[8]*t13; /* R*G*s */
+    const double t20 = JLT_FMA(x[3], t4, t19); /* v_tau*I3*b + R*G*s */
+    const double t21 = t9*t20; /* gamma3*D/I1*(v_tau*I3*b + R*G*s) */
+    const double t22 = t15*t21; /* 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
+    const double t23 = t12*t20; /* 1/K*(v_tau*I3*b + R*G*s) */
+    const double t24 = t12*t23; /* 1/K*1/K*(v_tau*I3*b + R*G*s) */
+    const double t25 = JLT_FNMA(p[40], t18, p[39]); /* g/I1 - a3/I1*omega_tau*gamma3*omega_tau */
+    const double t26 = p[38]*t25; /* m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t27 = t13*t26; /* s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t28 = x[3]*t13; /* v_tau*s */
+    const double t29 = JLT_FNMA(p[13], t3, t28); /* v_tau*s - G/(R*I1)*b */
+    const double t30 = JLT_FMA(p[12], t29, t22); /* R*I3*(v_tau*s - G/(R*I1)*b) + 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
+    const double t31 = JLT_FMA(t24, t30, t27); /* 1/K*1/K*(v_tau*I3*b + R*G*s)*t30 + s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t32 = JLT_FMA(t16, t31, t18); /* s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau */
+    const double t33 = JLT_FNMA(p[38], t32, p[37]); /* contact_force = m*g - m*a3*(s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau) */
+    out[0] = t33;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -714,34 +728,34 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t40[k] = jlt_jet_product(t37, t39, k);
         t41[k] = jlt_jet_product(t36, t40, k);
         t42[k] = jlt_jet_product(x3, t41, k);
-        t43[k] = x0[k]*p[5] + (k == 0 ? p[1] : 0);
-        t44[k] = jlt_jet_product(x2, t43, k) + x1[k];
-        t45[k] = p[10]*t44[k];
-        t46[k] = x1[k] - jlt_jet_product(t33, t45, k);
-        t47[k] = jlt_jet_product(t41, t46, k);
-        t48[k] = jlt_jet_product(x0, t41, k);
-        t49[k] = x2[k]*p[7];
-        t50[k] = jlt_jet_product(x0, t49, k);
-        t51[k] = jlt_jet_product(x3, t25, k);
-        t52[k] = t51[k] - p[13]*t21[k];
-        t53[k] = jlt_jet_product(t37, t52, k);
-        t54[k] = p[12]*t53[k] + t48[k];
-        t55[k] = jlt_jet_product(x2, t25, k);
-        t56[k] = jlt_jet_product(t50, t55, k);
-        t57[k] = t56[k] - p[11]*t25[k];
-        t58[k] = t57[k] - jlt_jet_product(t40, t54, k);
-        t59[k] = jlt_jet_product(t35, t58, k);
-        t60[k] = x0[k]*p[15] - (k == 0 ? p[16] : 0);
-        t61[k] = x2[k]*p[14];
-        t62[k] = jlt_jet_product(t60, t61, k);
-        t63[k] = jlt_jet_product(t33, t62, k);
-        t64[k] = jlt_jet_product(t53, t63, k) + t47[k];
-        t65[k] = -t64[k];
+        t43[k] = jlt_jet_product(x2, t25, k);
+        t44[k] = x2[k]*p[7];
+        t45[k] = jlt_jet_product(t43, t44, k);
+        t46[k] = t45[k] - jlt_jet_product(t40, t41, k);
+        t47[k] = jlt_jet_product(x0, t46, k);
+        t48[k] = t47[k] - p[11]*t25[k];
+        t49[k] = jlt_jet_product(x3, t25, k);
+        t50[k] = t49[k] - p[13]*t21[k];
+        t51[k] = jlt_jet_product(t37, t50, k);
+        t52[k] = x0[k]*p[5] + (k == 0 ? p[1] : 0);
+        t53[k] = jlt_jet_product(x2, t52, k) + x1[k];
+        t54[k] = p[10]*t53[k];
+        t55[k] = x1[k] - jlt_jet_product(t33, t54, k);
+        t56[k] = jlt_jet_product(t41, t55, k);
+        t57[k] = x0[k]*p[15] - (k == 0 ? p[16] : 0);
+        t58[k] = x2[k]*p[14];
+        t59[k] = jlt_jet_product(t57, t58, k);
+        t60[k] = jlt_jet_product(t33, t59, k);
+        t61[k] = jlt_jet_product(t51, t60, k) + t56[k];
+        t62[k] = -t61[k];
+        t63[k] = p[12]*t51[k];
+        t64[k] = t48[k] - jlt_jet_product(t40, t63, k);
+        t65[k] = jlt_jet_product(t35, t64, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t55[k]/(k + 1);
+        next[0] = x0[k + 1] = t43[k]/(k + 1);
         next[1] = x1[k + 1] = t42[k]/(k + 1);
-        next[2] = x2[k + 1] = t59[k]/(k + 1);
-        next[3] = x3[k + 1] = t65[k]/(k + 1);
+        next[2] = x2[k + 1] = t65[k]/(k + 1);
+        next[3] = x3[k + 1] = t62[k]/(k + 1);
     }
 }
 
@@ -996,19 +1010,19 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af",
+    .sha256 = "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
-    .state_count = 4, .param_count = 7, .block_count = 39,
+    .state_count = 4, .param_count = 7, .block_count = 41,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 30, 13, 1, 1, 0, 16, 11 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, v_tau*s - (G/(R*I1))*b, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dt" },
-    .jacobian = { jacobian, 16, { 9, 60, 34, 1, 1, 0, 18, 26 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + s*(R*G), d(K)/d(gamma3) = b/R*(2*R^2*I3) - gamma3*(2*R^2*I1), gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*s*D/I1*(R*G) - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1, s*v_tau - b/R*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(d(v_tau)/dt)/d(gamma3), gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 10, 61, 36, 1, 1, 0, 18, 24 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s, v_tau*s - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), e = gamma3*a3 + R, v_tau*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu, v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(v_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)" },
+    .rhs = { rhs, 4, { 4, 30, 13, 1, 1, 0, 17, 10 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, a part of d(omega_tau)/dt, v_tau*s - (G/(R*I1))*b, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dt, a part of d(omega_tau)/dt" },
+    .jacobian = { jacobian, 16, { 11, 58, 31, 1, 1, 0, 19, 23 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, v_tau*(R*I3)*b/R + (R*G)*s, gamma3*(R*(I1 - I3)) - (I3*a3), (R*G)*gamma3*((1)/s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s - v_tau*(R*I3), d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), v_tau*s - (G/I1)*b/R, v_tau*gamma3*((1)/s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1, e = gamma3*a3 + R, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu, v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau), d(d(v_tau)/dt)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 11, 66, 35, 1, 1, 0, 20, 27 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, (R*G)*s + v_tau*(R*I3)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), omega_tau*(m*a3^2/I1)*omega_tau*gamma3*1/(D/I1) - (m*g*a3/I1)*1/(D/I1), v_tau*s - (G/I1)*b/R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), e = gamma3*a3 + R, a part of d(d(v_tau)/dt)/d(gamma3), (R*G)*gamma3*D/I1*Theta/m*((1)/Theta/m*D/I1*s^2*K)*K*s - v_tau*(R*I3), V = omega_tau*e + v_nu, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, v_nu - V*(I1*I3/m)*1/(Theta/m), d(d(v_nu)/dt)/d(v_tau), d(d(v_tau)/dt)/d(omega_tau), v_tau*gamma3*D/I1*Theta/m*((1)/Theta/m*D/I1*s^2*K)*K*s + G/I1, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 4, 21, 9, 1, 1, 0, 14, 9 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, (2*m*a3^2)*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of the divergence, the divergence" },
     .integral_values = { integral_values, 1, { 4, 6, 6, 1, 0, 0, 8, 5 }, { 9, 28, 0, 2, 1, 0, 13, 6 },
@@ -1019,10 +1033,10 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
-    .observe_values = { observe_values, 1, { 2, 16, 9, 1, 1, 0, 11, 9 }, { 12, 50, 0, 4, 1, 0, 13, 12 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, b*I3*v_tau + (R*G)*s, s*v_tau - b*(G/(R*I1)), a part of contact_force, a part of contact_force, contact_force" },
-    .valid_values = { valid_values, 1, { 2, 16, 9, 1, 1, 0, 11, 9 }, { 12, 50, 0, 4, 1, 0, 13, 12 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, b*I3*v_tau + (R*G)*s, s*v_tau - b*(G/(R*I1)), a part of contact, a part of contact, contact" },
+    .observe_values = { observe_values, 1, { 2, 20, 10, 1, 1, 0, 12, 10 }, { 12, 49, 0, 4, 1, 0, 16, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, g/I1 - (a3/I1)*omega_tau*gamma3*omega_tau, v_tau*s - (G/(R*I1))*b, a part of contact_force, a part of contact_force, a part of contact_force, contact_force" },
+    .valid_values = { valid_values, 1, { 2, 20, 10, 1, 1, 0, 12, 10 }, { 12, 49, 0, 4, 1, 0, 16, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, g/I1 - (a3/I1)*omega_tau*gamma3*omega_tau, v_tau*s - (G/(R*I1))*b, a part of contact, a part of contact, a part of contact, contact" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
+ *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   15    3    1    0    0      8    7   (42)
+ *  rhs                 2   15    3    1    0    0     10    6   (42)
  *  jacobian            5   23    6    1    0    0     11    8   (119)
- *  rhs_jacobian        7   29    6    1    0    0     12    9   (156)
+ *  rhs_jacobian        7   29    6    1    0    0     11    8   (156)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     0    6    5    1    0    0      6    4   (35)
  *  integral_gradients  0    8    2    1    0    0      3    4   (25)
@@ -100,26 +100,26 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t3 = 1.0/t2; /* 1/(s*D) */
     const double t4 = t1*t3; /* 1/s = D*1/(s*D) */
     const double t5 = x[4]*t3; /* s*1/(s*D) */
-    const double t6 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t7 = x[2]*t0; /* omega_tau*s*s */
-    out[0] = t7;
-    const double t8 = p[8]*t6; /* m*a3^2*omega_tau*gamma3 */
-    const double t9 = t7*t8; /* omega_tau*s*s*m*a3^2*omega_tau*gamma3 */
-    const double t10 = JLT_FNMA(p[10], t0, t9); /* omega_tau*s*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s*s */
-    const double t11 = x[4]*t6; /* s*omega_tau*gamma3 */
-    const double t12 = -t11; /* -s*omega_tau*gamma3 */
-    out[4] = t12;
-    const double t13 = x[0]*p[9]; /* gamma3*G^2/(R^2*I1) */
-    const double t14 = t4*t13; /* 1/s*gamma3*G^2/(R^2*I1) */
-    const double t15 = JLT_FNMA(t4, t14, t10); /* omega_tau*s*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s*s - 1/s*1/s*gamma3*G^2/(R^2*I1) */
-    const double t16 = t5*t15; /* s*1/(s*D)*t15 */
-    out[2] = t16;
-    const double t17 = p[7]*t4; /* G/(R*I1)*1/s */
-    const double t18 = x[3]*t17; /* v_tau*G/(R*I1)*1/s */
-    out[1] = t18;
-    const double t19 = x[1]*t17; /* v_nu*G/(R*I1)*1/s */
-    const double t20 = -t19; /* -v_nu*G/(R*I1)*1/s */
-    out[3] = t20;
+    const double t6 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t6;
+    const double t7 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t8 = t6*t7; /* omega_tau*s*s*omega_tau*m*a3^2 */
+    const double t9 = p[9]*t4; /* G^2/(R^2*I1)*1/s */
+    const double t10 = JLT_FNMA(t4, t9, t8); /* omega_tau*s*s*omega_tau*m*a3^2 - 1/s*G^2/(R^2*I1)*1/s */
+    const double t11 = p[7]*t4; /* G/(R*I1)*1/s */
+    const double t12 = x[0]*t10; /* gamma3*(omega_tau*s*s*omega_tau*m*a3^2 - 1/s*G^2/(R^2*I1)*1/s) */
+    const double t13 = JLT_FNMA(p[10], t0, t12); /* t12 - m*g*a3*s*s */
+    const double t14 = t5*t13; /* s*1/(s*D)*(t12 - m*g*a3*s*s) */
+    out[2] = t14;
+    const double t15 = x[3]*t11; /* v_tau*G/(R*I1)*1/s */
+    out[1] = t15;
+    const double t16 = x[1]*t11; /* v_nu*G/(R*I1)*1/s */
+    const double t17 = -t16; /* -v_nu*G/(R*I1)*1/s */
+    out[3] = t17;
+    const double t18 = x[2]*x[4]; /* omega_tau*s */
+    const double t19 = x[0]*t18; /* gamma3*omega_tau*s */
+    const double t20 = -t19; /* -gamma3*omega_tau*s */
+    out[4] = t20;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -220,34 +220,34 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t12 = x[0]*t6; /* gamma3*s*omega_tau */
     const double t13 = -t12; /* -gamma3*s*omega_tau */
     out[4] = t13;
-    const double t14 = t4*t4; /* 1/s*1/s */
-    const double t15 = JLT_FNMA(p[9], t14, t11); /* s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s */
-    const double t16 = t5*t15; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
-    out[15] = t16;
-    const double t17 = x[0]*t15; /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
-    const double t18 = JLT_FNMA(p[10], t0, t17); /* numerator of d(omega_tau)/dt over D = t17 - m*g*a3*s*s */
-    const double t19 = t5*t18; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t19;
-    const double t20 = x[2]*p[11]; /* omega_tau*2*m*a3^2 */
-    const double t21 = t12*t20; /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 */
-    const double t22 = JLT_FNMA(x[4], p[13], t21); /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
-    const double t23 = p[7]*t4; /* G/(R*I1)*1/s */
-    out[13] = t23;
-    const double t24 = -t23; /* -G/(R*I1)*1/s */
-    out[21] = t24;
-    const double t25 = x[4]*p[11]; /* s*2*m*a3^2 */
-    const double t26 = t5*t25; /* 1/D*s*2*m*a3^2 */
-    const double t27 = t12*t26; /* gamma3*s*omega_tau*1/D*s*2*m*a3^2 */
-    out[17] = t27;
-    const double t28 = t19*t26; /* 1/D*numerator of d(omega_tau)/dt over D*1/D*s*2*m*a3^2 */
-    const double t29 = x[0]*p[14]; /* gamma3*2*G^2/(R^2*I1) */
-    const double t30 = t4*t29; /* 1/s*gamma3*2*G^2/(R^2*I1) */
-    const double t31 = JLT_FMA(t14, t30, t22); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G^2/(R^2*I1) + gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
-    const double t32 = JLT_FMS(t5, t31, t28); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*1/D*s*2*m*a3^2 */
-    out[19] = t32;
-    const double t33 = x[3]*t23; /* v_tau*G/(R*I1)*1/s */
+    const double t14 = p[11]*t12; /* 2*m*a3^2*gamma3*s*omega_tau */
+    const double t15 = t4*t4; /* 1/s*1/s */
+    const double t16 = JLT_FNMA(p[9], t15, t11); /* s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s */
+    const double t17 = t5*t16; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
+    out[15] = t17;
+    const double t18 = x[0]*t16; /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
+    const double t19 = JLT_FNMA(p[10], t0, t18); /* numerator of d(omega_tau)/dt over D = t18 - m*g*a3*s*s */
+    const double t20 = t5*t19; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t20;
+    const double t21 = x[2]*t14; /* omega_tau*2*m*a3^2*gamma3*s*omega_tau */
+    const double t22 = JLT_FNMA(x[4], p[13], t21); /* omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
+    const double t23 = x[0]*p[14]; /* gamma3*2*G^2/(R^2*I1) */
+    const double t24 = t4*t23; /* 1/s*gamma3*2*G^2/(R^2*I1) */
+    const double t25 = JLT_FMA(t15, t24, t22); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G^2/(R^2*I1) + omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
+    const double t26 = t5*t25; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t27 = x[4]*t5; /* s*1/D */
+    const double t28 = t14*t27; /* 2*m*a3^2*gamma3*s*omega_tau*s*1/D */
+    out[17] = t28;
+    const double t29 = p[11]*t27; /* 2*m*a3^2*s*1/D */
+    const double t30 = JLT_FNMA(t20, t29, t26); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*2*m*a3^2*s*1/D */
+    out[19] = t30;
+    const double t31 = p[7]*t4; /* G/(R*I1)*1/s */
+    out[13] = t31;
+    const double t32 = -t31; /* -G/(R*I1)*1/s */
+    out[21] = t32;
+    const double t33 = x[3]*t31; /* v_tau*G/(R*I1)*1/s */
     out[1] = t33;
-    const double t34 = x[1]*t23; /* v_nu*G/(R*I1)*1/s */
+    const double t34 = x[1]*t31; /* v_nu*G/(R*I1)*1/s */
     const double t35 = t4*t33; /* 1/s*v_tau*G/(R*I1)*1/s */
     const double t36 = -t35; /* -1/s*v_tau*G/(R*I1)*1/s */
     out[14] = t36;
@@ -456,7 +456,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af",
+    .sha256 = "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .state_count = 5, .param_count = 7, .block_count = 17,
@@ -464,11 +464,11 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 15, 3, 1, 0, 0, 8, 7 }, { 5, 32, 0, 5, 0, 0, 8, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(omega_tau)/dtau" },
+    .rhs = { rhs, 5, { 2, 15, 3, 1, 0, 0, 10, 6 }, { 5, 32, 0, 5, 0, 0, 8, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*s*s*omega_tau*(m*a3^2) - 1/s*(G^2/(R^2*I1))*1/s, a part of d(omega_tau)/dtau" },
     .jacobian = { jacobian, 25, { 5, 23, 6, 1, 0, 0, 11, 8 }, { 12, 94, 0, 13, 0, 0, 12, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - 1/s*(G^2/(R^2*I1))*1/s, s*(m*g*a3) - (m*a3^2)*s*omega_tau*omega_tau*gamma3, a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 7, 29, 6, 1, 0, 0, 12, 9 }, { 16, 122, 0, 18, 0, 0, 12, 6 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 7, 29, 6, 1, 0, 0, 11, 8 }, { 16, 122, 0, 18, 0, 0, 12, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G^2/(R^2*I1))*1/s*1/s, numerator of d(omega_tau)/dt over D, d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "digits are lost where terms nearly cancel in the divergence" },

@@ -115,7 +115,7 @@ const jlt_claim jlt_claims_spherical_top_track[] = {
     { "integral", "v_x", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb" },
+    { "reduction", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "variant", "rod", "", JLT_PROVED, "", NULL },

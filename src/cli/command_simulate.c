@@ -293,9 +293,8 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
         fprintf(stderr, "of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
     }
     if (!isnan(row->lost_at))
-        fprintf(stderr,
-                "jellett: at t = %.10g the model's condition %s breaks (least value %.6g): from there on the model does not hold\n",
-                row->lost_at, jlt_course_condition(r->courses[0]), row->least);
+        fprintf(stderr, "jellett: %s is lost at t = %.10g (least value %.6g): from there on the model does not hold\n",
+                jlt_course_condition(r->courses[0]), row->lost_at, row->least);
 }
 
 static jlt_exit run(int argc, char **argv)
