@@ -179,8 +179,11 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
     jlt_status st;
-    jlt_exit code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : system->is_top ? "40x40" : NULL,
-                                    "--grid");
+    jlt_exit code;
+
+    if (!system->is_top && o->grid == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
+    code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : "40x40", "--grid");
 
     if (code != JLT_EXIT_DONE) return code;
     for (unsigned k = 0; k < chart->dim; k++) {

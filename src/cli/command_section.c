@@ -124,6 +124,7 @@ typedef struct {
     jlt_section_picture *picture;
     jlt_section_table table;
     jlt_writer writer; /* of the table */
+    jlt_section_row *row;
     jlt_map *map;      /* of --check */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
@@ -157,13 +158,14 @@ static void show_written(follower *f, size_t orbits, size_t number)
     else show(f, f->before + f->block / 2 + (orbits * f->returns + number) / 2);
 }
 
-static jlt_status put(follower *f, const jlt_section_row *row)
+static jlt_status put(follower *f, const jlt_return *at, const double *before)
 {
-    const jlt_status st = jlt_writer_put(&f->writer, row);
+    jlt_section_row_fill(f->row, f->system->flow.chart, f->sum->orbits, at, before);
+    const jlt_status st = jlt_writer_put(&f->writer, f->row);
 
     if (st != JLT_OK) return st;
     f->sum->rows++;
-    return jlt_section_picture_add(f->picture, row->at.q);
+    return jlt_section_picture_add(f->picture, at->q);
 }
 
 static bool stopped(const follower *f)
@@ -180,23 +182,23 @@ static bool stopped(const follower *f)
 static jlt_status run_orbit(follower *f, const double *q, size_t index)
 {
     totals *sum = f->sum;
-    jlt_section_row row = { .orbit = sum->orbits };
-    jlt_return *at = &row.at;
-    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, at, index)
-                                     : jlt_section_start(f->section, at, q, f->o->time_direction);
+    jlt_return at;
+    double before[JLT_CHART_DIM_MAX];
+    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, &at, index)
+                                     : jlt_section_start(f->section, &at, q, f->o->time_direction);
 
     if (st != JLT_OK) return st;
-    JLT_TRY(put(f, &row));
-    while (at->fate == JLT_FATE_ALIVE && at->number < f->returns && !stopped(f)) {
-        memcpy(row.before, at->q, sizeof row.before);
-        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, at) : jlt_section_next(f->section, at));
-        if (at->interrupted) break;
-        JLT_TRY(put(f, &row));
-        show_written(f, index, at->number);
+    JLT_TRY(put(f, &at, NULL));
+    while (at.fate == JLT_FATE_ALIVE && at.number < f->returns && !stopped(f)) {
+        memcpy(before, at.q, f->system->flow.chart->dim * sizeof *before);
+        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
+        if (at.interrupted) break;
+        JLT_TRY(put(f, &at, before));
+        show_written(f, index, at.number);
     }
-    jlt_section_picture_end(f->picture, at->fate);
-    if (at->contact <= 0) sum->lost_contact++;
-    if (jlt_section_failed(at->fate)) sum->failed++;
+    jlt_section_picture_end(f->picture, at.fate);
+    if (at.contact <= 0) sum->lost_contact++;
+    if (jlt_section_failed(at.fate)) sum->failed++;
     sum->orbits++;
 done:
     return st;
@@ -300,13 +302,16 @@ static jlt_exit run_all(follower *f, FILE *stream)
     const options *o = f->o;
     const size_t threads = o->threads > 1 ? o->threads : 1, room = o->batch ? BLOCK * threads : 1;
     const size_t rows = !o->batch ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
-    const unsigned dim = f->system->flow.chart->dim;
+    const jlt_chart *chart = f->system->flow.chart;
+    const unsigned dim = chart->dim;
     const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->start_count + grid;
     double *q = calloc(room, dim * sizeof *q);
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (q == NULL || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, sizeof(jlt_section_row), rows,
-                                     (unsigned)threads) != JLT_OK)
+    f->row = calloc(1, jlt_section_row_size(chart));
+    if (q == NULL || f->row == NULL
+        || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, jlt_section_row_size(chart), rows,
+                           (unsigned)threads) != JLT_OK)
         code = jlt_command_no_memory();
     f->returns = o->returns;
     f->all = o->returns > ((size_t)1 << 40) ? 0 : all * o->returns;
@@ -322,6 +327,7 @@ static jlt_exit run_all(follower *f, FILE *stream)
     }
     jlt_progress_end(&f->progress);
     jlt_writer_close(&f->writer);
+    free(f->row);
     free(q);
     if (code == JLT_EXIT_DONE && f->sum->orbits == 0 && f->sum->empty > 0)
         code = jlt_motion_fail(JLT_ERR_EMPTY, f->system, "--grid");

@@ -331,7 +331,14 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
             axes[1].high = high - (high - low) / 200;
         }
     }
-    return text == NULL ? JLT_EXIT_DONE : jlt_grid_parse(axes, &count, chart->dim, text, option);
+    if (text == NULL) return JLT_EXIT_DONE;
+    const jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
+    const bool named = strchr(text, '=') != NULL;
+    for (unsigned k = 0; code == JLT_EXIT_DONE && !system->is_top && k < chart->dim; k++)
+        if (axes[k].low_text == NULL && (named || chart->period[k] == 0))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
+                                    chart->names[k], chart->names[k], chart->names[k]);
+    return code;
 }
 
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)

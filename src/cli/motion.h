@@ -40,7 +40,7 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
 /** Axes of a grid over the section: as in `text`, by default angles over their period, gamma3 over the interval of the
- *  levels. */
+ *  levels. Of the spherical top; of other models every coordinate has to be named, or be an angle where only counts are typed. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Grid point number `index` (the first coordinate runs fastest), or the number of points. */

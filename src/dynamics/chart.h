@@ -11,11 +11,11 @@
 
 #include "integrate/event.h"
 
-enum { JLT_CHART_DIM_MAX = 7, JLT_CHART_STATES_MAX = 8 };
+enum { JLT_CHART_DIM_MAX = 127, JLT_CHART_STATES_MAX = 128 }; /* 128 states are what a table may have */
 
 typedef struct jlt_chart jlt_chart;
 struct jlt_chart {
-    unsigned dim, states;                /* of q and of x; dim <= 7, states <= 8 */
+    unsigned dim, states;                /* of q and of x */
     unsigned column;                     /* the section is x[column] = level */
     double level;
     const char *names[JLT_CHART_DIM_MAX];
@@ -43,7 +43,7 @@ struct jlt_chart {
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
  *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
  *  (signs[column] = -1 and level = 0). names: shape (states,), kept by reference.
- *  Errors: ARG, states outside 2 .. 8 or column >= states. */
+ *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX or column >= states. */
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
 

@@ -143,8 +143,10 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     const jlt_chart *chart = self->flow.chart;
     unsigned k;
 
-    memset(row, 0, sizeof *row);
     row->number = self->number;
+    row->direction = 0;
+    row->fate = JLT_FATE_ALIVE;
+    row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
