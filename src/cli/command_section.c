@@ -47,7 +47,7 @@ static const struct argp_option option_table[] = {
       "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the "
       "method, in a fraction of the time", 2 },
     { "threads", THREADS, "N", 0, "With --batch: on so many threads; default 1. Rows do not depend on it", 2 },
-    { "project", PROJECT, NULL, 0, "With --batch: at every crossing back onto the integrals' levels of the start", 2 },
+    { "project", PROJECT, NULL, 0, "Back onto the integrals' levels of the start: with --batch at every crossing, with --section after every step", 2 },
     { 0 },
 };
 
@@ -80,8 +80,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
         if (o->batch) check_batch(o, state);
-        else if (o->threads > 0 || o->project)
-            argp_error(state, "--%s is for many orbits at once: add --batch", o->project ? "project" : "threads");
+        else if (o->threads > 0 || (o->project && o->motion.section == NULL))
+            argp_error(state, "--%s is for many orbits at once: add --batch", o->threads > 0 ? "threads" : "project");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -246,6 +246,8 @@ static jlt_exit open_follower(follower *f)
         if (o->check) JLT_TRY(jlt_map_create(&f->map, &system->flow));
         goto done;
     }
+    if (system->flow.chart->turn != 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: not where the section's state is an angle: leave out --batch");
     if (system->flow.chart->level != 0)
         return jlt_command_fail(JLT_EXIT_USAGE, "--batch: sections STATE=0 alone: leave out --batch for %s=%.10g",
                                 d->states[system->flow.chart->column].name, system->flow.chart->level);
@@ -355,6 +357,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     f.system = system;
+    if (code == JLT_EXIT_DONE && o.project && !o.batch) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;

@@ -14,7 +14,7 @@ typedef struct {
     size_t low_length, high_length;
 } jlt_grid_axis;
 
-/** NAME=LOW:HIGH:COUNT, or NAME=VALUE for a single point. Values are exact numbers, or pi and -pi. */
+/** NAME=LOW:HIGH:COUNT, or NAME=VALUE for a single point. Values are as of jlt_grid_number. */
 jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option);
 
 /** Axes separated by commas into axes[0 .. *count - 1], at most `room`; or COUNTxCOUNT, which sets the counts of the axes as
@@ -27,7 +27,7 @@ double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
 /** A whole number from low to high. */
 jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 
-/** A finite number, exact as everywhere; or pi. */
+/** A finite number, exact as everywhere; or a multiple of pi, 2*pi/3. */
 jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option);
 
 #endif

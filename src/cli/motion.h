@@ -10,8 +10,10 @@
 typedef struct {
     jlt_common common;
     jlt_accuracy accuracy; /* refers to flow */
-    const char *section; /* STATE=VALUE, for other models */
-    const char *mirror;  /* states whose sign the reversor changes, for other models */
+    const char *section; /* STATE=VALUE, for other models, and with it: */
+    const char *mirror;  /* states whose sign the reversor changes */
+    const char *solve;   /* STATE=GUESS,... of levels */
+    const char *modulo;  /* STATE=PERIOD,... of angles */
     jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
@@ -29,6 +31,15 @@ void jlt_motion_end(jlt_motion_options *options);
 
 /** The system that the options describe. Says what is wrong. */
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
+
+/** The same on --section of any table. */
+jlt_exit jlt_motion_plane(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor);
+
+/** The comment line of its levels. */
+void jlt_motion_plane_levels(FILE *stream, const jlt_system *system);
+
+/** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
+jlt_exit jlt_motion_project(jlt_system *system);
 
 /** The same for a command that knows the spherical top alone; what: its subject, in the plural. */
 jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what);

@@ -28,6 +28,8 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 
     fputs("orbit,return,t", stream);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(stream, ",%s", chart->names[k]);
+    for (unsigned i = 0; i < chart->solved_count; i++)
+        fprintf(stream, ",%s", table->system->instance->descriptor->states[chart->solved[i]].name);
     fprintf(stream, "%s,fate%s%s\n", table->system->is_top ? ",v_nu,omega_n,omega3" : "", table->contact ? ",contact_min" : "",
             table->check ? ",trace,det,divergence,defect" : "");
 }
@@ -75,6 +77,7 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
         const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
         write_field(stream, is_gamma3 ? fmax(-1, fmin(1, x[JLT_CHART_TOP_GAMMA3])) : q[k]);
     }
+    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) write_field(stream, x[system->flow.chart->solved[i]]);
     if (system->is_top) {
         jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, x);
         write_field(stream, x[JLT_CHART_TOP_V_NU]);

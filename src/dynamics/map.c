@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_level.h"
 #include "dynamics/linear.h"
 #include "integrate/rest.h"
 
@@ -165,16 +166,15 @@ const jlt_flow *jlt_map_flow(const jlt_map *self)
 
 static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direction)
 {
-    const jlt_event event = { .column = self->flow.chart->column,
-                              .level = self->flow.chart->level,
-                              .direction = self->flow.direction };
+    jlt_event events[JLT_CHART_EVENTS_MAX];
+    const unsigned crossings = jlt_chart_events(self->flow.chart, events, self->flow.direction);
     jlt_status st;
 
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
-    st = jlt_orbit_next(self->orbit, time_direction * t_max, &event, 1, outcome);
+    st = jlt_orbit_next(self->orbit, time_direction * t_max, events, crossings, outcome);
     if (st != JLT_OK) return st;
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
@@ -272,6 +272,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     for (i = 0; i < d * d; i++)
         if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
     expansion = outcome.x[n * (1 + d)];
+    if (!jlt_chart_level_follows(chart, outcome.x)) return JLT_ERR_NO_CONVERGENCE;
     determinant = jlt_linear_determinant(slope, d);
     /* A crossing in the other direction turns the flux round; volume is counted positive. */
     const double size = hadamard(slope, d), told = fabs(before / after) * exp(expansion);

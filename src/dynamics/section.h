@@ -18,6 +18,7 @@ typedef struct {
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
+    jlt_invariants kept;              /* not empty: projected back onto their levels of the start after every step */
     bool end_at_contact_loss;         /* an orbit ends where the normal reaction vanishes; default: it goes on, and rows
                                          tell the least reaction met */
     const volatile sig_atomic_t *interrupt;
