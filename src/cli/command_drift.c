@@ -151,7 +151,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, ending *end,
     jlt_orbit_observe(orbit, watch, end);
     JLT_TRY(jlt_orbit_start(orbit, 0, r->start, 1));
     for (size_t i = 1, next = 1; i <= r->o->returns && !ferror(r->stream->file); i++) {
-        end->rest = (jlt_rest_watch){ 0 };
+        jlt_rest_watch_crossing(&end->rest);
         JLT_TRY(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
         if (at.end == JLT_END_INTERRUPT) break;
         if (at.end != JLT_END_EVENT) {

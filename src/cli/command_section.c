@@ -246,6 +246,8 @@ static jlt_exit open_follower(follower *f)
         if (o->check) JLT_TRY(jlt_map_create(&f->map, &system->flow));
         goto done;
     }
+    if (jlt_batch_isa_best(d, 0) == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: the kernels of %s follow one orbit at a time: leave out --batch", d->model);
     if (system->flow.chart->turn != 0)
         return jlt_command_fail(JLT_EXIT_USAGE, "--batch: not where the section's state is an angle: leave out --batch");
     if (system->flow.chart->level != 0)

@@ -17,7 +17,7 @@ struct jlt_section {
     double x[JLT_CHART_STATES_MAX]; /* there */
     jlt_fate start_fate; /* other than alive: it ended where it started */
     bool rests;          /* as the last return was judged */
-    jlt_rest_watch rest; /* since the last return */
+    jlt_rest_watch rest;
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* the orbit's own integrator has not been there, or is a turn of the section ahead */
     double contact;
@@ -258,7 +258,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         fill(row, self, outcome.t, self->x, true);
         row->direction = outcome.crossing.direction;
         self->accepted = self->flow.chart->turn != 0; /* it goes on from within a turn of the section */
-        self->rest = (jlt_rest_watch){ 0 };
+        jlt_rest_watch_crossing(&self->rest);
         self->rests = jlt_rest_is_slower(self->flow.field, self->x, jlt_rest_slow(jlt_orbit_stepper(self->orbit)->asked))
                       && jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit);
     } else {

@@ -268,7 +268,7 @@ jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *
     if (stays_away(self, stepper, before, after)) return JLT_OK;
     JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
     /* In what unit another function is small nobody knows. */
-    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * unit_of(&self->event, stepper) : 0;
+    const double noise = self->event.value == NULL ? JLT_LOCATE_NOISE * unit_of(&self->event, stepper) : 0;
     if (fabs(before) <= noise) before = 0;
     if (fabs(after) <= noise) after = 0;
     b[0] = before;

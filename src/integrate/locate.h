@@ -17,13 +17,9 @@ typedef struct {
 double jlt_locate_value(const jlt_event *event, const double *x);
 double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
-/** How far off the section, in units of what counts as small, an orbit must go on both sides of a crossing: ten tolerances, since a
- *  method that steps at its limit of stability holds at some what has decayed; 1e-12 at least, and 1e-4 at most. */
-static inline double jlt_locate_noise(double tolerance)
-{
-    const double noise = 10 * tolerance;
-    return noise > 1e-4 ? 1e-4 : noise < 1e-12 ? 1e-12 : noise;
-}
+/** How far off the section, in units of what counts as small, an orbit must go on both sides of a crossing: more than
+ *  rounding does, and the same at every tolerance, so that this does not decide which crossings count. */
+#define JLT_LOCATE_NOISE 1e-11
 
 /** Begin at the stepper's point. A value within 1e-13 of the size of its terms is on the section. */
 void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);

@@ -5,6 +5,7 @@
 #include "integrate/locate.h"
 
 enum { SLOW_STEPS = 64 /* some turns of a spiral */, LOOK_STEPS = 1024 };
+static const double fastest = 1e3; /* rate at which what is held may make crossings */
 
 double jlt_rest_slow(double tolerance)
 {
@@ -62,12 +63,18 @@ bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
 }
 
 /* What is left is less than a crossing is deep; a root that goes to 0 leads to a pole, which is another end. */
+/* How much of a decayed motion a method that steps at its limit of stability holds for ever, in tolerances. */
+static double held(double tolerance)
+{
+    return fmax(JLT_LOCATE_NOISE, fmin(10 * tolerance, 1e-4));
+}
+
 static bool is_near(const jlt_stepper *stepper, double *limit)
 {
     const int root = stepper->field->root;
     jlt_approach approach;
 
-    return decays_to(&approach, stepper, limit) && approach.longest <= jlt_locate_noise(stepper->asked)
+    return decays_to(&approach, stepper, limit) && approach.longest <= held(stepper->asked)
            && (root < 0 || limit[root] > 0.5 * stepper->x[root]);
 }
 
@@ -75,5 +82,14 @@ bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, doubl
 {
     if (!jlt_rest_is_slow(stepper)) self->slow_steps = 0;
     if (++self->slow_steps > SLOW_STEPS && jlt_rest_ends(stepper, limit)) return true;
-    return ++self->steps % LOOK_STEPS == 0 && is_near(stepper, limit);
+    if (++self->steps % LOOK_STEPS != 0) return false;
+    const bool crossed = self->crossed;
+    self->crossed = false;
+    return (!crossed || stepper_slower(stepper, fastest * held(stepper->asked))) && is_near(stepper, limit);
+}
+
+void jlt_rest_watch_crossing(jlt_rest_watch *self)
+{
+    self->slow_steps = 0;
+    self->crossed = true;
 }

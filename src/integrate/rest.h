@@ -18,14 +18,18 @@ bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed);
 /** Whether the stepper's current point is slow. Cost: none. */
 bool jlt_rest_is_slow(const jlt_stepper *stepper);
 
-/** An orbit under watch; zeroed where it begins, and at crossings of a section: an orbit that creeps makes none. */
+/** An orbit under watch; zeroed where it begins. */
 typedef struct {
     unsigned steps, slow_steps;
+    bool crossed;
 } jlt_rest_watch;
 
-/** After an accepted step: whether the orbit is at its end, slow for some turns of a spiral, or nearer to its equilibrium than
- *  crossings of a section are deep (see jlt_locate_noise), where a method at its limit of stability holds speeds of the fastest rate
- *  times its errors for ever. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
+/** At a crossing of a section: an orbit that creeps makes none, but for what its method holds. */
+void jlt_rest_watch_crossing(jlt_rest_watch *self);
+
+/** After an accepted step: whether the orbit is at its end, slow for some turns of a spiral, or nearer to its equilibrium than ten
+ *  tolerances, where a method at its limit of stability holds speeds of the fastest rate times its errors for ever, and crosses a
+ *  section on it in no sense of the orbit. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);
 
 /** Whether a slow orbit is at its end at the stepper's current point; limit, shape (dim,), then gets the equilibrium. Cost: a
