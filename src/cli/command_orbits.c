@@ -221,7 +221,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
     for (size_t i = 0; i < list->count; i++)
         for (size_t k = 0; k < list->orbits[i].period; k++)
             fprintf(stream, "%.9g %.9g %d\n", list->orbits[i].points[k * chart->dim],
-                    list->orbits[i].points[k * chart->dim + 1], (int)list->orbits[i].type);
+                    chart->dim > 1 ? list->orbits[i].points[k * chart->dim + 1] : 0, (int)list->orbits[i].type);
     fputs("-10 -10 0\nEND\nset title \"Periodic points, ", stream);
     jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : chart->names[0],

@@ -23,7 +23,7 @@ typedef struct {
     size_t start_count;
     const char *grid;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX]; /* of the grid */
-    size_t returns;
+    size_t returns, skip;
     int time_direction;
     bool check;
     bool batch;
@@ -31,7 +31,7 @@ typedef struct {
     bool project;
 } options;
 
-enum { BACKWARD = 2000, CHECK, BATCH, THREADS, PROJECT };
+enum { SKIP = 2000, BACKWARD, CHECK, BATCH, THREADS, PROJECT };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
@@ -39,6 +39,7 @@ static const struct argp_option option_table[] = {
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed "
       "over", 1 },
     { "returns", 'n', "N", 0, "Returns of every orbit; default 100", 1 },
+    { "skip", SKIP, "N", 0, "Returns left out before these, and the start with them; an end among them is shown", 1 },
     { "backward", BACKWARD, NULL, 0, "Go backwards in time", 1 },
     { "check", CHECK, NULL, 0,
       "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
@@ -71,7 +72,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
-    case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 2, "--returns"); return 0;
+    case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 4, "--returns"); return 0;
+    case SKIP: jlt_common_count(&o->skip, value, 0, SIZE_MAX / 4, "--skip"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
     case BATCH: o->batch = true; return 0;
@@ -112,9 +114,7 @@ static const struct argp parser = {
 };
 
 /* Counts for the closing words. */
-typedef struct {
-    size_t orbits, empty, rows, lost_contact, failed;
-} totals;
+typedef struct { size_t orbits, empty, rows, lost_contact, failed; } totals;
 
 /* How orbits are followed: by the section, or many at once by the batch. */
 typedef struct {
@@ -131,6 +131,7 @@ typedef struct {
     jlt_progress progress;
     char showing;             /* a thread shows the progress; set atomically */
     size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
+    size_t first;             /* number of the first return that is shown */
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
     bool cut;                 /* an interrupt came before the batch was done: its rows are written, for half a second */
@@ -160,6 +161,7 @@ static void show_written(follower *f, size_t orbits, size_t number)
 
 static jlt_status put(follower *f, const jlt_return *at, const double *before)
 {
+    if (at->number < f->first && at->fate == JLT_FATE_ALIVE) return JLT_OK;
     jlt_section_row_fill(f->row, f->system->flow.chart, f->sum->orbits, at, before);
     const jlt_status st = jlt_writer_put(&f->writer, f->row);
 
@@ -317,8 +319,9 @@ static jlt_exit run_all(follower *f, FILE *stream)
         || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, jlt_section_row_size(chart), rows,
                            (unsigned)threads) != JLT_OK)
         code = jlt_command_no_memory();
-    f->returns = o->returns;
-    f->all = o->returns > ((size_t)1 << 40) ? 0 : all * o->returns;
+    f->returns = o->skip + o->returns;
+    f->first = o->skip > 0 ? o->skip + 1 : 0;
+    f->all = f->returns > ((size_t)1 << 40) ? 0 : all * f->returns;
     jlt_progress_start(&f->progress, "returns");
     for (size_t first = 0, count; first < all && code == JLT_EXIT_DONE; first += count) {
         for (count = 0; count < room && first + count < all && code == JLT_EXIT_DONE; count++) {

@@ -153,3 +153,11 @@ double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
         return value;
     return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* an end is pi, or no text's */
 }
+
+void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index)
+{
+    for (size_t k = count; k-- > 0;) {
+        values[k] = jlt_grid_value(&axes[k], index % axes[k].count, 0);
+        index /= axes[k].count;
+    }
+}

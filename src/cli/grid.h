@@ -24,6 +24,9 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
 /* Value number `index`, rounded once where both ends are typed numbers, so that 0.1:0.7:4 has 0.3: ends included, or for a periodic axis that spans its period the high end left out. */
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
 
+/** Point number `index` of the grid of these axes (count,), the first one slowest. values: shape (count,). */
+void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index);
+
 /** A whole number from low to high. */
 jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 

@@ -312,28 +312,41 @@ void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_syste
     }
 }
 
+static bool is_swept(const jlt_motion_options *options, const char *name)
+{
+    for (size_t i = 0; i < options->swept_count; i++)
+        if (strcmp(options->swept[i].name, name) == 0) return true;
+    return false;
+}
+
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
     const jlt_chart *chart = system->flow.chart;
 
-    static const jlt_quantity levels[] = { { .name = "E" }, { .name = "G" } };
     const jlt_descriptor *d = system->instance->descriptor;
-    double params[JLT_SYSTEM_PARAMS_MAX], E_G[] = { system->values.E, system->values.G };
-    const bool sweeps = system->is_top && options->swept != NULL;
-    size_t at;
+    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX] = { system->values.E, system->values.G };
+    const char *names[JLT_INVARIANTS_MAX] = { "E", "G" };
+    const unsigned level_count = system->is_top ? 2 : chart->solved_count;
 
-    if (sweeps) memcpy(params, system->instance->params, d->param_count * sizeof *params);
-    if (sweeps && jlt_descriptor_param(d, options->swept, &at)) params[at] = NAN;
-    for (int k = 0; k < 2; k++)
-        if (sweeps && strcmp(options->swept, levels[k].name) == 0) E_G[k] = NAN;
-    jlt_csv_header(stream, options->common.command, d, sweeps ? params : system->instance->params);
-    if (system->is_top) {
+    if (params == NULL) return;
+    for (unsigned k = 0; k < chart->solved_count; k++) {
+        names[k] = d->integrals[system->chart.level.levels[k].integral].name;
+        levels[k] = system->chart.level.levels[k].value;
+    }
+    for (unsigned k = 0; k < d->param_count; k++)
+        params[k] = is_swept(options, d->params[k].name) ? NAN : system->instance->params[k];
+    for (unsigned k = 0; k < level_count; k++)
+        if (is_swept(options, names[k])) levels[k] = NAN;
+    jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
+                                                options->flow.method->name, options->flow.tolerance });
+    free(params);
+    if (level_count > 0) {
         fputs("# levels", stream);
-        jlt_decimal_write_named(stream, levels, E_G, 2);
+        for (unsigned k = 0; k < level_count; k++) jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
+        if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
         fputc('\n', stream);
     }
-    if (chart->solved_count > 0) jlt_motion_plane_levels(stream, system);
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
             chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
     if (chart->contact != NULL) fprintf(stream, "; loss of contact: %s", options->contact);

@@ -18,7 +18,8 @@ typedef struct {
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
     bool tells_contact;  /* the command has a column for `report` */
-    const char *swept;   /* a parameter or level that runs over the rows, of which headers and captions say nothing; NULL: none */
+    const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
+    size_t swept_count;
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -35,8 +36,8 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
 /** The same on --section of any table. */
 jlt_exit jlt_motion_plane(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor);
 
-/** The comment line of its levels. */
-void jlt_motion_plane_levels(FILE *stream, const jlt_system *system);
+/** What its levels are solved for, behind them in the header. */
+void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 
 /** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
 jlt_exit jlt_motion_project(jlt_system *system);

@@ -188,22 +188,14 @@ jlt_exit jlt_motion_project(jlt_system *system)
     return JLT_EXIT_DONE;
 }
 
-void jlt_motion_plane_levels(FILE *stream, const jlt_system *system)
+void jlt_motion_plane_solved(FILE *stream, const jlt_system *system)
 {
-    const jlt_descriptor *d = system->instance->descriptor;
     char text[JLT_DIGITS_SIZE];
 
-    fputs("# levels", stream);
-    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) {
-        const jlt_level *level = &system->chart.level.levels[i];
-        jlt_digits_shortest(text, level->value);
-        fprintf(stream, " %s=%s", d->integrals[level->integral].name, text);
-    }
     fputs("; solved for", stream);
     for (unsigned i = 0; i < system->flow.chart->solved_count; i++) {
         const jlt_level *level = &system->chart.level.levels[i];
         jlt_digits_shortest(text, level->guess);
-        fprintf(stream, "%s %s from %s", i == 0 ? "" : ",", d->states[level->state].name, text);
+        fprintf(stream, "%s %s from %s", i == 0 ? "" : ",", system->instance->descriptor->states[level->state].name, text);
     }
-    fputc('\n', stream);
 }

@@ -69,6 +69,7 @@ jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, dou
         out->mirror[k] = signs != NULL ? signs[i] : 1;
         k++;
     }
+    if (out->dim == 1) out->names[1] = "";
     out->lift = plane_lift;
     out->lower = plane_lower;
     out->flux = plane_flux;

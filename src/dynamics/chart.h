@@ -19,7 +19,7 @@ struct jlt_chart {
     unsigned dim, states;                /* of q and of x */
     unsigned column;                     /* the section is x[column] = level */
     double level;
-    const char *names[JLT_CHART_DIM_MAX];
+    const char *names[JLT_CHART_DIM_MAX]; /* where there is one alone, "" follows: pictures show two */
     double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
     double turn;                         /* period of x[column], of which the section is then every level + k turn; 0: none */
     unsigned solved_count;               /* states that the levels determine, and which they are */

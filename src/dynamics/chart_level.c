@@ -151,6 +151,7 @@ jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, co
         }
         from++;
     }
+    if (out->base.dim == 1) out->base.names[1] = "";
     out->base.lift = lift;
     out->base.lower = lower;
     out->base.flux = flux;

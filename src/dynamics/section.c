@@ -149,6 +149,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
     row->contact = ldexp(self->contact, self->flow.units.contact);
+    row->q[1] = 0; /* of one coordinate pictures show this beside it */
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
         return;
