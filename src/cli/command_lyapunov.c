@@ -16,7 +16,8 @@ typedef struct {
 enum { SKIP = 2000 };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Start of the orbit; default eta=0.1,gamma3=-0.6", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "Start of the orbit, every coordinate of the section; of the spherical top eta=0.1,gamma3=-0.6 is the default", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0, "A chart instead: finite-time exponents of a grid of starts, or of NAME=LOW:HIGH:COUNT,...", 1 },
     { "returns", 'n', "N", 0, "Returns; default 1000, or 10 for a chart", 1 },
     { "skip", SKIP, "N", 0, "Returns left out before, so that the orbit is on its attractor; t counts from there", 1 },

@@ -34,7 +34,7 @@ typedef struct {
 enum { SKIP = 2000, BACKWARD, CHECK, BATCH, THREADS, PROJECT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate of it; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed "
       "over", 1 },
@@ -48,7 +48,7 @@ static const struct argp_option option_table[] = {
       "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the "
       "method, in a fraction of the time", 2 },
     { "threads", THREADS, "N", 0, "With --batch: on so many threads; default 1. Rows do not depend on it", 2 },
-    { "project", PROJECT, NULL, 0, "Back onto the integrals' levels of the start: with --batch at every crossing, with --section after every step", 2 },
+    { "project", PROJECT, NULL, 0, "Back onto the integrals' levels of the start: with --batch at every crossing, else after every step", 2 },
     { 0 },
 };
 
@@ -93,8 +93,8 @@ static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns "
-    "of orbits, and what becomes of them. For another model, on a section STATE=VALUE."
+    "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns of orbits, "
+    "and what becomes of them. For another model, on --section STATE=VALUE, in all its other states or, with --level and --solve, fewer."
     "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
     "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, "
     "equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (another model's, in plain time), "

@@ -200,6 +200,9 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     if (status == JLT_ERR_EMPTY && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: Newton's method finds no state with these levels there: try another guess in "
                                 "--solve, or other coordinates", what);
+    if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: %s, or a return left the branch of --solve: try another --direction or section",
+                                what, jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->is_top)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1, and the orbit return before it "
                                 "ends at a pole or at rest", what);

@@ -100,7 +100,7 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
         return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s is %s integral of this table: %s", name,
                                 claim->verdict == JLT_REFUTED ? "no" : "not proved to be an", claim->reason);
     if (*index == d->integral_count)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s is an integral of %s when %s alone: --set that, and have a variant of it in the table",
+        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s is an integral of %s when %s alone: --set that, with a variant of it in the table",
                                 name, d->model, claim->condition);
     return JLT_EXIT_DONE;
 }

@@ -29,7 +29,8 @@ void jlt_rest_watch_crossing(jlt_rest_watch *self);
 
 /** After an accepted step: whether the orbit is at its end, slow for some turns of a spiral, or nearer to its equilibrium than ten
  *  tolerances, where a method at its limit of stability holds speeds of the fastest rate times its errors for ever, and crosses a
- *  section on it in no sense of the orbit. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
+ *  section on it in no sense of the orbit. limit as below.
+ *  Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);
 
 /** Whether a slow orbit is at its end at the stepper's current point; limit, shape (dim,), then gets the equilibrium. Cost: a
