@@ -317,7 +317,8 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     to.file = stream.file;
     if (o.motion.common.plot != NULL) to.points = open_memstream(&points, &size);
-    o.motion.swept = axis.name;
+    o.motion.swept = &axis;
+    o.motion.swept_count = 1;
     jlt_motion_header(stream.file, &o.motion, system);
     fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
                          "bifurcation,low,high\n", axis.name);

@@ -281,7 +281,10 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.motion.common.plot != NULL) r.points = open_memstream(&points, &size);
-    jlt_csv_header(stream.file, o.motion.common.command, instance->descriptor, instance->params);
+    jlt_csv_header(stream.file, &(jlt_csv_settings){ .command = o.motion.common.command, .descriptor = instance->descriptor,
+                                                     .params = instance->params, .level_count = 2,
+                                                     .level_names = (const char *const[]){ "E", "G" },
+                                                     .levels = (const double[]){ system->values.E, system->values.G } });
     fprintf(stream.file, "# levels E=%.17g G=%.17g; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n",
             system->values.E, system->values.G, o.start, o.motion.flow.tolerance, o.project ? ", projected" : "");
     fputs("method,returns,t,evaluations,drift_E,drift_G\n", stream.file);

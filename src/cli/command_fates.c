@@ -15,15 +15,15 @@ typedef struct {
     size_t returns;
 } options;
 
-enum { SWEEP = 2000 };
+enum { SWEEP = 2000, AXES_MAX = 3 /* of a sweep */ };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; default 60x40 when there is no --start", 1 },
     { "returns", 'n', "N", 0, "Returns after which an orbit counts as alive; default 200", 1 },
-    { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT", 0,
-      "Shares of the fates as a parameter or level runs, in place of a row for every start", 1 },
+    { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT,...", 0,
+      "Shares of the fates as parameters and levels run, the last one fastest, in place of a row for every start", 1 },
     { 0 },
 };
 
@@ -49,7 +49,7 @@ static const struct argp parser = {
     "\vColumns: eta, gamma3, fate, t_end, v_nu_end, omega_tau_end, omega3_end; for orbits that are alive, the last return. Fates "
     "are those of jellett section, and so are empty fields and the status 4 where the method failed on an orbit.\n\n"
     "An orbit turns over when it starts with its centre of mass below the centre of the sphere (a3 gamma3 < 0) and ends at "
-    "the pole where it is above. With --sweep, columns: the value, starts, low_starts, pole+, pole-, lost_contact, "
+    "the pole where it is above. With --sweep, columns: the values, starts, low_starts, pole+, pole-, lost_contact, "
     "equilibrium, alive, budget, failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the "
     "share of the low starts that turns over, its binomial standard "
     "error, and the share that does so with N > 0 all the way; starts are even in (eta, gamma3).\n\n"
@@ -251,14 +251,14 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
 }
 
 /* A row of the sweep, and its point of the picture when there is one. */
-static void write_shares(FILE *file, FILE *points, double value, const shares *sum)
+static void write_shares(FILE *file, FILE *points, const double *values, size_t count, const shares *sum)
 {
     double turned, error, kept, kept_error;
 
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
-    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", value, turned, error, kept);
-    jlt_csv_value(file, value);
+    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], turned, error, kept);
+    jlt_csv_values(file, values, count);
     fprintf(file, ",%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", sum->all.starts, sum->low.starts,
             sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
             sum->all.by_fate[JLT_FATE_INVALID], sum->all.by_fate[JLT_FATE_EQUILIBRIUM], sum->all.by_fate[JLT_FATE_ALIVE],
@@ -270,48 +270,52 @@ static void write_shares(FILE *file, FILE *points, double value, const shares *s
 static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *base)
 {
     jlt_top_values values = base->values;
-    jlt_grid_axis axis;
+    jlt_grid_axis axes[AXES_MAX];
     jlt_progress progress;
     char *points = NULL;
-    size_t size, done = 0, failed = 0, starts = 0;
+    size_t size, done = 0, failed = 0, starts = 0, all = 1, axis_count = 0;
     FILE *copy;
-    double *entry;
-    jlt_exit code = jlt_grid_axis_parse(&axis, o->sweep, strlen(o->sweep), "--sweep");
+    jlt_exit code = jlt_grid_parse(axes, &axis_count, AXES_MAX, o->sweep, "--sweep");
 
     if (code != JLT_EXIT_DONE) return code;
+    for (size_t k = 0; k < axis_count; all *= axes[k++].count)
+        if (jlt_system_value(&values, axes[k].name) == NULL)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axes[k].name);
+    if (o->motion.common.plot != NULL && axis_count != 1)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
     jlt_motion_options motion = o->motion;
-    motion.swept = axis.name;
-    entry = jlt_system_value(&values, axis.name);
-    if (entry == NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
+    motion.swept = axes;
+    motion.swept_count = axis_count;
     copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
     jlt_motion_header(stream->file, &motion, base);
+    for (size_t k = 0; k < axis_count; k++) fprintf(stream->file, "%s,", axes[k].name);
     fprintf(stream->file,
-            "%s,starts,low_starts,pole+,pole-,lost_contact,equilibrium,alive,budget,failed,turned,turned_error,turned_in_contact\n",
-            axis.name);
+            "starts,low_starts,pole+,pole-,lost_contact,equilibrium,alive,budget,failed,turned,turned_error,turned_in_contact\n");
     jlt_progress_start(&progress, "starts");
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < axis.count && !jlt_motion_interrupted(&o->motion); i++) {
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
         shares sum = { .empty = 0 };
         jlt_system *system = NULL;
         jlt_status st;
-        *entry = jlt_grid_value(&axis, i, 0);
+        double at[AXES_MAX];
+        jlt_grid_point(at, axes, axis_count, i);
+        for (size_t k = 0; k < axis_count; k++) *jlt_system_value(&values, axes[k].name) = at[k];
         st = jlt_system_top(&system, &values, &o->motion.flow);
         if (st == JLT_ERR_EMPTY) continue;
         if (st != JLT_OK) code = jlt_motion_fail(st, NULL, o->sweep);
-        else code = follow_all(&sum, NULL, NULL, o, system, &progress, done, axis.count);
+        else code = follow_all(&sum, NULL, NULL, o, system, &progress, done, all);
         jlt_system_destroy(system);
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;
         starts += sum.all.starts;
         failed += failures(&sum);
-        write_shares(stream->file, copy, *entry, &sum);
+        write_shares(stream->file, copy, at, axis_count, &sum);
     }
     jlt_progress_end(&progress);
     if (copy != NULL) fclose(copy);
     if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axis.name, points);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axes[0].name, points);
     if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
     free(points);
     return code;

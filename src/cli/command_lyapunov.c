@@ -10,13 +10,17 @@
 typedef struct {
     jlt_motion_options motion;
     const char *start, *grid;
-    size_t returns;
+    size_t returns, skip;
 } options;
 
+enum { SKIP = 2000 };
+
 static const struct argp_option option_table[] = {
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Start of the orbit; default eta=0.1,gamma3=-0.6", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "Start of the orbit, every coordinate of the section; of the spherical top eta=0.1,gamma3=-0.6 is the default", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0, "A chart instead: finite-time exponents of a grid of starts, or of NAME=LOW:HIGH:COUNT,...", 1 },
     { "returns", 'n', "N", 0, "Returns; default 1000, or 10 for a chart", 1 },
+    { "skip", SKIP, "N", 0, "Returns left out before, so that the orbit is on its attractor; t counts from there", 1 },
     { 0 },
 };
 
@@ -29,6 +33,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': o->start = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
+    case SKIP: jlt_common_count(&o->skip, value, 0, 1000000000000, "--skip"); return 0;
     case ARGP_KEY_END:
         if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
         return 0;
@@ -107,11 +112,21 @@ static jlt_exit draw_history(const options *o, const jlt_system *system, const c
     return jlt_common_draw(&o->motion.common, &script);
 }
 
+/* The point that exponents are measured from. */
+static jlt_status skip(jlt_map *map, double *q, const options *o)
+{
+    jlt_image image;
+    const jlt_status st = o->skip > 0 ? jlt_map_point(map, &image, q, o->skip, 1) : JLT_OK;
+
+    if (o->skip > 0 && st == JLT_OK) memcpy(q, image.q, jlt_map_flow(map)->chart->dim * sizeof *q);
+    return st;
+}
+
 static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     history self = { .o = o, .dim = chart->dim, .next = 1, .file = stream->file };
-    jlt_lyapunov_state state;
+    jlt_lyapunov_state state = { .returns = 0 };
     double q[JLT_CHART_DIM_MAX];
     size_t size;
     jlt_status st;
@@ -124,7 +139,8 @@ static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, opt
     for (unsigned k = 0; k < chart->dim; k++) fprintf(self.file, ",lambda%u", k + 1);
     fputs(",divergence\n", self.file);
     jlt_progress_start(&self.progress, "returns");
-    st = jlt_lyapunov_run(map, &state, q, o->returns, observe, &self);
+    st = skip(map, q, o);
+    if (st == JLT_OK) st = jlt_lyapunov_run(map, &state, q, o->returns, observe, &self);
     jlt_progress_end(&self.progress);
     if (self.points != NULL) fclose(self.points);
     if (jlt_motion_interrupted(&o->motion)) {
@@ -149,8 +165,9 @@ static jlt_exit draw_chart(const options *o, const jlt_system *system, const cha
     fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
             o->returns);
     jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
-          "plot $CHART using 1:2:3 with image\n", stream);
+    fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
+            "plot $CHART using 1:2:3 with image\n", system->is_top ? "η [rad]" : system->flow.chart->names[0],
+            system->is_top ? "γ_3" : system->flow.chart->names[1]);
     return jlt_common_draw(&o->motion.common, &script);
 }
 
@@ -159,7 +176,7 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
     const jlt_chart *chart = system->flow.chart;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
-    double q[JLT_CHART_DIM_MAX], exponent, t;
+    double q[JLT_CHART_DIM_MAX], from[JLT_CHART_DIM_MAX], exponent, t;
     FILE *copy = NULL;
     size_t all, size;
     jlt_exit code = jlt_motion_axes(axes, system, o->grid, "--grid");
@@ -174,7 +191,9 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
     for (size_t i = 0; i < all && !jlt_motion_interrupted(&o->motion); i++) {
         jlt_status st;
         jlt_motion_grid_point(q, axes, system, i);
-        st = jlt_lyapunov_finite(map, &exponent, &t, q, o->returns);
+        memcpy(from, q, chart->dim * sizeof *q);
+        st = skip(map, from, o);
+        if (st == JLT_OK) st = jlt_lyapunov_finite(map, &exponent, &t, from, o->returns);
         jlt_csv_values(stream->file, q, chart->dim);
         fputc(',', stream->file);
         jlt_csv_row(stream->file, (const double[]){ st == JLT_OK ? exponent : NAN, st == JLT_OK ? t : NAN }, 2);

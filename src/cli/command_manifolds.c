@@ -20,7 +20,7 @@ typedef struct {
 enum { LENGTH = 2000, SPACING, TURN, SEED, CROSSINGS, NO_CROSSINGS, COUNT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Near the saddle; default eta=0,gamma3=-0.61", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Near the saddle; default eta=0,gamma3=-0.61", 1 },
     { "period", 'n', "N", 0, "Returns of the saddle's orbit; default 1", 1 },
     { "length", LENGTH, "VALUE", 0, "Arc length of every branch; default 1.6", 1 },
     { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points; default 0.01", 1 },
@@ -79,6 +79,7 @@ typedef struct {
     jlt_manifold curve[BRANCHES];
     jlt_homoclinic *crossings[2][2]; /* side of the unstable, of the stable branch */
     size_t count[2][2];
+    const jlt_chart *chart;
 } portrait;
 
 static void clear(portrait *p)
@@ -137,8 +138,8 @@ done:
 
 static void write_crossings(FILE *file, const portrait *p, const char *prefix)
 {
-    fprintf(file, "%seta,gamma3,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe\n",
-            prefix);
+    fprintf(file, "%s%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe\n", prefix,
+            p->chart->names[0], p->chart->names[1]);
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
             for (size_t i = 0; i < p->count[u][s]; i++) {
@@ -163,14 +164,15 @@ static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
     static const char *const ends[] = { "length reached", "number of points reached", "runs into orbits that end",
                                         "interrupted" };
 
-    fprintf(file, "# saddle of period %zu: eta=%.17g gamma3=%.17g, multipliers %.15g, %.15g, residual %.2g\n",
-            saddle->period, saddle->points[0], saddle->points[1], saddle->re[0], saddle->re[1], saddle->residual);
+    fprintf(file, "# saddle of period %zu: %s=%.17g %s=%.17g, multipliers %.15g, %.15g, residual %.2g\n", saddle->period,
+            p->chart->names[0], saddle->points[0], p->chart->names[1], saddle->points[1], saddle->re[0], saddle->re[1],
+            saddle->residual);
     for (int k = 0; k < BRANCHES; k++)
         fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
                 p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end]);
     fputs("# homoclinic points:\n", file);
     write_crossings(file, p, "# ");
-    fputs("branch,side,sigma,length,eta,gamma3\n", file);
+    fprintf(file, "branch,side,sigma,length,%s,%s\n", p->chart->names[0], p->chart->names[1]);
     for (int k = 0; k < BRANCHES; k++)
         for (size_t i = 0; i < p->curve[k].count; i++) {
             fprintf(file, "%s,%d,%.12g,%.12g,", branch_name(k), k % 2 == 0 ? 1 : -1, p->curve[k].sigma[i],
@@ -203,7 +205,9 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
                 fprintf(stream, "%.9g %.9g\n", p->crossings[u][s][i].q[0], p->crossings[u][s][i].q[1]);
     fprintf(stream, "%.9g %.9g\nEND\nset title \"Separatrices of the saddle, ", saddle->points[0], saddle->points[1]);
     jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\n"
+    fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : p->chart->names[0],
+            system->is_top ? "γ_3" : p->chart->names[1]);
+    fputs("set key tmargin center horizontal\n"
           "plot $UNSTABLE with lines lc rgb '#c02020' title 'unstable', "
           "$STABLE with lines lc rgb '#2040c0' title 'stable', "
           "$CROSSINGS with points pt 7 ps 0.4 lc rgb 'black' title 'saddle and homoclinic points'\n",
@@ -255,6 +259,7 @@ static jlt_exit run(int argc, char **argv)
         code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
         goto done;
     }
+    p.chart = system->flow.chart;
     code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
     if (code != JLT_EXIT_DONE) goto done;
@@ -267,9 +272,9 @@ static jlt_exit run(int argc, char **argv)
     }
     if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
         code = jlt_command_fail(JLT_EXIT_INPUT,
-                                "the orbit near %s (eta=%.10g, gamma3=%.10g) is no saddle but %s; 'jellett orbits' lists "
-                                "what there is",
-                                o.start, saddle.points[0], saddle.points[1], jlt_periodic_type_name(saddle.type));
+                                "the orbit near %s (%s=%.10g, %s=%.10g) is no saddle but %s; 'jellett orbits' lists what there is",
+                                o.start, p.chart->names[0], saddle.points[0], p.chart->names[1], saddle.points[1],
+                                jlt_periodic_type_name(saddle.type));
         goto done;
     }
     st = grow(&p, map, &saddle, &o);

@@ -209,7 +209,8 @@ static void write_csv(FILE *stream, const finding *f, const request *r)
 {
     const jlt_measure_attempt *a = &f->attempt;
 
-    jlt_csv_header(stream, r->common.command, f->instance->descriptor, f->params);
+    jlt_csv_header(stream, &(jlt_csv_settings){ .command = r->common.command, .descriptor = f->instance->descriptor,
+                                                .params = f->params });
     fprintf(stream, "# defect of %s: %.17g\n%s,density,error,closed_form\n", along_name(f), a->defect, along_name(f));
     for (size_t i = 0; a->points != NULL && i < a->count; i++) {
         const double row[4] = { a->points[i].at, a->points[i].density, a->points[i].error,

@@ -179,8 +179,11 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
     jlt_status st;
-    jlt_exit code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : system->is_top ? "40x40" : NULL,
-                                    "--grid");
+    jlt_exit code;
+
+    if (!system->is_top && o->grid == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
+    code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : "40x40", "--grid");
 
     if (code != JLT_EXIT_DONE) return code;
     for (unsigned k = 0; k < chart->dim; k++) {
@@ -218,7 +221,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
     for (size_t i = 0; i < list->count; i++)
         for (size_t k = 0; k < list->orbits[i].period; k++)
             fprintf(stream, "%.9g %.9g %d\n", list->orbits[i].points[k * chart->dim],
-                    list->orbits[i].points[k * chart->dim + 1], (int)list->orbits[i].type);
+                    chart->dim > 1 ? list->orbits[i].points[k * chart->dim + 1] : 0, (int)list->orbits[i].type);
     fputs("-10 -10 0\nEND\nset title \"Periodic points, ", stream);
     jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : chart->names[0],

@@ -114,9 +114,18 @@ static const char *type_of(const jlt_fixed_point *point)
     return point->focus ? foci[point->kind] : kinds[point->kind];
 }
 
+static void write_header(FILE *file, const jlt_portrait_request *r)
+{
+    jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
+                                              .params = r->session.params, .level_count = 3,
+                                              .level_names = (const char *const[]){ "E", "G", "F0" },
+                                              .levels = (const double[]){ r->levels.E, r->levels.G, r->levels.F0 },
+                                              .method = r->session.method->name, .tolerance = r->session.tolerance });
+}
+
 static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
 {
-    jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
+    write_header(file, r);
     fprintf(file, "# levels E=%.17g G=%.17g F0=%.17g, horizontal momentum %.17g; method %s, tolerance %.3g; nothing is random, so "
                   "there is no seed\n",
             r->levels.E, r->levels.G, r->levels.F0, r->levels.M, r->session.method->name, r->session.tolerance);
@@ -216,7 +225,7 @@ static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
     size_t done = 0, tried = 0;
 
     if (file != NULL) {
-        jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
+        write_header(file, r);
         fputs("orbit,t,gamma3,psi,v_slip,v_nu,omega_tau,omega_n,omega3\n", file);
     }
     jlt_progress_start(&progress, "orbits");

@@ -171,7 +171,8 @@ static jlt_exit write_rows(FILE *file, request *r)
     jlt_exit code = JLT_EXIT_DONE;
 
     for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = NAN; /* it runs over the rows */
-    jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
+    jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
+                                              .params = r->session.params });
     fputs("# start", file);
     jlt_decimal_write_named(file, r->session.descriptor->states, r->session.x, r->session.descriptor->state_count);
     fputs("; quadratures by adaptive Gauss-Kronrod to 2e-14; nothing is random, so there is no seed\n", file);
@@ -182,11 +183,9 @@ static jlt_exit write_rows(FILE *file, request *r)
     fprintf(file, "E1,E2,G,gamma3_low,gamma3_high,period,rotation%s\n",
             r->check ? ",defect_gamma3,defect_turn,defect_state" : "");
     for (; code == JLT_EXIT_DONE && r->rows < all && !jlt_session_interrupted(&r->session); r->rows++) {
-        size_t index = r->rows;
-        for (size_t k = 0; k < r->axis_count; k++) {
-            *r->targets[k] = jlt_grid_value(&r->axes[k], index % r->axes[k].count, 0);
-            index /= r->axes[k].count;
-        }
+        double values[AXES_MAX];
+        jlt_grid_point(values, r->axes, r->axis_count, r->rows);
+        for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = values[k];
         code = write_row(file, r);
     }
     return code;

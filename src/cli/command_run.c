@@ -1,4 +1,3 @@
-#include <argp.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -7,13 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/command.h"
+#include "cli/common.h"
 #include "cli/interrupt.h"
 #include "report/file.h"
 #include "scene/scene.h"
 
 typedef struct {
     const char *scene, *into;
+    jlt_assign_list set;
     bool dry;
 } options;
 
@@ -21,6 +21,7 @@ enum { DRY = 1000 };
 
 static const struct argp_option option_table[] = {
     { "into", 'C', "FOLDER", 0, "Write the scene's files there; default the current folder", 0 },
+    { "set", 's', "NAME=VALUE,...", 0, "Parameters that take the place of the scene's, in all of its commands", 0 },
     { "dry-run", DRY, NULL, 0, "Show the commands, and run nothing", 0 },
     { 0 },
 };
@@ -31,6 +32,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
     switch (key) {
     case 'C': o->into = value; return 0;
+    case 's': jlt_common_list(&o->set, value, "--set"); return 0;
     case DRY: o->dry = true; return 0;
     case ARGP_KEY_ARG:
         if (o->scene != NULL) argp_error(state, "one scene at a time: '%s' is too many", value);
@@ -142,6 +144,17 @@ static jlt_exit check_files(const jlt_scene *scene, const char *scene_path)
     return JLT_EXIT_DONE;
 }
 
+static jlt_exit set_params(jlt_scene *scene, const options *o)
+{
+    for (size_t i = 0; i < o->set.count; i++) {
+        const jlt_status st = jlt_scene_set(scene, o->set.items[i].name, o->set.items[i].fraction);
+        if (st == JLT_ERR_ARG)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", scene->file, o->set.items[i].name);
+        if (st != JLT_OK) return jlt_command_no_memory();
+    }
+    return JLT_EXIT_DONE;
+}
+
 static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 {
     char *scene_path = realpath(o->scene, NULL);
@@ -192,8 +205,10 @@ static jlt_exit run(int argc, char **argv)
         fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
-    code = run_jobs(&ending, scene, &o);
+    code = set_params(scene, &o);
+    if (code == JLT_EXIT_DONE) code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);
+    jlt_assign_clear(&o.set);
     if (ending != 0) jlt_interrupt_end(ending);
     return code;
 }

@@ -23,7 +23,7 @@ typedef struct {
     size_t start_count;
     const char *grid;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX]; /* of the grid */
-    size_t returns;
+    size_t returns, skip;
     int time_direction;
     bool check;
     bool batch;
@@ -31,14 +31,15 @@ typedef struct {
     bool project;
 } options;
 
-enum { BACKWARD = 2000, CHECK, BATCH, THREADS, PROJECT };
+enum { SKIP = 2000, BACKWARD, CHECK, BATCH, THREADS, PROJECT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate of it; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed "
       "over", 1 },
     { "returns", 'n', "N", 0, "Returns of every orbit; default 100", 1 },
+    { "skip", SKIP, "N", 0, "Returns left out before these, and the start with them; an end among them is shown", 1 },
     { "backward", BACKWARD, NULL, 0, "Go backwards in time", 1 },
     { "check", CHECK, NULL, 0,
       "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
@@ -47,7 +48,7 @@ static const struct argp_option option_table[] = {
       "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the "
       "method, in a fraction of the time", 2 },
     { "threads", THREADS, "N", 0, "With --batch: on so many threads; default 1. Rows do not depend on it", 2 },
-    { "project", PROJECT, NULL, 0, "With --batch: at every crossing back onto the integrals' levels of the start", 2 },
+    { "project", PROJECT, NULL, 0, "Back onto the integrals' levels of the start: with --batch at every crossing, else after every step", 2 },
     { 0 },
 };
 
@@ -71,7 +72,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
-    case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 2, "--returns"); return 0;
+    case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 4, "--returns"); return 0;
+    case SKIP: jlt_common_count(&o->skip, value, 0, SIZE_MAX / 4, "--skip"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
     case BATCH: o->batch = true; return 0;
@@ -80,8 +82,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
         if (o->batch) check_batch(o, state);
-        else if (o->threads > 0 || o->project)
-            argp_error(state, "--%s is for many orbits at once: add --batch", o->project ? "project" : "threads");
+        else if (o->threads > 0 || (o->project && o->motion.section == NULL))
+            argp_error(state, "--%s is for many orbits at once: add --batch", o->threads > 0 ? "threads" : "project");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -91,8 +93,8 @@ static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns "
-    "of orbits, and what becomes of them. For another model, on a section STATE=VALUE."
+    "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns of orbits, "
+    "and what becomes of them. For another model, on --section STATE=VALUE, in all its other states or, with --level and --solve, fewer."
     "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
     "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, "
     "equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (another model's, in plain time), "
@@ -112,9 +114,7 @@ static const struct argp parser = {
 };
 
 /* Counts for the closing words. */
-typedef struct {
-    size_t orbits, empty, rows, invalid, failed;
-} totals;
+typedef struct { size_t orbits, empty, rows, invalid, failed; } totals;
 
 /* How orbits are followed: by the section, or many at once by the batch. */
 typedef struct {
@@ -124,12 +124,14 @@ typedef struct {
     jlt_section_picture *picture;
     jlt_section_table table;
     jlt_writer writer; /* of the table */
+    jlt_section_row *row;
     jlt_map *map;      /* of --check */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_progress progress;
     char showing;             /* a thread shows the progress; set atomically */
     size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
+    size_t first;             /* number of the first return that is shown */
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
     bool cut;                 /* an interrupt came before the batch was done: its rows are written, for half a second */
@@ -157,13 +159,15 @@ static void show_written(follower *f, size_t orbits, size_t number)
     else show(f, f->before + f->block / 2 + (orbits * f->returns + number) / 2);
 }
 
-static jlt_status put(follower *f, const jlt_section_row *row)
+static jlt_status put(follower *f, const jlt_return *at, const double *before)
 {
-    const jlt_status st = jlt_writer_put(&f->writer, row);
+    if (at->number < f->first && at->fate == JLT_FATE_ALIVE) return JLT_OK;
+    jlt_section_row_fill(f->row, f->system->flow.chart, f->sum->orbits, at, before);
+    const jlt_status st = jlt_writer_put(&f->writer, f->row);
 
     if (st != JLT_OK) return st;
     f->sum->rows++;
-    return jlt_section_picture_add(f->picture, row->at.q);
+    return jlt_section_picture_add(f->picture, at->q);
 }
 
 static bool stopped(const follower *f)
@@ -180,23 +184,23 @@ static bool stopped(const follower *f)
 static jlt_status run_orbit(follower *f, const double *q, size_t index)
 {
     totals *sum = f->sum;
-    jlt_section_row row = { .orbit = sum->orbits };
-    jlt_return *at = &row.at;
-    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, at, index)
-                                     : jlt_section_start(f->section, at, q, f->o->time_direction);
+    jlt_return at;
+    double before[JLT_CHART_DIM_MAX];
+    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, &at, index)
+                                     : jlt_section_start(f->section, &at, q, f->o->time_direction);
 
     if (st != JLT_OK) return st;
-    JLT_TRY(put(f, &row));
-    while (at->fate == JLT_FATE_ALIVE && at->number < f->returns && !stopped(f)) {
-        memcpy(row.before, at->q, sizeof row.before);
-        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, at) : jlt_section_next(f->section, at));
-        if (at->interrupted) break;
-        JLT_TRY(put(f, &row));
-        show_written(f, index, at->number);
+    JLT_TRY(put(f, &at, NULL));
+    while (at.fate == JLT_FATE_ALIVE && at.number < f->returns && !stopped(f)) {
+        memcpy(before, at.q, f->system->flow.chart->dim * sizeof *before);
+        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
+        if (at.interrupted) break;
+        JLT_TRY(put(f, &at, before));
+        show_written(f, index, at.number);
     }
-    jlt_section_picture_end(f->picture, at->fate);
-    if (at->least <= 0) sum->invalid++;
-    if (jlt_section_failed(at->fate)) sum->failed++;
+    jlt_section_picture_end(f->picture, at.fate);
+    if (at.least <= 0) sum->invalid++;
+    if (jlt_section_failed(at.fate)) sum->failed++;
     sum->orbits++;
 done:
     return st;
@@ -244,6 +248,10 @@ static jlt_exit open_follower(follower *f)
         if (o->check) JLT_TRY(jlt_map_create(&f->map, &system->flow));
         goto done;
     }
+    if (jlt_batch_isa_best(d, 0) == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: the kernels of %s follow one orbit at a time: leave out --batch", d->model);
+    if (system->flow.chart->turn != 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: not where the section's state is an angle: leave out --batch");
     if (system->flow.chart->level != 0)
         return jlt_command_fail(JLT_EXIT_USAGE, "--batch: sections STATE=0 alone: leave out --batch for %s=%.10g",
                                 d->states[system->flow.chart->column].name, system->flow.chart->level);
@@ -300,16 +308,20 @@ static jlt_exit run_all(follower *f, FILE *stream)
     const options *o = f->o;
     const size_t threads = o->threads > 1 ? o->threads : 1, room = o->batch ? BLOCK * threads : 1;
     const size_t rows = !o->batch ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
-    const unsigned dim = f->system->flow.chart->dim;
+    const jlt_chart *chart = f->system->flow.chart;
+    const unsigned dim = chart->dim;
     const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->start_count + grid;
     double *q = calloc(room, dim * sizeof *q);
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (q == NULL || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, sizeof(jlt_section_row), rows,
-                                     (unsigned)threads) != JLT_OK)
+    f->row = calloc(1, jlt_section_row_size(chart));
+    if (q == NULL || f->row == NULL
+        || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, jlt_section_row_size(chart), rows,
+                           (unsigned)threads) != JLT_OK)
         code = jlt_command_no_memory();
-    f->returns = o->returns;
-    f->all = o->returns > ((size_t)1 << 40) ? 0 : all * o->returns;
+    f->returns = o->skip + o->returns;
+    f->first = o->skip > 0 ? o->skip + 1 : 0;
+    f->all = f->returns > ((size_t)1 << 40) ? 0 : all * f->returns;
     jlt_progress_start(&f->progress, "returns");
     for (size_t first = 0, count; first < all && code == JLT_EXIT_DONE; first += count) {
         for (count = 0; count < room && first + count < all && code == JLT_EXIT_DONE; count++) {
@@ -322,6 +334,7 @@ static jlt_exit run_all(follower *f, FILE *stream)
     }
     jlt_progress_end(&f->progress);
     jlt_writer_close(&f->writer);
+    free(f->row);
     free(q);
     if (code == JLT_EXIT_DONE && f->sum->orbits == 0 && f->sum->empty > 0)
         code = jlt_motion_fail(JLT_ERR_EMPTY, f->system, "--grid");
@@ -349,6 +362,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     f.system = system;
+    if (code == JLT_EXIT_DONE && o.project && !o.batch) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;

@@ -172,7 +172,8 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_quantity *observed;
     const unsigned observes = jlt_course_observes(r->courses[0], &observed);
 
-    jlt_csv_header(file, s->common.command, kernel->descriptor, kernel->params);
+    jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command, .descriptor = kernel->descriptor, .params = kernel->params,
+                                              .method = s->method->name, .tolerance = s->tolerance });
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
             tier != NULL ? tier->meaning : "the model's own field", s->method->name, s->tolerance,
             r->project ? ", projected" : "");

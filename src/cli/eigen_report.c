@@ -164,7 +164,7 @@ void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
 
     for (size_t i = 0; i < request->axis_count; i++) /* it runs over the rows, which have copies of their own */
         if (!request->targets[i].is_state) request->params[request->targets[i].index] = NAN;
-    jlt_csv_header(stream, request->common.command, d, request->params);
+    jlt_csv_header(stream, &(jlt_csv_settings){ .command = request->common.command, .descriptor = d, .params = request->params });
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
     for (size_t i = 0; i < request->axis_count; i++)
         if (!request->targets[i].is_state) fprintf(stream, "%s,", request->axes[i].name);

@@ -23,6 +23,7 @@ static jlt_status compute_row(jlt_eigen_row *row, const jlt_eigen_request *r, si
     const jlt_descriptor *d = r->descriptor;
     double *params = malloc((d->param_count + 1) * sizeof *params), *x = malloc(d->state_count * sizeof *x);
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX];
+    double values[JLT_EIGEN_AXES_MAX];
 
     row->params = params;
     row->x = x;
@@ -30,15 +31,14 @@ static jlt_status compute_row(jlt_eigen_row *row, const jlt_eigen_request *r, si
     memcpy(params, r->params, d->param_count * sizeof *params);
     memcpy(x, r->x, d->state_count * sizeof *x);
     memcpy(given, r->given, sizeof given);
-    for (size_t i = r->axis_count; i-- > 0;) {
+    jlt_grid_point(values, r->axes, r->axis_count, k);
+    for (size_t i = 0; i < r->axis_count; i++) {
         const jlt_eigen_target *target = &r->targets[i];
-        const double value = jlt_grid_value(&r->axes[i], k % r->axes[i].count, 0);
-        k /= r->axes[i].count;
         if (target->is_state) {
-            x[target->index] = value;
+            x[target->index] = values[i];
             given[target->index] = 1;
         } else {
-            params[target->index] = value;
+            params[target->index] = values[i];
         }
     }
     jlt_eigen_compute(row, r, params, x, given);

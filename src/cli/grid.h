@@ -14,7 +14,7 @@ typedef struct {
     size_t low_length, high_length;
 } jlt_grid_axis;
 
-/** NAME=LOW:HIGH:COUNT, or NAME=VALUE for a single point. Values are exact numbers, or pi and -pi. */
+/** NAME=LOW:HIGH:COUNT, or NAME=VALUE for a single point. Values are as of jlt_grid_number. */
 jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option);
 
 /** Axes separated by commas into axes[0 .. *count - 1], at most `room`; or COUNTxCOUNT, which sets the counts of the axes as
@@ -24,10 +24,13 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
 /* Value number `index`, rounded once where both ends are typed numbers, so that 0.1:0.7:4 has 0.3: ends included, or for a periodic axis that spans its period the high end left out. */
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
 
+/** Point number `index` of the grid of these axes (count,), the first one slowest. values: shape (count,). */
+void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index);
+
 /** A whole number from low to high. */
 jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 
-/** A finite number, exact as everywhere; or pi. */
+/** A finite number, exact as everywhere; or a multiple of pi, 2*pi/3. */
 jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option);
 
 #endif

@@ -10,14 +10,20 @@
 #include "report/csv.h"
 #include "report/decimal.h"
 
-static const double pi = 3.14159265358979323846;
-
-enum { SECTION = 1100, MIRROR, CONTACT };
+enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT };
 
 static const struct argp_option option_table[] = {
-    { "level", 'l', "E=VALUE,G=VALUE", 0, "Levels of energy and of Jellett's integral; default E=2.15,G=-0.56", 10 },
-    { "section", SECTION, "STATE=VALUE", 0, "Section of another model", 10 },
-    { "mirror", MIRROR, "STATE,...", 0, "States whose sign another model's reversor changes", 10 },
+    { "level", 'l', "NAME=VALUE,...", 0,
+      "Levels of integrals: of energy E and of Jellett's integral G, default E=2.15,G=-0.56; with --section of those that the table "
+      "claims, beside --solve", 10 },
+    { "section", SECTION, "STATE=VALUE", 0, "Section of another model; its coordinates are the other states", 10 },
+    { "solve", SOLVE, "STATE=GUESS,...", 0,
+      "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
+      "section's coordinates are the others, and all of it lies on the branch that is found from there", 10 },
+    { "modulo", MODULO, "STATE=PERIOD,...", 0,
+      "With --section: states that are angles, such as phi=2*pi. They are shown within half a period of 0, orbits that differ by "
+      "periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
+    { "mirror", MIRROR, "STATE,...", 0, "With --section: states whose sign another model's reversor changes", 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do where the support stops pushing (N <= 0), so that the model no longer holds: go on and say at the end how "
@@ -44,6 +50,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case 'l': jlt_common_list(&o->level, value, "--level"); return 0;
     case SECTION: o->section = value; return 0;
+    case SOLVE: o->solve = value; return 0;
+    case MODULO: o->modulo = value; return 0;
     case MIRROR: o->mirror = value; return 0;
     case 'd': parse_direction(o, value, state); return 0;
     case CONTACT:
@@ -100,8 +108,9 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
     const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
     jlt_status st;
 
-    if (options->mirror != NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--mirror goes with --section: what the reversor does on levels of E and G is known");
+    if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section: what there is to know of levels of E and G is known",
+                                options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo");
     if (strcmp(options->contact, "report") == 0 && !options->tells_contact)
         return jlt_command_fail(JLT_EXIT_USAGE, "--contact report: only section and fates have a column for it");
     for (size_t k = 0; k < 2; k++)
@@ -126,65 +135,6 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of spherical_top_level in regular time are not built in");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "the spherical top");
-}
-
-static jlt_exit mirror_signs(int *signs, const jlt_descriptor *d, const char *text)
-{
-    size_t index;
-
-    for (unsigned i = 0; i < d->state_count; i++) signs[i] = 1;
-    while (text != NULL && *text != '\0') {
-        const size_t length = strcspn(text, ",");
-        char name[64];
-        snprintf(name, sizeof name, "%.*s", (int)length, text);
-        if (!jlt_descriptor_state(d, name, &index))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--mirror: %s has no state '%s'", d->model, name);
-        signs[index] = -1;
-        text += length;
-        if (*text == ',') text++;
-    }
-    return JLT_EXIT_DONE;
-}
-
-static jlt_exit read_section(jlt_grid_axis *section, const char *text)
-{
-    if (strchr(text, '=') == NULL || strchr(text, ':') != NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE)", text);
-    return jlt_grid_axis_parse(section, text, strlen(text), "--section");
-}
-
-static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor)
-{
-    jlt_grid_axis section;
-    int signs[JLT_CHART_STATES_MAX];
-    double *params = NULL;
-    size_t column;
-    jlt_status st;
-    jlt_exit code;
-
-    code = jlt_assign_params(&params, descriptor, &options->common.set);
-    if (code != JLT_EXIT_DONE) return code;
-    if (options->section == NULL)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE", descriptor->model);
-    else if (options->level.count > 0)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--level is for the spherical top, not for %s", descriptor->model);
-    else if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
-                                options->contact, descriptor->model);
-    else code = read_section(&section, options->section);
-    if (code == JLT_EXIT_DONE && !jlt_descriptor_state(descriptor, section.name, &column))
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--section: %s has no state '%s'", descriptor->model, section.name);
-    if (code == JLT_EXIT_DONE && descriptor->state_count > JLT_CHART_STATES_MAX)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,
-                                descriptor->state_count, JLT_CHART_STATES_MAX);
-    if (code == JLT_EXIT_DONE) code = mirror_signs(signs, descriptor, options->mirror);
-    if (code == JLT_EXIT_DONE) {
-        st = jlt_system_plane(system, descriptor, params, (unsigned)column, section.low,
-                              options->mirror != NULL ? signs : NULL, &options->flow);
-        if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
-    }
-    free(params);
-    return code;
 }
 
 static bool is_top(const jlt_descriptor *d)
@@ -221,7 +171,7 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     *system = NULL;
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
-    if (!is_top(descriptor) || options->section != NULL) return plane_system(system, options, descriptor);
+    if (!is_top(descriptor) || options->section != NULL) return jlt_motion_plane(system, options, descriptor);
     code = check_levels(descriptor);
     return code == JLT_EXIT_DONE ? top_system(system, options) : code;
 }
@@ -248,6 +198,12 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     if (status == JLT_ERR_EMPTY && system != NULL && system->is_top && jlt_system_interval(&system->chart.top, &low, &high))
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; gamma3 may lie in (%.10g, %.10g)",
                                 what, low, high);
+    if (status == JLT_ERR_EMPTY && system != NULL && system->flow.chart->solved_count > 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: Newton's method finds no state with these levels there: try another guess in "
+                                "--solve, or other coordinates", what);
+    if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: %s, or a return left the branch of --solve: try another --direction or section",
+                                what, jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->is_top)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1, and the orbit return before it "
                                 "ends at a pole or at rest", what);
@@ -324,7 +280,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     for (unsigned k = 0; k < chart->dim; k++) {
         axes[k] = (jlt_grid_axis){ .low = -1, .high = 1, .count = 1 };
         snprintf(axes[k].name, sizeof axes[k].name, "%s", chart->names[k]);
-        if (chart->period[k] != 0) axes[k].low = -pi, axes[k].high = pi;
+        if (chart->period[k] != 0) axes[k].low = -chart->period[k] / 2, axes[k].high = chart->period[k] / 2;
     }
     if (system->is_top) {
         double low = -1, high = 1;
@@ -334,7 +290,14 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
             axes[1].high = high - (high - low) / 200;
         }
     }
-    return text == NULL ? JLT_EXIT_DONE : jlt_grid_parse(axes, &count, chart->dim, text, option);
+    if (text == NULL) return JLT_EXIT_DONE;
+    const jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
+    const bool named = strchr(text, '=') != NULL;
+    for (unsigned k = 0; code == JLT_EXIT_DONE && !system->is_top && k < chart->dim; k++)
+        if (axes[k].low_text == NULL && (named || chart->period[k] == 0))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
+                                    chart->names[k], chart->names[k], chart->names[k]);
+    return code;
 }
 
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
@@ -353,25 +316,39 @@ void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_syste
     }
 }
 
+static bool is_swept(const jlt_motion_options *options, const char *name)
+{
+    for (size_t i = 0; i < options->swept_count; i++)
+        if (strcmp(options->swept[i].name, name) == 0) return true;
+    return false;
+}
+
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
     const jlt_chart *chart = system->flow.chart;
 
-    static const jlt_quantity levels[] = { { .name = "E" }, { .name = "G" } };
     const jlt_descriptor *d = system->instance->descriptor;
-    double params[JLT_SYSTEM_PARAMS_MAX], E_G[] = { system->values.E, system->values.G };
-    const bool sweeps = system->is_top && options->swept != NULL;
-    size_t at;
+    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX] = { system->values.E, system->values.G };
+    const char *names[JLT_INVARIANTS_MAX] = { "E", "G" };
+    const unsigned level_count = system->is_top ? 2 : chart->solved_count;
 
-    if (sweeps) memcpy(params, system->instance->params, d->param_count * sizeof *params);
-    if (sweeps && jlt_descriptor_param(d, options->swept, &at)) params[at] = NAN;
-    for (int k = 0; k < 2; k++)
-        if (sweeps && strcmp(options->swept, levels[k].name) == 0) E_G[k] = NAN;
-    jlt_csv_header(stream, options->common.command, d, sweeps ? params : system->instance->params);
-    if (system->is_top) {
+    if (params == NULL) return;
+    for (unsigned k = 0; k < chart->solved_count; k++) {
+        names[k] = d->integrals[system->chart.level.levels[k].integral].name;
+        levels[k] = system->chart.level.levels[k].value;
+    }
+    for (unsigned k = 0; k < d->param_count; k++)
+        params[k] = is_swept(options, d->params[k].name) ? NAN : system->instance->params[k];
+    for (unsigned k = 0; k < level_count; k++)
+        if (is_swept(options, names[k])) levels[k] = NAN;
+    jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
+                                                options->flow.method->name, options->flow.tolerance });
+    free(params);
+    if (level_count > 0) {
         fputs("# levels", stream);
-        jlt_decimal_write_named(stream, levels, E_G, 2);
+        for (unsigned k = 0; k < level_count; k++) jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
+        if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
         fputc('\n', stream);
     }
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,

@@ -10,13 +10,16 @@
 typedef struct {
     jlt_common common;
     jlt_accuracy accuracy; /* refers to flow */
-    const char *section; /* STATE=VALUE, for other models */
-    const char *mirror;  /* states whose sign the reversor changes, for other models */
+    const char *section; /* STATE=VALUE, for other models, and with it: */
+    const char *mirror;  /* states whose sign the reversor changes */
+    const char *solve;   /* STATE=GUESS,... of levels */
+    const char *modulo;  /* STATE=PERIOD,... of angles */
     jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
     bool tells_contact;  /* the command has a column for `report` */
-    const char *swept;   /* a parameter or level that runs over the rows, of which headers and captions say nothing; NULL: none */
+    const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
+    size_t swept_count;
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -30,6 +33,15 @@ void jlt_motion_end(jlt_motion_options *options);
 /** The system that the options describe. Says what is wrong. */
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
 
+/** The same on --section of any table. */
+jlt_exit jlt_motion_plane(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor);
+
+/** What its levels are solved for, behind them in the header. */
+void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
+
+/** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
+jlt_exit jlt_motion_project(jlt_system *system);
+
 /** The same for a command that knows the spherical top alone; what: its subject, in the plural. */
 jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what);
 
@@ -40,7 +52,7 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
 /** Axes of a grid over the section: as in `text`, by default angles over their period, gamma3 over the interval of the
- *  levels. */
+ *  levels. Of the spherical top; of other models every coordinate has to be named, or be an angle where only counts are typed. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Grid point number `index` (the first coordinate runs fastest), or the number of points. */

@@ -1,8 +1,26 @@
 #include "cli/section_table.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "report/csv.h"
+
+size_t jlt_section_row_size(const jlt_chart *chart)
+{
+    return sizeof(jlt_section_row) + (2 * chart->dim + chart->states) * sizeof(double);
+}
+
+void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t orbit, const jlt_return *at, const double *before)
+{
+    row->orbit = orbit;
+    row->number = at->number;
+    row->t = at->t;
+    row->least = at->least;
+    row->fate = at->fate;
+    memcpy(row->values, at->q, chart->dim * sizeof *at->q);
+    memcpy(row->values + chart->dim, at->x, chart->states * sizeof *at->x);
+    if (before != NULL) memcpy(row->values + chart->dim + chart->states, before, chart->dim * sizeof *before);
+}
 
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 {
@@ -10,6 +28,8 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 
     fputs("orbit,return,t", stream);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(stream, ",%s", chart->names[k]);
+    for (unsigned i = 0; i < chart->solved_count; i++)
+        fprintf(stream, ",%s", table->system->instance->descriptor->states[chart->solved[i]].name);
     fprintf(stream, "%s,fate", table->system->is_top ? ",v_nu,omega_n,omega3" : "");
     if (table->least) fprintf(stream, ",%s_min", jlt_observed_condition(table->system->observed));
     fprintf(stream, "%s\n", table->check ? ",trace,det,divergence,defect" : "");
@@ -18,12 +38,12 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 /* DP from the point before. */
 static void write_check(FILE *stream, jlt_section_table *table, const jlt_section_row *row)
 {
-    const unsigned d = table->system->flow.chart->dim;
+    const unsigned d = table->system->flow.chart->dim, states = table->system->flow.chart->states;
     jlt_image image;
     double trace = 0;
 
-    if (row->at.number == 0 || row->at.fate != JLT_FATE_ALIVE
-        || jlt_map_apply(table->map, &image, row->before, 1, table->time_direction) != JLT_OK) {
+    if (row->number == 0 || row->fate != JLT_FATE_ALIVE
+        || jlt_map_apply(table->map, &image, row->values + d + states, 1, table->time_direction) != JLT_OK) {
         fputs(",,,,", stream);
         return;
     }
@@ -46,21 +66,23 @@ static void write_field(FILE *stream, double value)
 void jlt_section_table_row(FILE *stream, void *table, const void *row)
 {
     jlt_section_table *self = table;
-    const jlt_section_row *which = row;
+    const jlt_section_row *at = row;
     const jlt_system *system = self->system;
-    const jlt_return *at = &which->at;
+    const unsigned d = system->flow.chart->dim;
+    const double *q = at->values, *x = at->values + d;
     char fate[JLT_FATE_TEXT_MAX];
     double omega_n, omega3;
 
-    fprintf(stream, "%zu,%zu", which->orbit, at->number);
+    fprintf(stream, "%zu,%zu", at->orbit, at->number);
     write_field(stream, at->t);
-    for (unsigned k = 0; k < system->flow.chart->dim; k++) {
+    for (unsigned k = 0; k < d; k++) {
         const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
-        write_field(stream, is_gamma3 ? fmax(-1, fmin(1, at->x[JLT_CHART_TOP_GAMMA3])) : at->q[k]);
+        write_field(stream, is_gamma3 ? fmax(-1, fmin(1, x[JLT_CHART_TOP_GAMMA3])) : q[k]);
     }
+    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) write_field(stream, x[system->flow.chart->solved[i]]);
     if (system->is_top) {
-        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, at->x);
-        write_field(stream, at->x[JLT_CHART_TOP_V_NU]);
+        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, x);
+        write_field(stream, x[JLT_CHART_TOP_V_NU]);
         write_field(stream, omega_n);
         write_field(stream, omega3);
     }
@@ -68,6 +90,6 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     jlt_section_fate_text(fate, system->observed, at->fate);
     fputs(fate, stream);
     if (self->least) write_field(stream, at->least);
-    if (self->check) write_check(stream, self, which);
+    if (self->check) write_check(stream, self, at);
     fputc('\n', stream);
 }

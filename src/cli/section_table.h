@@ -16,11 +16,17 @@ typedef struct {
     double worst_share, worst_defect; /* of the defect that is the largest part of its bound: that, and it */
 } jlt_section_table;
 
+/* What of a return the table shows. */
 typedef struct {
-    size_t orbit;
-    jlt_return at;
-    double before[JLT_CHART_DIM_MAX]; /* the point before; not for number 0 */
+    size_t orbit, number;
+    double t, least;
+    jlt_fate fate;
+    double values[]; /* q (dim,); x (states,); the point before (dim,), which is read by check and not for number 0 */
 } jlt_section_row;
+
+/** Bytes of a row; filling one, before (dim,) or NULL. */
+size_t jlt_section_row_size(const jlt_chart *chart);
+void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t orbit, const jlt_return *at, const double *before);
 
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table);
 

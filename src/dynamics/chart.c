@@ -3,6 +3,16 @@
 #include <math.h>
 #include <string.h>
 
+/* Reduced by the nearest multiple of the period, so that small differences keep their digits. */
+static double reduce(double value, double period)
+{
+    double reduced;
+
+    if (period == 0) return value;
+    reduced = remainder(value, period);
+    return reduced == -period / 2 ? period / 2 : reduced;
+}
+
 static jlt_status plane_lift(const jlt_chart *self, double *x, double *tangent, const double *q)
 {
     unsigned i, k;
@@ -29,7 +39,7 @@ static void plane_lower(const jlt_chart *self, double *q, double *slope, const d
     if (slope != NULL) memset(slope, 0, sizeof *slope * self->states * self->dim);
     for (i = 0, k = 0; i < self->states; i++) {
         if (i == self->column) continue;
-        q[k] = x[i];
+        q[k] = reduce(x[i], self->period[k]);
         if (slope != NULL) slope[k * self->states + i] = 1;
         k++;
     }
@@ -59,20 +69,35 @@ jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, dou
         out->mirror[k] = signs != NULL ? signs[i] : 1;
         k++;
     }
+    if (out->dim == 1) out->names[1] = "";
     out->lift = plane_lift;
     out->lower = plane_lower;
     out->flux = plane_flux;
     return JLT_OK;
 }
 
-/* Reduced by the nearest multiple of the period, so that small differences keep their digits. */
-static double reduce(double value, double period)
+void jlt_chart_set_periods(jlt_chart *self, const double *periods)
 {
-    double reduced;
+    unsigned i, k;
 
-    if (period == 0) return value;
-    reduced = remainder(value, period);
-    return reduced == -period / 2 ? period / 2 : reduced;
+    self->turn = periods[self->column];
+    for (i = 0, k = 0; i < self->states; i++)
+        if (i != self->column) self->period[k++] = periods[i];
+}
+
+unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_direction direction)
+{
+    const unsigned count = self->turn != 0 ? JLT_CHART_EVENTS_MAX : 1;
+
+    for (unsigned k = 0; k < count; k++)
+        events[k] = (jlt_event){ .column = self->column, .level = self->level + ((int)k - (count > 1)) * self->turn,
+                                 .direction = direction };
+    return count;
+}
+
+void jlt_chart_turn_back(const jlt_chart *self, double *x)
+{
+    if (self->turn != 0) x[self->column] = self->level + reduce(x[self->column] - self->level, self->turn);
 }
 
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p)

@@ -10,16 +10,20 @@
 #define JLT_DYNAMICS_CHART_H
 
 #include "integrate/event.h"
+#include "integrate/invariant.h"
 
-enum { JLT_CHART_DIM_MAX = 7, JLT_CHART_STATES_MAX = 8 };
+enum { JLT_CHART_DIM_MAX = 127, JLT_CHART_STATES_MAX = 128 }; /* 128 states are what a table may have */
 
 typedef struct jlt_chart jlt_chart;
 struct jlt_chart {
-    unsigned dim, states;                /* of q and of x; dim <= 7, states <= 8 */
+    unsigned dim, states;                /* of q and of x */
     unsigned column;                     /* the section is x[column] = level */
     double level;
-    const char *names[JLT_CHART_DIM_MAX];
+    const char *names[JLT_CHART_DIM_MAX]; /* where there is one alone, "" follows: pictures show two */
     double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
+    double turn;                         /* period of x[column], of which the section is then every level + k turn; 0: none */
+    unsigned solved_count;               /* states that the levels determine, and which they are */
+    unsigned solved[JLT_INVARIANTS_MAX];
     bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
     int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
 
@@ -40,9 +44,21 @@ struct jlt_chart {
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
  *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
  *  (signs[column] = -1 and level = 0). names: shape (states,), kept by reference.
- *  Errors: ARG, states outside 2 .. 8 or column >= states. */
+ *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX or column >= states. */
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
+
+/** Make angles of the states with periods[i] != 0, shape (states,): coordinates are taken to (-period/2, period/2], and points
+ *  whose coordinates differ by periods are one. Of plane sections. */
+void jlt_chart_set_periods(jlt_chart *self, const double *periods);
+
+/** The events that are crossings of the section; events has room for JLT_CHART_EVENTS_MAX. Returns how many: one, or where the
+ *  section's state turns one on each side of the start as well. */
+enum { JLT_CHART_EVENTS_MAX = 3 };
+unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_direction direction);
+
+/** The section's state to within half a turn of its level, in place; nothing where it has no turn. x: shape (states,). */
+void jlt_chart_turn_back(const jlt_chart *self, double *x);
 
 /** q -> q - p with angles taken to (-pi, pi]. All of shape (dim,); out may be either. */
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);

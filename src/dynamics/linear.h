@@ -1,10 +1,10 @@
-/** Small dense linear algebra of maps: matrices (dim, dim) row-major, dim <= 8, on the stack. */
+/** Small dense linear algebra of maps: matrices (dim, dim) row-major, on the stack. */
 #ifndef JLT_DYNAMICS_LINEAR_H
 #define JLT_DYNAMICS_LINEAR_H
 
 #include "core/status.h"
 
-enum { JLT_LINEAR_DIM_MAX = 8 };
+enum { JLT_LINEAR_DIM_MAX = 128 };
 
 /** out = a b; out may be a or b. */
 void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned dim);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_level.h"
 #include "dynamics/linear.h"
 #include "integrate/rest.h"
 
@@ -30,6 +31,7 @@ struct jlt_map {
     double most, least;   /* sizes that tangent vectors had on the way, and 1 */
     double swing;         /* largest |integral of the divergence|, or 1 */
     size_t steps;         /* before it */
+    jlt_image image;      /* of the returns so far */
 };
 
 /* Field and Jacobian: (n,) and (n, n). */
@@ -164,16 +166,15 @@ const jlt_flow *jlt_map_flow(const jlt_map *self)
 
 static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direction)
 {
-    const jlt_event event = { .column = self->flow.chart->column,
-                              .level = self->flow.chart->level,
-                              .direction = self->flow.direction };
+    jlt_event events[JLT_CHART_EVENTS_MAX];
+    const unsigned crossings = jlt_chart_events(self->flow.chart, events, self->flow.direction);
     jlt_status st;
 
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
-    st = jlt_orbit_next(self->orbit, time_direction * t_max, &event, 1, outcome);
+    st = jlt_orbit_next(self->orbit, time_direction * t_max, events, crossings, outcome);
     if (st != JLT_OK) return st;
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
@@ -249,7 +250,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
 {
     const jlt_chart *chart = self->flow.chart;
     const unsigned n = chart->states, d = chart->dim;
-    double start[DIM_MAX] = { 0 }, tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX];
+    double start[DIM_MAX], tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX];
     double f[JLT_CHART_STATES_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
     double before, after, expansion, determinant, defect;
     jlt_outcome outcome;
@@ -259,6 +260,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     JLT_TRY(chart->lift(chart, start, tangent, image->q));
     for (k = 0; k < d; k++)
         for (i = 0; i < n; i++) start[n * (1 + k) + i] = tangent[i * d + k];
+    start[n * (1 + d)] = 0;
     self->flow.field->call(start, self->flow.field->p, f);
     if (jlt_rest_is_slower(self->flow.field, start, JLT_REST_STILL)) return JLT_ERR_DOMAIN;
     before = chart->flux(chart, start, f);
@@ -270,6 +272,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     for (i = 0; i < d * d; i++)
         if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
     expansion = outcome.x[n * (1 + d)];
+    if (!jlt_chart_level_follows(chart, outcome.x)) return JLT_ERR_NO_CONVERGENCE;
     determinant = jlt_linear_determinant(slope, d);
     /* A crossing in the other direction turns the flux round; volume is counted positive. */
     const double size = hadamard(slope, d), told = fabs(before / after) * exp(expansion);
@@ -288,18 +291,35 @@ done:
     return st;
 }
 
+/* What of an image is in use: there is room for sections of many coordinates. */
+static void copy_image(jlt_image *out, const jlt_image *image, const jlt_chart *chart)
+{
+    const unsigned d = chart->dim;
+
+    memcpy(out->q, image->q, d * sizeof *out->q);
+    memcpy(out->slope, image->slope, (size_t)d * d * sizeof *out->slope);
+    memcpy(out->x, image->x, chart->states * sizeof *out->x);
+    out->T = image->T;
+    out->determinant = image->determinant;
+    out->expansion = image->expansion;
+    out->defect = image->defect;
+    out->bound = image->bound;
+}
+
 jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction)
 {
     const unsigned d = self->flow.chart->dim;
-    jlt_image image = { .determinant = 1 };
+    jlt_image *image = &self->image;
     jlt_status st = JLT_OK;
     size_t i;
 
     if (count == 0) return JLT_ERR_ARG;
-    memcpy(image.q, q, d * sizeof *q);
-    for (i = 0; i < d; i++) image.slope[i * d + i] = 1;
-    for (i = 0; i < count; i++) JLT_TRY(advance(self, &image, time_direction));
-    *out = image;
+    memcpy(image->q, q, d * sizeof *q);
+    for (i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
+    image->T = image->expansion = image->defect = image->bound = 0;
+    image->determinant = 1;
+    for (i = 0; i < count; i++) JLT_TRY(advance(self, image, time_direction));
+    copy_image(out, image, self->flow.chart);
 done:
     return st;
 }
@@ -307,25 +327,22 @@ done:
 jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction)
 {
     const unsigned d = self->flow.chart->dim;
-    jlt_image image = { .T = 0 };
     jlt_status st = JLT_OK;
     jlt_return row;
     size_t i;
 
     if (count == 0) return JLT_ERR_ARG;
-    memcpy(image.q, q, d * sizeof *q);
-    JLT_TRY(jlt_section_start(self->section, &row, image.q, time_direction));
+    JLT_TRY(jlt_section_start(self->section, &row, q, time_direction));
     for (i = 0; i < count; i++) {
         JLT_TRY(jlt_section_next(self->section, &row));
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
         JLT_TRY(jlt_section_fate_status(row.fate));
     }
-    memcpy(image.q, row.q, sizeof image.q);
-    memcpy(image.x, row.x, sizeof image.x);
-    image.T = row.t;
-    for (i = 0; i < (size_t)d * d; i++) image.slope[i] = NAN;
-    image.determinant = image.expansion = image.defect = image.bound = NAN;
-    *out = image;
+    memcpy(out->q, row.q, d * sizeof *q);
+    memcpy(out->x, row.x, self->flow.chart->states * sizeof *out->x);
+    out->T = row.t;
+    for (i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
+    out->determinant = out->expansion = out->defect = out->bound = NAN;
 done:
     return st;
 }

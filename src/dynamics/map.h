@@ -40,7 +40,7 @@ const jlt_flow *jlt_map_flow(const jlt_map *self);
 /** P^count(q), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative.
  *  Every return starts from the chart's point, exactly on the levels.
  *  Errors: EMPTY, DOMAIN (q, or the orbit ended at a pole or at rest, or lost contact), BUDGET, NONFINITE, NO_PROGRESS,
- *  NO_CONVERGENCE (interrupted); out is then not touched. */
+ *  NO_CONVERGENCE (interrupted, or returned on another branch of a chart that solves for states); out is then not touched. */
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
 /** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, expansion, defect are NaN. */

@@ -1,6 +1,7 @@
 #include "dynamics/periodic.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "dynamics/linear.h"
@@ -34,11 +35,17 @@ static double norm(const double *v, unsigned count)
 
 /* What one pass over the orbit knows: each return's derivative and what misses to the next point. */
 typedef struct {
-    double slopes[JLT_PERIODIC_MAX][D * D];
-    double miss[JLT_PERIODIC_MAX][D];
+    double *slopes, *miss; /* (period, d, d) and (period, d), in one block */
     double residual, scale;
     double T, expansion, determinant, defect;
 } shooting;
+
+static jlt_status make_room(shooting *out, unsigned d, size_t period)
+{
+    out->slopes = calloc(period, (size_t)d * (d + 1) * sizeof *out->slopes);
+    out->miss = out->slopes != NULL ? out->slopes + period * d * d : NULL;
+    return out->slopes != NULL ? JLT_OK : JLT_ERR_NOMEM;
+}
 
 static jlt_status shoot(jlt_map *map, shooting *out, const double *points, size_t period)
 {
@@ -53,9 +60,9 @@ static jlt_status shoot(jlt_map *map, shooting *out, const double *points, size_
     for (i = 0; i < period; i++) {
         st = jlt_map_apply(map, &image, points + i * d, 1, 1);
         if (st != JLT_OK) return st;
-        memcpy(out->slopes[i], image.slope, sizeof *image.slope * d * d);
-        jlt_chart_difference(chart, out->miss[i], image.q, points + (i + 1) % period * d);
-        out->residual = fmax(out->residual, norm(out->miss[i], d));
+        memcpy(out->slopes + i * d * d, image.slope, sizeof *image.slope * d * d);
+        jlt_chart_difference(chart, out->miss + i * d, image.q, points + (i + 1) % period * d);
+        out->residual = fmax(out->residual, norm(out->miss + i * d, d));
         out->scale = fmax(out->scale, norm(image.slope, d * d));
         out->T += image.T;
         out->expansion += image.expansion;
@@ -76,13 +83,14 @@ static jlt_status newton_step(double delta[][D], const shooting *at, unsigned d,
 
     for (i = 0; i < d; i++) product[i * d + i] = 1;
     for (k = 0; k < period; k++) {
-        double next[D] = { 0 };
+        const double *slope = at->slopes + k * d * d;
+        double next[D];
         for (i = 0; i < d; i++) {
-            next[i] = at->miss[k][i];
-            for (j = 0; j < d; j++) next[i] += at->slopes[k][i * d + j] * carried[j];
+            next[i] = at->miss[k * d + i];
+            for (j = 0; j < d; j++) next[i] += slope[i * d + j] * carried[j];
         }
-        memcpy(carried, next, sizeof next);
-        jlt_linear_multiply(product, at->slopes[k], product, d);
+        memcpy(carried, next, d * sizeof *next);
+        jlt_linear_multiply(product, slope, product, d);
     }
     for (j = 0; j < d; j++)
         if (held == NULL || !held[j]) columns[count++] = j;
@@ -95,8 +103,8 @@ static jlt_status newton_step(double delta[][D], const shooting *at, unsigned d,
     for (j = 0; j < count; j++) delta[0][columns[j]] = free_delta[j];
     for (k = 0; k + 1 < period; k++)
         for (i = 0; i < d; i++) {
-            delta[k + 1][i] = at->miss[k][i];
-            for (j = 0; j < d; j++) delta[k + 1][i] += at->slopes[k][i * d + j] * delta[k][j];
+            delta[k + 1][i] = at->miss[k * d + i];
+            for (j = 0; j < d; j++) delta[k + 1][i] += at->slopes[(k * d + i) * d + j] * delta[k][j];
         }
     return JLT_OK;
 }
@@ -107,15 +115,17 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     const unsigned d = chart->dim;
     double delta[JLT_PERIODIC_MAX][D], trial[JLT_PERIODIC_MAX * D];
-    shooting now, then;
-    jlt_status st = shoot(map, &now, points, period);
+    shooting now = { 0 }, then = { 0 };
+    jlt_status st = JLT_OK;
     unsigned iteration, halving, i;
     size_t k;
 
-    for (iteration = 0; st == JLT_OK && iteration < ITERATIONS && now.residual > 0; iteration++) {
+    JLT_TRY(make_room(&now, d, period));
+    JLT_TRY(make_room(&then, d, period));
+    JLT_TRY(shoot(map, &now, points, period));
+    for (iteration = 0; iteration < ITERATIONS && now.residual > 0; iteration++) {
         double longest = 0, factor;
-        st = newton_step(delta, &now, d, period, held);
-        if (st != JLT_OK) return st;
+        JLT_TRY(newton_step(delta, &now, d, period, held));
         for (k = 0; k < period; k++) longest = fmax(longest, norm(delta[k], d));
         factor = longest > longest_step ? longest_step / longest : 1;
         for (halving = 0; halving < HALVINGS; halving++, factor /= 2) {
@@ -128,9 +138,15 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
         }
         if (halving == HALVINGS) break;
         memcpy(points, trial, sizeof *points * period * d);
+        const shooting last = now;
         now = then;
+        then = last;
     }
-    return now.residual <= fmin(accepted * now.scale, accepted_most) ? JLT_OK : st != JLT_OK ? st : JLT_ERR_NO_CONVERGENCE;
+    st = now.residual <= fmin(accepted * now.scale, accepted_most) ? JLT_OK : st != JLT_OK ? st : JLT_ERR_NO_CONVERGENCE;
+done:
+    free(now.slopes);
+    free(then.slopes);
+    return st;
 }
 
 static size_t primitive(const jlt_chart *chart, const double *points, size_t period)
@@ -175,29 +191,32 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     const unsigned d = chart->dim;
     jlt_periodic orbit = *io;
-    shooting at;
+    shooting at = { 0 };
+    double *slope;
     unsigned i;
     size_t k;
     jlt_status st = JLT_OK;
 
     if (io->period == 0 || io->period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
+    JLT_TRY(make_room(&at, d, orbit.period));
     JLT_TRY(shoot(map, &at, orbit.points, orbit.period));
-    memset(orbit.slope, 0, sizeof orbit.slope);
-    for (i = 0; i < d; i++) orbit.slope[i * d + i] = 1;
-    for (k = 0; k < orbit.period; k++) jlt_linear_multiply(orbit.slope, at.slopes[k], orbit.slope, d);
-    for (orbit.trace = 0, i = 0; i < d; i++) orbit.trace += orbit.slope[i * d + i];
+    slope = at.slopes; /* of the whole orbit, in place of the first return's */
+    for (k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
+    if (d == 2) memcpy(orbit.slope, slope, sizeof orbit.slope);
+    for (orbit.trace = 0, i = 0; i < d; i++) orbit.trace += slope[i * d + i];
     orbit.T = at.T;
     orbit.residual = at.residual;
     orbit.defect = at.defect;
     orbit.determinant = exp(at.expansion);
     orbit.determinant_slope = at.determinant;
-    JLT_TRY(jlt_linear_eigenvalues(orbit.re, orbit.im, orbit.slope, d));
+    JLT_TRY(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
     /* The smaller of two real multipliers keeps its digits through the determinant. */
     if (d == 2 && orbit.im[0] == 0 && orbit.re[0] != 0) orbit.re[1] = orbit.determinant / orbit.re[0];
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
     orbit.type = classify(orbit.re, orbit.im, d);
     *io = orbit;
 done:
+    free(at.slopes);
     return st;
 }
 

@@ -22,7 +22,7 @@ typedef struct {
     size_t period;                                       /* primitive, <= JLT_PERIODIC_MAX */
     double points[JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
     double T;                                            /* time of the whole orbit */
-    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* D(P^period) at the first point */
+    double slope[4];         /* D(P^period) at the first point; on sections of two coordinates alone */
     double trace;
     double determinant;      /* exp of the integral of the divergence: the flux is the same at both ends */
     double determinant_slope; /* of slope itself, a second way */

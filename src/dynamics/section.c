@@ -10,17 +10,17 @@
 struct jlt_section {
     jlt_flow flow;
     jlt_orbit *orbit;
-    jlt_event events[2];
-    unsigned event_count;
+    jlt_event events[JLT_CHART_EVENTS_MAX + 1];
+    unsigned crossings, event_count; /* the first are crossings of the section, one more is the loss of contact */
     size_t number;
     int time_direction;
     double t_start;  /* of the current return */
     double x[JLT_CHART_STATES_MAX]; /* there */
     jlt_fate start_fate; /* other than alive: it ended where it started */
     bool rests;          /* as the last return was judged */
-    jlt_rest_watch rest; /* since the last return */
+    jlt_rest_watch rest;
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
-    bool accepted;   /* the orbit's own integrator has not been there */
+    bool accepted;   /* the orbit's own integrator has not been there, or is a turn of the section ahead */
     double least;    /* value of the model's conditions since the start */
 };
 
@@ -107,15 +107,12 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
     JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method, self->flow.field,
                              &(jlt_options){ .tolerance = flow->tolerance,
                                              .max_steps = self->flow.max_steps,
+                                             .invariants = flow->kept,
+                                             .project = flow->kept.count > 0,
                                              .interrupt = flow->interrupt }));
-    self->events[0] = (jlt_event){ .column = flow->chart->column,
-                                   .level = flow->chart->level,
-                                   .direction = flow->direction };
-    self->event_count = 1;
-    if (flow->observed != NULL && jlt_observed_has_conditions(flow->observed) && flow->end_where_invalid) {
-        self->events[1] = (jlt_event){ .value = condition_value, .context = self, .direction = JLT_BOTH };
-        self->event_count = 2;
-    }
+    self->crossings = self->event_count = jlt_chart_events(flow->chart, self->events, flow->direction);
+    if (flow->observed != NULL && jlt_observed_has_conditions(flow->observed) && flow->end_where_invalid)
+        self->events[self->event_count++] = (jlt_event){ .value = condition_value, .context = self, .direction = JLT_BOTH };
     jlt_orbit_observe(self->orbit, watch, self);
     *out = self;
     self = NULL; /* ownership moved to the caller */
@@ -136,6 +133,7 @@ static void arrive(jlt_section *self, const double *x, double *f)
 {
     self->flow.field->call(x, self->flow.field->p, f);
     memcpy(self->x, x, self->flow.chart->states * sizeof *x);
+    jlt_chart_turn_back(self->flow.chart, self->x);
     note_conditions(self, x);
 }
 
@@ -145,12 +143,15 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     const jlt_chart *chart = self->flow.chart;
     unsigned k;
 
-    memset(row, 0, sizeof *row);
     row->number = self->number;
+    row->direction = 0;
+    row->fate = JLT_FATE_ALIVE;
+    row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
     row->least = self->least;
+    row->q[1] = 0; /* of one coordinate pictures show this beside it */
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
         return;
@@ -161,9 +162,13 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
 static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int time_direction)
 {
     const jlt_chart *chart = self->flow.chart;
-    const jlt_status st = jlt_orbit_start(self->orbit, 0, x, time_direction);
-    double f[JLT_CHART_STATES_MAX];
+    double f[JLT_CHART_STATES_MAX], turned[JLT_CHART_STATES_MAX];
+    jlt_status st;
 
+    memcpy(turned, x, chart->states * sizeof *x);
+    jlt_chart_turn_back(chart, turned);
+    x = turned;
+    st = jlt_orbit_start(self->orbit, 0, x, time_direction);
     for (unsigned i = 0; i < chart->states; i++)
         if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
     self->start_fate = JLT_FATE_ALIVE;
@@ -176,7 +181,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->least = INFINITY;
     arrive(self, x, f);
     if (jlt_rest_is_slower(self->flow.field, x, JLT_REST_STILL)) self->start_fate = JLT_FATE_EQUILIBRIUM;
-    if (self->event_count == 2 && self->least <= 0) self->start_fate = JLT_FATE_INVALID;
+    if (self->event_count > self->crossings && self->least <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
     fill(row, self, 0, x, x[chart->column] == chart->level);
     row->fate = self->start_fate;
@@ -250,12 +255,13 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     if (st != JLT_OK) {
         if (!jlt_section_fate_of(&fate, st)) return st;
         end(self, row, outcome.t, outcome.x, fate);
-    } else if (outcome.end == JLT_END_EVENT && outcome.crossing.event == 0) {
+    } else if (outcome.end == JLT_END_EVENT && outcome.crossing.event < self->crossings) {
         self->number++;
         self->t_start = outcome.t;
-        fill(row, self, outcome.t, outcome.x, true);
-        row->direction = outcome.crossing.direction;
         arrive(self, outcome.x, f);
+        fill(row, self, outcome.t, self->x, true);
+        row->direction = outcome.crossing.direction;
+        self->accepted = self->flow.chart->turn != 0; /* it goes on from within a turn of the section */
         self->rest = (jlt_rest_watch){ 0 };
         self->rests = jlt_rest_is_slower(self->flow.field, self->x, jlt_rest_slow(jlt_orbit_stepper(self->orbit)->asked))
                       && jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit);

@@ -19,6 +19,7 @@ typedef struct {
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
+    jlt_invariants kept;              /* not empty: projected back onto their levels of the start after every step */
     const jlt_observed *observed;     /* of states of the field, in its units: where the model holds; default: everywhere */
     bool end_where_invalid;           /* an orbit ends where a condition of the model breaks; default: it goes on, and rows tell the
                                          least value met */

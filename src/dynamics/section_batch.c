@@ -40,7 +40,8 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL) return JLT_ERR_ARG;
-    if (flow->chart->level != 0 || flow->end_where_invalid || flow->t_max != 0) return JLT_ERR_UNSUPPORTED;
+    if (flow->chart->level != 0 || flow->chart->turn != 0) return JLT_ERR_UNSUPPORTED;
+    if (flow->end_where_invalid || flow->t_max != 0) return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->flow = *flow;

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double pi = 3.14159265358979323846;
+
 typedef struct {
     jlt_map *map;
     jlt_section *both;  /* the flow's section, crossed in both directions */
@@ -29,7 +31,8 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
     for (j = 0; st == JLT_OK && j < count; j++) {
         st = jlt_section_next(self->both, &row);
         if (st != JLT_OK || row.interrupted || row.fate != JLT_FATE_ALIVE) break;
-        h[j] = chart->period[self->mirrored] != 0 ? sin(row.q[self->mirrored]) : row.q[self->mirrored];
+        h[j] = row.q[self->mirrored];
+        if (chart->period[self->mirrored] != 0) h[j] = sin(h[j] * (2 * pi / chart->period[self->mirrored]));
     }
     if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
     return st;

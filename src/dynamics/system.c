@@ -115,6 +115,39 @@ done:
     return st;
 }
 
+jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state)
+{
+    static const double same = 1e-9; /* rounding of a period, times slopes of the field */
+    const unsigned n = self->field.dim;
+    double x[JLT_CHART_STATES_MAX] = { 0 }, f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX], size = 0;
+
+    for (unsigned i = 0; i < n; i++) x[i] = 0.37 + 0.11 * sin(i + 1.);
+    self->field.call(x, self->field.p, f);
+    for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(f[i]));
+    for (*state = 0; *state < n; ++*state) {
+        const double at = x[*state];
+        if (periods[*state] == 0) continue;
+        x[*state] += periods[*state];
+        self->field.call(x, self->field.p, there);
+        x[*state] = at;
+        for (unsigned i = 0; i < n; i++)
+            if (fabs(there[i] - f[i]) > same * fmax(size, fabs(there[i]))) return JLT_ERR_DOMAIN;
+    }
+    jlt_chart_set_periods(&self->chart.plane, periods);
+    return JLT_OK;
+}
+
+jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count)
+{
+    const jlt_descriptor *d = self->instance->descriptor;
+    const jlt_invariants integrals = { d->integral_count, d->integral_values.call, d->integral_gradients.call, self->field.p };
+    const jlt_chart plane = self->chart.plane;
+    const jlt_status st = jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count);
+
+    if (st != JLT_OK) self->chart.plane = plane;
+    return st;
+}
+
 void jlt_system_destroy(jlt_system *self)
 {
     if (self == NULL) return;

@@ -2,6 +2,7 @@
 #ifndef JLT_DYNAMICS_SYSTEM_H
 #define JLT_DYNAMICS_SYSTEM_H
 
+#include "dynamics/chart_level.h"
 #include "dynamics/chart_top.h"
 #include "dynamics/continuation.h"
 #include "kernel/instance.h"
@@ -27,6 +28,7 @@ typedef struct {
     bool is_top;
     union {
         jlt_chart plane;
+        jlt_chart_level level;
         jlt_chart_top top;
     } chart;                 /* in the table's units, as rows are */
     jlt_chart_top flow_chart; /* of the spherical top: the same in the flow's */
@@ -44,6 +46,12 @@ JLT_CHECKED jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *va
  *  (state_count,), or NULL. Errors: ARG; UNSUPPORTED, no Jacobian; DOMAIN, NONFINITE; NOMEM. */
 JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params,
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
+/** Angles among the states of a plane section: periods, shape (states,), 0 for none. Before levels.
+ *  Errors: DOMAIN, the field changes with a period, measured at a point; *state then tells whose. */
+JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
+
+/** Restrict a plane section to levels (count,) of its table's integrals. Errors: ARG, as jlt_chart_level_init. */
+JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
 void jlt_system_destroy(jlt_system *self); /* NULL is legal */
 
 /** The interval of gamma3 in which the levels have states with omega_tau = 0, scanned on 4096 points and refined by

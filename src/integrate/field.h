@@ -8,7 +8,8 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-enum { JLT_FIELD_DIM_MAX = 256, JLT_JACOBIAN_DIM_MAX = 32 };
+/* The largest field is that of 128 states with their derivatives by as many coordinates, and an integral. */
+enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
 
 typedef struct {
     unsigned dim;                  /* 1 .. JLT_FIELD_DIM_MAX */

@@ -23,7 +23,7 @@ double jlt_locate_value(const jlt_event *event, const double *x)
 static double difference_along(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
 {
     const double step = 1e-5 * fabs(stepper->h);
-    double shifted[JLT_FIELD_DIM_MAX + 1] = { 0 };
+    double shifted[JLT_FIELD_DIM_MAX + 1];
 
     for (unsigned i = 0; i < stepper->columns; i++) shifted[i] = x[i] + step * f[i];
     const double ahead = event->value(event->context, shifted);

@@ -110,11 +110,12 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
  * tell: a step that turned there went through, and is halved until it ends before. */
 static bool follows_field(const taylor *self, const jlt_stepper *stepper, double h)
 {
-    double end[JLT_FIELD_DIM_MAX] = { 0 }, f[JLT_FIELD_DIM_MAX];
+    double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX];
     const unsigned dim = stepper->field->dim;
     const double allowed = 100 * self->order * jlt_larger(stepper->tolerance, 1e-15);
 
-    for (unsigned i = 0; i < dim; i++) end[i] = stepper->x[i] + self->move[i];
+    memcpy(end, stepper->x, dim * sizeof *end);
+    for (unsigned i = 0; i < dim; i++) end[i] += self->move[i];
     stepper->field->call(end, stepper->field->p, f);
     for (unsigned i = 0; i < dim; i++) {
         double slope = 0;

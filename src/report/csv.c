@@ -2,19 +2,50 @@
 
 #include "core/digits.h"
 #include "report/decimal.h"
+#include "report/json.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params)
+/* A text, or null for none. */
+static json_t *text_or_null(const char *text)
 {
-    if (command != NULL) fprintf(stream, "# command: %s\n", command);
+    return text != NULL && text[0] != '\0' ? json_string(text) : json_null();
+}
+
+static void write_json(FILE *stream, const jlt_csv_settings *s)
+{
+    const jlt_descriptor *d = s->descriptor;
+    json_t *params = json_object(), *levels = json_object(), *whole;
+
+    for (unsigned i = 0; i < d->param_count; i++)
+        if (!isnan(s->params[i])) (void)json_object_set_new(params, d->params[i].name, jlt_json_number(s->params[i]));
+    for (size_t i = 0; i < s->level_count; i++)
+        if (!isnan(s->levels[i])) (void)json_object_set_new(levels, s->level_names[i], jlt_json_number(s->levels[i]));
+    whole = json_pack("{s:o, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:o, s:o, s:o, s:o}", "command", text_or_null(s->command), "version",
+                      JLT_VERSION, "model", d->model, "variant", text_or_null(d->variant), "time", text_or_null(d->time),
+                      "elimination", text_or_null(d->elimination), "table", d->sha256, "generator", d->generator, "parameters", params,
+                      "levels", levels, "method", text_or_null(s->method), "tolerance",
+                      s->method != NULL ? jlt_json_number(s->tolerance) : json_null());
+    char *text = whole != NULL ? json_dumps(whole, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
+    if (text != NULL) fprintf(stream, "# %s\n", text);
+    free(text);
+    json_decref(whole);
+}
+
+void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)
+{
+    const jlt_descriptor *descriptor = settings->descriptor;
+
+    if (settings->command != NULL) fprintf(stream, "# command: %s\n", settings->command);
     fprintf(stream, "# jellett %s, kernels of %s", JLT_VERSION, descriptor->model);
     if (descriptor->variant[0] != '\0') fprintf(stream, ", variant %s", descriptor->variant);
     if (descriptor->time[0] != '\0') fprintf(stream, ", time %s", descriptor->time);
     if (descriptor->elimination[0] != '\0') fprintf(stream, ", %s", descriptor->elimination);
     fprintf(stream, " (table %s, %s)\n#", descriptor->sha256, descriptor->generator);
-    jlt_decimal_write_named(stream, descriptor->params, params, descriptor->param_count);
+    jlt_decimal_write_named(stream, descriptor->params, settings->params, descriptor->param_count);
     fputc('\n', stream);
+    write_json(stream, settings);
 }
 
 void jlt_csv_value(FILE *stream, double value)

@@ -6,10 +6,23 @@
 
 #include <stdio.h>
 
+/** What a table's header tells. */
+typedef struct {
+    const char *command; /* as typed; NULL: not known */
+    const jlt_descriptor *descriptor;
+    const double *params; /* (params,), NaN where one runs over the rows */
+    const char *const *level_names; /* (level_count,), and their values, NaN likewise */
+    const double *levels;
+    size_t level_count;
+    const char *method;  /* of integration; NULL: none */
+    double tolerance;    /* of it */
+} jlt_csv_settings;
+
 /** Write lines that begin with "# ": the command, the version, the kernel with the hash of its table, and the parameters
- *  with the digits that read back bit for bit. Failures show in ferror(stream).
- *  In: command, what was typed, or NULL; descriptor; params, shape (params,), NaN where one runs over the rows. */
-void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
+ *  with the digits that read back bit for bit; then the same as one object of JSON, whose keys are command, version, model, variant,
+ *  time, elimination, table (SHA-256), generator, parameters, levels, method, tolerance, in this order, null where there is none,
+ *  without what runs over the rows. Failures show in ferror(stream); where memory is out there is no JSON. */
+void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings);
 
 /* A number that reads back bit for bit, see jlt_digits_shortest; nothing for one that is not finite, so that a field is a number or
  * empty. */

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,6 +146,7 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
     if (r->model == NULL)
         return jlt_value_complain(r, jlt_value_line(config_setting_get_member(root, "model")),
                         "there is no model '%s' built in ('jellett models' lists them)", model);
+    scene->model = r->model;
     scene->file = strdup(r->file);
     scene->title = strdup(title);
     scene->jobs = calloc((size_t)count, sizeof *scene->jobs);
@@ -204,6 +206,50 @@ void jlt_scene_destroy(jlt_scene *scene)
     free(scene->file);
     free(scene->title);
     free(scene);
+}
+
+/* NAME=VALUE,... with this name's item replaced, or added at the end; for the caller to free(). */
+static char *replaced(const char *list, const char *name, const char *value)
+{
+    const size_t length = strlen(name);
+    char *text = malloc(strlen(list) + length + strlen(value) + 3);
+    size_t used = 0;
+
+    if (text == NULL) return NULL;
+    while (*list != '\0') {
+        const size_t item = strcspn(list, ",");
+        if (strncmp(list, name, length) != 0 || list[length] != '=') {
+            memcpy(text + used, list, item);
+            text[used + item] = ',';
+            used += item + 1;
+        }
+        list += item + (list[item] == ',');
+    }
+    sprintf(text + used, "%s=%s", name, value);
+    return text;
+}
+
+jlt_status jlt_scene_set(jlt_scene *scene, const char *name, const char *value)
+{
+    static const jlt_key key = { "parameters", "set", JLT_KEY_GROUP, JLT_KEY_PARAMS };
+    jlt_status st = JLT_ERR_ARG;
+    size_t index;
+
+    if (!jlt_descriptor_param(scene->model, name, &index)) return JLT_ERR_ARG;
+    for (size_t j = 0; j < scene->count; j++) {
+        jlt_scene_job *job = &scene->jobs[j];
+        size_t i = 0;
+        if (!jlt_schema_find(job->what)->parameters) continue;
+        while (i < job->count && strcmp(job->options[i].name, key.option) != 0) i++;
+        if (i == job->count) JLT_TRY(add_option(job, &key, "", (int)job->line));
+        char *text = replaced(job->options[i].value, name, value);
+        st = text != NULL ? JLT_OK : JLT_ERR_NOMEM;
+        if (st != JLT_OK) goto done;
+        free(job->options[i].value);
+        job->options[i].value = text;
+    }
+done:
+    return st;
 }
 
 const char *jlt_scene_value(const jlt_scene_job *job, const char *name)

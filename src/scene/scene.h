@@ -39,6 +39,7 @@ typedef struct {
 
 typedef struct {
     char *file, *title;
+    const struct jlt_descriptor *model;
     jlt_scene_job *jobs;
     size_t count;
 } jlt_scene;
@@ -47,6 +48,10 @@ typedef struct {
  *  newline. Errors: IO (a file that cannot be read), ARG (a bad scene), NOMEM. */
 JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path);
 void jlt_scene_destroy(jlt_scene *scene); /* NULL is legal */
+
+/** Give a parameter another value, as it is typed on a command line, in all jobs that the scene's parameters apply to.
+ *  Errors: ARG, the scene's model has no such parameter, or no job takes any; NOMEM, the scene is then only to be destroyed. */
+JLT_CHECKED jlt_status jlt_scene_set(jlt_scene *scene, const char *name, const char *value);
 
 /** Value of an option of a job; NULL when it is not given. */
 const char *jlt_scene_value(const jlt_scene_job *job, const char *name);

@@ -27,7 +27,7 @@ static const jlt_key rod_keys[] = {
 };
 static const jlt_key section_keys[] = {
     KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
-    KEY("backward", FLAG, NULL), KEY("check", FLAG, NULL), KEY("batch", FLAG, NULL), KEY("threads", COUNT, NULL),
+    KEY("skip", SEED, NULL), KEY("backward", FLAG, NULL), KEY("check", FLAG, NULL), KEY("batch", FLAG, NULL), KEY("threads", COUNT, NULL),
     KEY("project", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key orbits_keys[] = {
@@ -50,7 +50,7 @@ static const jlt_key continue_keys[] = {
 };
 static const jlt_key lyapunov_keys[] = {
     KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
-    SECTION_OPTIONS, LAST,
+    KEY("skip", SEED, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key separation_keys[] = {
     KEY("grid", RANGES, SECTION_COORDINATES), KEY("cells", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),

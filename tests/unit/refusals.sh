@@ -57,7 +57,7 @@ refuse 4 "finds no periodic orbit from .*: try another --start or --period" jell
 
 # Options that say nothing here.
 refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu
-refuse 2 "--level is for the spherical top" jellett section lorenz --start x=1,y=1 --section z=27 --level E=1
+refuse 3 "--level: lorenz claims no integral .E." jellett section lorenz --start x=1,y=1 --section z=27 --level E=1 --solve x=1
 refuse 2 "lorenz has no condition to lose" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
 refuse 2 "only section and fates" jellett orbits --contact report
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta

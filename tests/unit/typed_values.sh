@@ -28,7 +28,7 @@ done
 
 start=gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
 rows() { grep -v '^#' "$scratch/out" | tail -n +2 | cut -d, -f1 | tr '\n' ' '; }
-claims() { grep '^# ' "$scratch/out" | grep -v '^# command' | grep -c "[ #]$1="; }
+claims() { grep '^# ' "$scratch/out" | grep -vE '^# (command|\{"command")' | grep -c "[ #]$1="; }
 jellett rod --start $start --sweep a3=0.1:0.7:7 > "$scratch/out"
 [ "$(rows)" = "0.1 0.2 0.3 0.4 0.5 0.6 0.7 " ] || fail "rod: prints $(rows)"
 [ "$(claims a3)" -eq 0 ] && [ "$(claims I1)" -eq 1 ] || fail "rod: the header claims a value of a3"

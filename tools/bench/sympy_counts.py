@@ -18,7 +18,7 @@ import sympy as sp
 KEYWORDS = {"model", "title", "source", "param", "state", "root", "angle", "let", "eq", "variant", "time", "eliminate",
             "default", "integral", "invariant", "measure", "reversor", "equilibria", "trace", "charpoly", "obstructs",
             "equal", "matrix", "leftnull", "reduction", "rate", "symmetry", "exp", "log", "domain",
-            "embedding"}
+            "embedding", "positive", "observe", "valid"}
 
 
 def records(path):
@@ -41,7 +41,7 @@ class Model:
         self.symbols, self.values = {}, {}
         self.name, self.params, self.states, self.roots = "", [], [], {}
         self.fields, self.variants, self.times, self.eliminations = {}, [], [], []
-        self.integrals, self.measures = [], []
+        self.integrals, self.measures, self.observed, self.valid = [], [], [], []
         for keyword, rest in records(path):
             handler = getattr(self, "read_" + keyword, None)
             if handler is not None:
@@ -96,6 +96,26 @@ class Model:
     def read_let(self, rest):
         name, _, value = rest.partition("=")
         self.values[name.strip()] = self.expression(value)
+
+    def rate(self, e):
+        """Along the motion; terms of equations stay terms."""
+        total = sum(sp.diff(e, s) * f for s, f in self.fields.items())
+        for root, radicand in self.roots.values():
+            inner = sum(sp.diff(radicand, s) * f for s, f in self.fields.items())
+            total += sp.diff(e, root) * inner / (2 * root)
+        return sp.expand_mul(total)
+
+    def read_observe(self, rest):
+        name, _, value = re.split(r"\[|\"", rest)[0].partition("=")
+        if value:
+            self.values["rate"] = self.rate
+            self.values[name.strip()] = self.expression(value)
+            del self.values["rate"]
+        self.observed.append(self.values[name.strip()])
+
+    def read_valid(self, rest):
+        value = re.split(r"\[|\"", rest)[0].partition(":")[2].partition(">")[0]
+        self.valid.append(self.expression(value))
 
     def read_eq(self, rest):
         name, _, value = rest.partition("=")
@@ -242,6 +262,9 @@ def kernels(model, variant, time, elimination):
             result["measure_values"] = densities
             result["measure_divergences"] = [trace * rho + sum(sp.diff(rho, s) * g for s, g in zip(states, f))
                                              for rho in densities]
+    if not variant and not elimination:
+        result["observe_values"] = [final(e) for e in model.observed]
+        result["valid_values"] = [final(e) for e in model.valid]
     if time:
         result["time_factor"] = [final(factor)]
     if elimination:
@@ -260,6 +283,8 @@ def main(paths):
                 for elimination in [None] + model.eliminations:
                     found = kernels(model, variant, time, elimination)
                     for name, functions in (found or {}).items():
+                        if not functions:
+                            continue
                         key = [model.name] + [x[0] if x else "-" for x in (variant, time, elimination)] + [name]
                         print("\t".join(key + [str(n) for n in cheapest(functions)] + [digest]), flush=True)
 

@@ -1,0 +1,173 @@
+#include "dynamics/chart_level.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "dynamics/linear.h"
+#include "ext/eigen.h"
+
+enum { M = JLT_INVARIANTS_MAX, ROUNDS = 60, HALVINGS = 8 };
+
+static const double met = 1e-13;     /* of the size of an integral's terms: rounding */
+static const double singular = 1e-13; /* singular values below this part of the largest are none */
+static const double one_branch = 1e-6;
+
+/* F - value of every level (count,), and of its terms' size, to first order; the gradients by the solved states (count, count) and,
+ * when not NULL, by all (count, states). Returns the largest |F - value| over its size. */
+static double look(const jlt_chart_level *self, double *off, double *by_solved, double *by_all, const double *x)
+{
+    const unsigned n = self->base.states, count = self->base.solved_count;
+    double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX], worst = 0;
+
+    self->integrals.values(x, self->integrals.p, values);
+    self->integrals.gradients(x, self->integrals.p, gradients);
+    for (unsigned i = 0; i < count; i++) {
+        const jlt_level *level = &self->levels[i];
+        const double *gradient = gradients + level->integral * n;
+        double size = fabs(level->value);
+        for (unsigned k = 0; k < n; k++) size = fmax(size, fabs(gradient[k] * x[k]));
+        off[i] = values[level->integral] - level->value;
+        if (!(fabs(off[i]) <= worst * size)) worst = off[i] == 0 ? worst : fabs(off[i]) / size;
+        for (unsigned j = 0; j < count; j++) by_solved[i * count + j] = gradient[self->base.solved[j]];
+        if (by_all != NULL) memcpy(by_all + i * n, gradient, n * sizeof *gradient);
+    }
+    return worst;
+}
+
+/* Newton's method for the solved states in x, with steps halved until the levels are nearer. */
+static jlt_status solve(const jlt_chart_level *self, double *x)
+{
+    const unsigned count = self->base.solved_count;
+    double off[M], matrix[M * M], step[M], from[M], now = look(self, off, matrix, NULL, x), before;
+
+    for (unsigned round = 0; round < ROUNDS && now > 0; round++) {
+        double part = 1;
+        unsigned halving;
+        if (!isfinite(now) || jlt_eigen_least_squares(step, matrix, off, count, count, singular) != JLT_OK) break;
+        for (unsigned i = 0; i < count; i++) from[i] = x[self->base.solved[i]];
+        before = now;
+        for (halving = 0; halving < HALVINGS; halving++, part /= 2) {
+            for (unsigned i = 0; i < count; i++) x[self->base.solved[i]] = from[i] - part * step[i];
+            now = look(self, off, matrix, NULL, x);
+            if (now < before) break;
+        }
+        if (halving < HALVINGS) continue;
+        for (unsigned i = 0; i < count; i++) x[self->base.solved[i]] = from[i];
+        now = before;
+        break;
+    }
+    return now <= met ? JLT_OK : JLT_ERR_EMPTY;
+}
+
+/* dx/dq: the coordinates' own, and of the solved states what keeps the levels. */
+static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const double *x)
+{
+    const unsigned n = self->base.states, d = self->base.dim, count = self->base.solved_count;
+    double off[M], matrix[M * M], gradients[M * JLT_CHART_STATES_MAX], column[M], solution[M];
+    jlt_status st = JLT_OK;
+
+    (void)look(self, off, matrix, gradients, x);
+    memset(tangent, 0, (size_t)n * d * sizeof *tangent);
+    for (unsigned k = 0; k < d; k++) {
+        tangent[self->free[k] * d + k] = 1;
+        for (unsigned i = 0; i < count; i++) column[i] = -gradients[i * n + self->free[k]];
+        JLT_TRY(jlt_eigen_least_squares(solution, matrix, column, count, count, singular));
+        for (unsigned i = 0; i < count; i++) tangent[self->base.solved[i] * d + k] = solution[i];
+    }
+done:
+    return st;
+}
+
+static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const double *q)
+{
+    const jlt_chart_level *self = (const jlt_chart_level *)base;
+    jlt_status st = JLT_OK;
+
+    x[base->column] = base->level;
+    for (unsigned k = 0; k < base->dim; k++) {
+        if (!isfinite(q[k])) return JLT_ERR_NONFINITE;
+        x[self->free[k]] = q[k];
+    }
+    for (unsigned i = 0; i < base->solved_count; i++) x[base->solved[i]] = self->levels[i].guess;
+    JLT_TRY(solve(self, x));
+    if (tangent != NULL) JLT_TRY(tangent_of(self, tangent, x));
+done:
+    return st;
+}
+
+static void lower(const jlt_chart *base, double *q, double *slope, const double *x)
+{
+    const jlt_chart_level *self = (const jlt_chart_level *)base;
+
+    if (slope != NULL) memset(slope, 0, (size_t)base->states * base->dim * sizeof *slope);
+    for (unsigned k = 0; k < base->dim; k++) {
+        q[k] = x[self->free[k]];
+        if (slope != NULL) slope[k * base->states + self->free[k]] = 1;
+    }
+    jlt_chart_wrap(base, q);
+}
+
+/* dx = dq dx_c dy, and dF = |det dF/dy| dy on the section: what is left of the volume on the levels is dq dx_c/det. */
+static double flux(const jlt_chart *base, const double *x, const double *f)
+{
+    double off[M], matrix[M * M];
+
+    (void)look((const jlt_chart_level *)base, off, matrix, NULL, x);
+    return f[base->column] / jlt_linear_determinant(matrix, base->solved_count);
+}
+
+static bool is_solved(const jlt_chart *base, unsigned state)
+{
+    for (unsigned i = 0; i < base->solved_count; i++)
+        if (base->solved[i] == state) return true;
+    return false;
+}
+
+jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
+                                const jlt_level *levels, unsigned count)
+{
+    unsigned k = 0, from = 0;
+
+    if (count == 0 || count > M || count >= plane->dim || integrals->count > JLT_CHART_INTEGRALS_MAX) return JLT_ERR_ARG;
+    *out = (jlt_chart_level){ .base = *plane, .integrals = *integrals };
+    for (unsigned i = 0; i < count; i++) {
+        if (levels[i].integral >= integrals->count || levels[i].state >= plane->states) return JLT_ERR_ARG;
+        if (levels[i].state == plane->column || is_solved(&out->base, levels[i].state)) return JLT_ERR_ARG;
+        for (unsigned j = 0; j < i; j++)
+            if (levels[j].integral == levels[i].integral) return JLT_ERR_ARG;
+        out->levels[i] = levels[i];
+        out->base.solved[out->base.solved_count++] = levels[i].state;
+    }
+    out->base.dim = plane->dim - count;
+    for (unsigned i = 0; i < plane->states; i++) {
+        if (i == plane->column) continue;
+        if (!is_solved(&out->base, i)) {
+            out->free[k] = i;
+            out->base.names[k] = plane->names[from];
+            out->base.period[k] = plane->period[from];
+            out->base.mirror[k++] = plane->mirror[from];
+        } else if (plane->mirror[from] < 0) {
+            out->base.reversible = false;
+        }
+        from++;
+    }
+    if (out->base.dim == 1) out->base.names[1] = "";
+    out->base.lift = lift;
+    out->base.lower = lower;
+    out->base.flux = flux;
+    return JLT_OK;
+}
+
+bool jlt_chart_level_follows(const jlt_chart *self, const double *x)
+{
+    double q[JLT_CHART_DIM_MAX], again[JLT_CHART_STATES_MAX];
+
+    if (self->solved_count == 0) return true;
+    self->lower(self, q, NULL, x);
+    if (self->lift(self, again, NULL, q) != JLT_OK) return false;
+    for (unsigned i = 0; i < self->solved_count; i++) {
+        const double there = x[self->solved[i]];
+        if (!(fabs(again[self->solved[i]] - there) <= one_branch * fmax(1, fabs(there)))) return false;
+    }
+    return true;
+}

@@ -1,0 +1,37 @@
+/** A plane section restricted to levels of a table's integrals.
+ *
+ *  As many states as there are levels are solved for by Newton's method, always from one guess; the section's coordinates are the
+ *  other states, in order. On the section and its levels the solved states are functions of the coordinates, with the derivative
+ *  -(dF/dy)^-1 dF/dq, y the solved states: a branch of them, which ends where that matrix is singular. A return on another branch is
+ *  told apart by jlt_chart_level_follows. */
+#ifndef JLT_DYNAMICS_CHART_LEVEL_H
+#define JLT_DYNAMICS_CHART_LEVEL_H
+
+#include "dynamics/chart.h"
+
+enum { JLT_CHART_INTEGRALS_MAX = 64 };
+
+/** One level: which of the table's integrals has which value, and which state it determines, from which guess. */
+typedef struct {
+    unsigned integral, state;
+    double value, guess;
+} jlt_level;
+
+typedef struct {
+    jlt_chart base; /* solved[i] is the state of levels[i] */
+    jlt_invariants integrals; /* all of the table's, at most JLT_CHART_INTEGRALS_MAX */
+    jlt_level levels[JLT_INVARIANTS_MAX];
+    unsigned free[JLT_CHART_DIM_MAX]; /* the state of each coordinate */
+} jlt_chart_level;
+
+/** From a plane section (its angles, too, if set before), with levels (count,). integrals: kernels of all integrals, kept.
+ *  lift's errors: EMPTY, Newton's method finds no state; NONFINITE. The reversor stays where it keeps all solved states.
+ *  Errors: ARG, too many levels, one integral or state twice, or the section's own state. */
+JLT_CHECKED jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
+                                            const jlt_level *levels, unsigned count);
+
+/** Whether x (states,), on the section, is on the branch that the chart's lift gives for its coordinates, within 1e-6. True for
+ *  charts without solved states. Cost: one lift. */
+bool jlt_chart_level_follows(const jlt_chart *self, const double *x);
+
+#endif

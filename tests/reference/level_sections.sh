@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Sections on levels of a table's own integrals: Newton's method meets the levels, the rest is that of the plain section, and what is
+# no integral, no state or no branch is refused by name.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS WORDS COMMAND...
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
+    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
+}
+cp "$JLT_SOURCE_DIR"/tests/reference/data/{henon_heiles,suslov}.tt .
+
+# At E = 1/12 and x = 0: px = sqrt(1/6 - y^2 - py^2 + 2 y^3/3). Rows are those of the plain section from there: ten returns err by
+# about the tolerance of 1e-12, four of this regular orbit by less.
+level=(--section x=0 --level E=1/12 --solve px=0.3)
+expect 0 '^# levels E=0.0833333333333333[0-9]*; solved for px from 0.3$' \
+    jellett section ./henon_heiles.tt "${level[@]}" --start y=0.1,py=0.05 --returns 4 --check
+grep -v '^#' out > on_level
+px=$(awk 'BEGIN { y = 0.1; py = 0.05; printf "%.17g", sqrt(1/6 - y^2 - py^2 + 2*y^3/3) }')
+expect 0 alive jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0.05,px="$px" --returns 4
+grep -v '^#' out > plain
+paste -d , on_level plain | awk -F, '
+    NR == 1 { for (i = 12; i <= NF; i++) at[$i] = i; bad = !($4 == "y" && $5 == "py" && $6 == "px"); next }
+    { rows++; bad += ($4 - $at["y"])^2 + ($5 - $at["py"])^2 + ($6 - $at["px"])^2 > 1e-22 }
+    END { exit !(rows == 5 && !bad) }' || fail "on the level rows differ: $(paste on_level plain)"
+# The flow keeps volume, so the map keeps area: DP in (y, py) has determinant 1, which --check holds its own against.
+awk -F, 'NR > 2 { n++; bad += ($9 - 1)^2 > 1e-20 } END { exit !(n == 4 && !bad) }' on_level || fail "det DP is not 1: $(cat on_level)"
+
+# The orbits of one level, not a family in E: multipliers of the two coordinates alone. Those with x <-> -x on either side of y have
+# one period, and every multiplier comes with its inverse.
+expect 0 '^1,.*centre' jellett orbits ./henon_heiles.tt "${level[@]}" --mirror x,py --grid y=-0.3:0.4:5,py=-0.3:0.3:5 --period 1
+awk -F, '/^1,/ { n++; bad += ($6 - 1)^2 > 1e-18; T[n] = $4 } END { exit !(n >= 5 && !bad && (T[1] - T[2])^2 < 1e-20) }' out ||
+    fail "periodic orbits: $(cat out)"
+expect 0 '^64,' jellett lyapunov ./henon_heiles.tt "${level[@]}" --start y=0.1,py=0.05 --returns 64
+awk -F, '/^64,/ { good = NF == 5 && ($3 + $4)^2 < 1e-18 } END { exit !good }' out || fail "exponents of a level: $(tail -1 out)"
+
+# Two levels of a nonholonomic table, where one is the length of a unit vector: rows keep both. Four returns err by the tolerance.
+two=(--section gamma1=0 --level E=2,gamma=1 --solve omega1=1,gamma3=0.9)
+expect 0 alive jellett section ./suslov.tt "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 4 --direction both
+awk -F, '/^[0-9]/ { n++; bad += (($5^2 + $7^2) - 1)^2 + (($6^2 + 2*$4^2)/2 + $7 - 2)^2 > 1e-22 } END { exit !(n == 5 && !bad) }' out ||
+    fail "off the levels: $(cat out)"
+
+# After every step back onto the levels, a thousand returns at a loose tolerance drift no more than a step errs.
+drift() { jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0.05,px="$px" --returns 300 --tol 1e-6 --method rk8pd "$@" |
+    awk -F, '$2 == 300 { y = $4; px = $5; py = $6; e = (px^2 + py^2 + y^2)/2 - y^3/3 - 1/12; printf "%.3g", e < 0 ? -e : e }'; }
+loose=$(drift) projected=$(drift --project)
+awk -v a="$loose" -v b="$projected" 'BEGIN { exit !(b < 1e-9 && a > 20*b) }' || fail "--project: drift $projected, without it $loose"
+
+# Refused by name.
+section=(jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0)
+expect 3 "henon_heiles claims no integral 'L'; it has E" "${section[@]}" --level L=1 --solve px=1
+expect 2 "levels determine as many states: --level names 1, and --solve 0" "${section[@]}" --level E=1/12
+expect 2 "levels determine as many states: --level names 0, and --solve 1" "${section[@]}" --solve px=1
+expect 3 "has no state 'p'" "${section[@]}" --level E=1/12 --solve p=1
+expect 3 "x is fixed by --section already" "${section[@]}" --level E=1/12 --solve x=1
+expect 4 "Newton's method finds no state with these levels there: try another guess in --solve" "${section[@]}" --level E=-1 --solve px=1
+expect 4 "Newton's method finds no state with these levels" "${section[@]}" --level E=1/12 --solve px=0
+expect 4 "an iteration did not converge" jellett lyapunov ./henon_heiles.tt "${level[@]}" --direction down --start y=0.1,py=0 --returns 3
+expect 0 "^0,1," "${section[@]}" --level E=1/12 --solve px=-1 --returns 1
+awk -F, '/^0,0,/ { exit !($6 < 0) }' out || fail "the guess's sign does not choose the branch: $(cat out)"
+expect 0 "points of the grid have no state" jellett section ./henon_heiles.tt "${level[@]}" --grid y=0:2:5,py=0 --returns 1
+expect 2 "--project: roessler has no integrals" jellett section roessler --section y=0 --start x=-7,z=0.02 --project
+expect 2 "lives on past steps" jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0,px=1 --project --method msadams
+# Friction: what was an integral is none any more.
+sed -e 's/^    - y$/&\n    - py\/100/' henon_heiles.tt > friction.tt
+expect 3 "E is no integral of this table" jellett section ./friction.tt --section x=0 --start y=0.1,py=0 --level E=1/12 --solve px=1
+expect 3 "E is not proved to be an integral" jellett section ./friction.tt --section x=0 --start y=0.1,py=0,px=1 --project
+exit $status

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Sections of tables of one's own: as many states as a table has, coordinates by their names, none of them guessed.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS WORDS COMMAND...
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
+    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
+}
+
+# A ring of uncoupled oscillators of frequencies 1 .. 6: after a turn of the first everything is back where it was.
+{
+    echo "model oscillators"
+    for i in 1 2 3 4 5 6; do printf 'state q%d\nstate p%d\n' $i $i; done
+    for i in 1 2 3 4 5 6; do printf 'eq q%d =\n    + %d*p%d\neq p%d =\n    - %d*q%d\n' $i $i $i $i $i $i; done
+} > oscillators.tt
+others=q2=0.1,p2=0.2,q3=0.3,p3=0.4,q4=0.5,p4=0.6,q5=0.7,p5=0.8,q6=0.9,p6=1
+expect 0 '^0,1,' jellett section ./oscillators.tt --section q1=0 --start p1=1,$others --returns 1
+grep -q '^orbit,return,t,p1,q2,p2,q3,p3,q4,p4,q5,p5,q6,p6,fate$' out || fail "columns: $(grep orbit out)"
+# A return errs by about the tolerance, times the largest frequency.
+awk -F, '/^0,0,/ { for (i = 4; i <= 14; i++) q[i] = $i }
+    /^0,1,/ { bad = ($3 - 6.283185307179586)^2 > 1e-22; for (i = 4; i <= 14; i++) bad += ($i - q[i])^2 > 1e-22 } END { exit bad != 0 }' out ||
+    fail "a return is not the identity: $(tail -1 out)"
+expect 0 '^1,0.*degenerate' jellett orbits ./oscillators.tt --section q1=0 --start p1=1,$others --period 1
+
+# A coordinate that is not named is no number.
+expect 3 "where p6 runs is not known: add p6=LOW:HIGH:COUNT, or p6=VALUE" \
+    jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,${others%,p6=1}
+expect 3 "no coordinate 'r'" jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,r=1,$others
+expect 0 '^2,1,' jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,$others --returns 1
+expect 3 "where x runs is not known" jellett section lorenz --section z=27 --grid 3x3
+expect 3 "where y runs is not known" jellett lyapunov lorenz --section z=27 --grid x=1:2:3 --returns 1
+expect 2 "say where to search: --start or --grid" jellett orbits lorenz --section z=27
+expect 3 "where q runs is not known" jellett separation nose_hoover --section z=0 --mirror p,z
+exit $status

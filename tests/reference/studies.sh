@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# Studies: sweeps over several names, transients left out, a scene with other parameters, and headers that programs read.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS WORDS COMMAND...
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
+    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
+}
+rows() { grep -v '^#' out | tail -n +2; }
+start=gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
+
+# The first name is the slowest, every row has its values, and is that of a run with these values alone.
+pairs='0.1,2 0.1,3 0.3,2 0.3,3 '
+expect 0 '^a3,E,starts,' jellett fates --grid 4x4 --returns 20 --sweep a3=0.1:0.3:2,E=2:3:2
+[ "$(rows | cut -d, -f1,2 | tr '\n' ' ')" = "$pairs" ] || fail "fates: $(rows)"
+rows | sed -n 3p | cut -d, -f2- > swept
+expect 0 '^E,starts,' jellett fates --grid 4x4 --returns 20 --set a3=0.3 --sweep E=2:2:1
+rows | diff - swept || fail "fates: a row of the sweep is not that of its values"
+expect 0 '^a3,v_nu,E1,' jellett rod --start $start --sweep a3=0.1:0.3:2,v_nu=2:3:2
+[ "$(rows | cut -d, -f1,2 | tr '\n' ' ')" = "$pairs" ] || fail "rod: $(rows | cut -d, -f1,2)"
+expect 0 '^m,' jellett eigen --set a3=0 --sweep m=0.1:0.3:2,v_nu=2:3:2 --at gamma3=0.3,omega3=1.1 --csv
+[ "$(rows | cut -d, -f1,3 | tr '\n' ' ')" = "$pairs" ] || fail "eigen: $(rows | cut -d, -f1-4)"
+expect 3 "there is no 'q'" jellett fates --sweep a3=0.1:0.3:2,q=1:2:2
+expect 3 "more than 3 names" jellett fates --sweep a3=0:1:2,E=1:2:2,G=0:1:2,m=1:2:2
+expect 2 "draws against what one --sweep runs over" jellett fates --sweep a3=0.1:0.3:2,E=2:3:2 --plot p.svg
+
+# Rows after a transient are those of the whole run.
+orbit=(roessler --section y=0 --direction down --start x=-7,z=0.02)
+expect 0 '^0,40,' jellett section "${orbit[@]}" --returns 40
+rows | tail -10 > late
+expect 0 '^0,31,' jellett section "${orbit[@]}" --skip 30 --returns 10
+rows | diff - late || fail "--skip: not the last ten rows"
+expect 0 '^0,40,' jellett section --batch --start eta=0.44,gamma3=-0.62 --returns 40
+rows | tail -10 > late
+expect 0 '^0,31,' jellett section --batch --start eta=0.44,gamma3=-0.62 --skip 30 --returns 10
+rows | diff - late || fail "--skip --batch: not the last ten rows"
+expect 0 'pole' jellett section --start eta=2,gamma3=-0.5 --skip 1000 --returns 1
+[ "$(rows | wc -l)" -eq 1 ] || fail "the end of an orbit is left out: $(rows)"
+# Exponents from where the section is after so many returns; chaos takes the tolerance up by exp(30*0.53).
+expect 0 '^0,30,' jellett section "${orbit[@]}" --skip 29 --returns 1 --method dop853
+there=$(awk -F, '/^0,30,/ { print "x=" $4 ",z=" $5 }' out)
+expect 0 '^4,' jellett lyapunov "${orbit[@]}" --skip 30 --returns 4
+rows | tail -1 > skipped
+expect 0 '^4,' jellett lyapunov "${orbit[@]:0:5}" --start "$there" --returns 4
+rows | tail -1 | paste -d , - skipped | awk -F, '{ exit !(($2 - $7)^2 < 1e-8 && ($3 - $8)^2 < 1e-8) }' || fail "lyapunov --skip: $(cat skipped), not $(rows | tail -1)"
+
+# A scene with another parameter: in all commands, in place of its own or beside them.
+cat > a.scene <<'S'
+parameters = { a3 = 0.3; I1 = "1/3"; };
+compute = ( { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; returns = 2; },
+            { what = "verify"; },
+            { what = "eigen"; at = { gamma3 = 0.3; v_nu = 0.7; omega3 = 1.1; }; } );
+S
+expect 0 '^jellett section --set=I1=1/3,a3=1/2,R=2 ' jellett run a.scene --dry-run --set a3=1/2,R=2
+grep -q '^jellett verify$' out || fail "a command without parameters gets them: $(cat out)"
+grep -q '^jellett eigen --set=I1=1/3,a3=1/2,R=2 ' out || fail "not in all commands: $(cat out)"
+expect 3 "no command of a.scene has a parameter 'b'" jellett run a.scene --set b=1
+expect 2 "is no assignment" jellett run a.scene --set a3
+
+# One line of JSON: the same keys in the same order by every command, numbers that read back, what runs over the rows left out.
+json() { grep '^# {' out | sed 's/^# //'; }
+keys() { json | sed 's/^{//; s/}$//; s/{[^{}]*}/0/g' | grep -oE '"[a-z]+":' | tr -d '":' | tr '\n' ' '; }
+says() { json | grep -qF -- "$1" || fail "'$1' is not in $(json)"; }
+for command in "section --start eta=0.1,gamma3=-0.6 --returns 1" "fates --grid 2x2 --returns 1" "orbits --period 1 --grid 0x0 --samples 9" \
+    "lyapunov --returns 1" "drift --returns 1" "rod --start $start" "simulate --start $start --times 1" "measure --set I3=0 --csv" \
+    "eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --csv" "separation --grid 2x2 --returns 1 --settle 0" \
+    "continue --along E=2.14:2.16"; do
+    # shellcheck disable=SC2086
+    expect 0 '^# {' jellett $command
+    [ "$(json | wc -l)" -eq 1 ] || fail "$command: $(json | wc -l) lines of JSON"
+    [ "$(keys)" = "command version model variant time elimination table generator parameters levels method tolerance " ] ||
+        fail "$command: keys $(keys)"
+    says "\"command\":\"jellett $command\","
+done
+expect 0 '^# {' jellett section --set a3=1/3 --level E=2.1 --start eta=0.1,gamma3=-0.6 --returns 1 --tol 1e-9 --method taylor
+says '"a3":0.33333333333333331,'
+says '"levels":{"E":2.1000000000000001,"G":-0.56000000000000005},"method":"taylor","tolerance":1.0000000000000001e-9}'
+says '"model":"spherical_top_level","variant":'
+expect 0 '^# {' jellett fates --grid 2x2 --returns 1 --sweep a3=0.1:0.3:2,E=2:3:2
+says '"levels":{"G":-0.56000000000000005}'
+json | grep -q '"a3"' && fail "what runs has a value: $(json)"
+expect 0 '^# {' jellett lyapunov roessler --section y=0 --direction down --start 'x=-7,z=1/50' --returns 1
+says '"levels":{},"method":"dop853","tolerance":9.9999999999999998e-13}'
+exit $status
