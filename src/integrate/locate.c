@@ -364,7 +364,12 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
         if (closed) goto done;
     }
+    /* Where partial steps disagree by more than the orbit moves, any point among the errors is as good. */
     st = JLT_ERR_NO_CONVERGENCE;
+    if (event->value == NULL && least <= jlt_locate_noise(stepper->asked) * unit_of(event, stepper)) {
+        *theta = best;
+        st = state_at(event, stepper, best, x, f, &crossing->residual, &crossing->slope);
+    }
 done:
     return st;
 }

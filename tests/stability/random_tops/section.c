@@ -54,6 +54,11 @@ static bool check(trial *t, const family *f, const char *how, int number, jlt_fa
         sum.unsure++;
         return false;
     }
+    const bool known = number <= f->certain + f->ends, chaotic = known && 3 * f->stray[number] > 1e-3L;
+    if (chaotic && (at_end || number > f->certain) && fate <= JLT_FATE_POLE_MINUS) { /* shadows agree by chance */
+        sum.unsure++;
+        return false;
+    }
     if (fate != JLT_FATE_ALIVE && !at_end) {
         trial_complain(t, "%s, row %d: ends by %s, and the oracle has %d rows, then %d", how, number, jlt_section_fate_name(fate),
                        returns, f->truth.end);
