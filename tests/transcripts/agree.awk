@@ -30,11 +30,14 @@ function size(x) { return x < 0 ? -x : x }
 function larger(x, y) { return x > y ? x : y }
 function is_whole(number) { return number !~ /[.eE]/ }
 
+BEGIN { pi = atan2(0, -1) }
+
 function numbers_agree(one, other,    x, y) {
     if (one == other "") return 1 # as texts
     x = one + 0
     y = other + 0
     if (is_whole(one) && is_whole(other)) return x == 0 && y == 0
+    if (size(size(x) - pi) < 1e-9 && size(size(y) - pi) < 1e-9) return 1 # one angle
     return size(x - y) <= within * larger(size(x), size(y)) || larger(size(x), size(y)) < within / 1000
 }
 

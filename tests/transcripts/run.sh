@@ -14,8 +14,8 @@
 # Commands of a page run one after another, each by bash with no standard input, in one new folder with links to the folders
 # of the source and with a cache of its own. A line that is not the same to the letter still agrees if its text does and its
 # numbers do. Whole numbers are counts and parts of fractions: they must be the same. Others, with a point or an exponent, may
-# differ by 1e-6 of the larger, or if both are below 1e-9: machines sum in vectors of different width, so that results differ
-# by some 1e-12, the default tolerance, times what an orbit amplifies, by up to 1e4 on a page; 1e-6 leaves a factor of a
+# differ by 1e-6 of the larger, by their sign if they are pi, or if both are below 1e-9: machines sum in vectors of different width, so
+# that results differ by some 1e-12, the default tolerance, times what an orbit amplifies, by up to 1e4 on a page; 1e-6 leaves a factor of a
 # hundred, and is no more than what six digits show. Below 1e-9 are drifts and residuals, which are rounding noise. A line
 # <!-- within 1e-9 --> before a block says another bound for this block alone, with noise up to a thousandth of it; within 0 wants
 # equal values. Blanks beside a number that differs may differ with it.
