@@ -34,8 +34,8 @@ static void check_rest(trial *t, const family *f, const char *how, const double 
     family_follow(&end, t, &q, ORACLE_LEVEL_NOISE);
     memcpy(limit, row, sizeof limit);
     limit[ROW_T] = NAN; /* when an orbit is slow enough is for the method to say */
-    if (end.truth.end == ORACLE_REST) family_check(&end, t, how, 1, limit);
-    else if (end.truth.least_pace < 1e3L * q.tolerance) sum.unsure++;
+    if (end.truth.end == ORACLE_REST && end.ends) family_check(&end, t, how, 1, limit);
+    else if (end.truth.end == ORACLE_REST || end.truth.least_pace < 1e3L * q.tolerance) sum.unsure++;
     else if (end.truth.end != ORACLE_BUDGET) trial_complain(t, "%s: at rest, and the oracle ends by %d", how, end.truth.end);
 }
 
