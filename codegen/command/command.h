@@ -28,6 +28,7 @@ typedef struct {
     bool verbose;
     size_t challenge; /* points a claim; 0: none */
     uint64_t seed;
+    bool seeded; /* it was given */
     bool keep;     /* tables whose kernels are there already keep them */
     bool unproved; /* write kernels that rest on claims without a proof */
     ttc_effort effort;

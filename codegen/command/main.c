@@ -116,6 +116,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_SEED:
         options->seed = parse_number(argument, 0, UINT64_MAX, state);
+        options->seeded = true;
         return 0;
     case OPTION_KEEP:
         options->keep = true;
@@ -141,6 +142,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (options->file_count == 0) argp_error(state, "no table is given (expected FILE.tt)");
+        if (options->mutate && (options->challenge > 0 || options->kernels || options->verbose))
+            argp_error(state, "--mutate looks at changed terms alone: leave out --challenge, --kernels and --verbose");
+        if (options->seeded && options->challenge == 0) argp_error(state, "--seed is of the points of --challenge: say how many");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

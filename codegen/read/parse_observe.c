@@ -11,12 +11,25 @@ static bool is_observed(const ttc_model *model, uint32_t symbol)
     return false;
 }
 
+/* Names that tables along orbits have for columns of their own. */
+static bool is_column(const char *name)
+{
+    static const char *const columns[] = { "t", "fate" };
+    static const char *const beginnings[] = { "drift_", "difference_" };
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+        if (strcmp(name, columns[i]) == 0) return true;
+    for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++)
+        if (strncmp(name, beginnings[i], strlen(beginnings[i])) == 0) return true;
+    return false;
+}
+
 static bool observe(ttc_parser *parser, uint32_t symbol, ttc_place place)
 {
     ttc_model *model = parser->model;
     const char *name = model->symbols[symbol].name;
     if (model->symbols[symbol].kind != TTC_LET)
-        return ttc_parse_error(parser, place, "'%s' is no expression (expected a let, or 'observe NAME = expression')", name);
+        return ttc_parse_error(parser, place, "'%s' is no let (expected one, or a name of its own: 'observe NAME = %s')", name, name);
+    if (is_column(name)) return ttc_parse_error(parser, place, "'%s' is a column of every table (expected another name)", name);
     if (is_observed(model, symbol)) return ttc_parse_error(parser, place, "'%s' is observed twice", name);
     uint32_t *observed = ttc_parse_extend(model->observed, model->observed_count, sizeof *observed);
     if (observed == NULL) return ttc_parse_no_memory(parser);

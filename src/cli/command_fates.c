@@ -278,9 +278,13 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     jlt_exit code = jlt_grid_parse(axes, &axis_count, AXES_MAX, o->sweep, "--sweep");
 
     if (code != JLT_EXIT_DONE) return code;
-    for (size_t k = 0; k < axis_count; all *= axes[k++].count)
+    if (axis_count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
+    for (size_t k = 0; k < axis_count; k++) {
         if (jlt_system_value(&values, axes[k].name) == NULL)
             return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axes[k].name);
+        if (__builtin_mul_overflow(all, axes[k].count, &all))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: '%s' has more points than can be counted", o->sweep);
+    }
     if (o->motion.common.plot != NULL && axis_count != 1)
         return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
     jlt_motion_options motion = o->motion;
@@ -300,9 +304,8 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
         jlt_grid_point(at, axes, axis_count, i);
         for (size_t k = 0; k < axis_count; k++) *jlt_system_value(&values, axes[k].name) = at[k];
         st = jlt_system_top(&system, &values, &o->motion.flow);
-        if (st == JLT_ERR_EMPTY) continue;
-        if (st != JLT_OK) code = jlt_motion_fail(st, NULL, o->sweep);
-        else code = follow_all(&sum, NULL, NULL, o, system, &progress, done, all);
+        if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_fail(st, NULL, o->sweep);
+        else if (st == JLT_OK) code = follow_all(&sum, NULL, NULL, o, system, &progress, done, all);
         jlt_system_destroy(system);
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;

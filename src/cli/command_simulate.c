@@ -294,7 +294,8 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
         fprintf(stderr, "of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
     }
     if (!isnan(row->lost_at))
-        fprintf(stderr, "jellett: %s is lost at t = %.10g (least value %.6g): from there on the model does not hold\n",
+        fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
+                "does not hold\n",
                 jlt_course_condition(r->courses[0]), row->lost_at, row->least);
 }
 

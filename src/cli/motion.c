@@ -111,8 +111,6 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
     if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section: what there is to know of levels of E and G is known",
                                 options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo");
-    if (strcmp(options->contact, "report") == 0 && !options->tells_contact)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--contact report: only section and fates have a column for it");
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < lists[k]->count; i++) {
             const jlt_assignment *item = &lists[k]->items[i];
@@ -171,6 +169,8 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     *system = NULL;
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
+    if (strcmp(options->contact, "ignore") != 0 && !options->tells_contact)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: only section and fates look at it", options->contact);
     if (!is_top(descriptor) || options->section != NULL) return jlt_motion_plane(system, options, descriptor);
     code = check_levels(descriptor);
     return code == JLT_EXIT_DONE ? top_system(system, options) : code;

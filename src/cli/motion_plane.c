@@ -129,7 +129,13 @@ static jlt_exit read_levels(plane *out, const jlt_motion_options *options, const
         out->levels[i].guess = guesses[i];
         if (states[i] == out->column)
             return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is fixed by --section already", d->states[states[i]].name);
+        if (out->periods[states[i]] != 0)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
+                                    "state", d->states[states[i]].name);
     }
+    if (d->state_count < 2)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s has one state; a section has a coordinate beside the state that --section fixes",
+                                d->model);
     if (count + 1 >= d->state_count)
         return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u states, and the section would have no coordinate left", d->model,
                                 d->state_count);

@@ -42,13 +42,15 @@ static void write_check(FILE *stream, jlt_section_table *table, const jlt_sectio
     jlt_image image;
     double trace = 0;
 
-    if (row->number == 0 || row->fate != JLT_FATE_ALIVE
-        || jlt_map_apply(table->map, &image, row->values + d + states, 1, table->time_direction) != JLT_OK) {
+    const bool asked = row->number > 0 && row->fate == JLT_FATE_ALIVE;
+    if (!asked || jlt_map_apply(table->map, &image, row->values + d + states, 1, table->time_direction) != JLT_OK) {
+        table->unchecked += asked;
         fputs(",,,,", stream);
         return;
     }
+    table->checked++;
     for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
-    if (fabs(image.defect) > table->worst_share * image.bound) {
+    if (!(fabs(image.defect) <= table->worst_share * image.bound)) {
         table->worst_share = fabs(image.defect) / image.bound;
         table->worst_defect = fabs(image.defect);
     }

@@ -14,6 +14,7 @@ typedef struct {
     jlt_map *map; /* of check; not owned */
     int time_direction;
     double worst_share, worst_defect; /* of the defect that is the largest part of its bound: that, and it */
+    size_t checked, unchecked;        /* returns whose DP was computed, and could not be */
 } jlt_section_table;
 
 /* What of a return the table shows. */

@@ -78,7 +78,10 @@ jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const 
     self->is_top = true;
     jlt_chart_top_init(&self->chart.top, values->m, values->R, values->g, values->I1, values->I3, values->a3, values->E,
                        values->G);
-    const jlt_units units = jlt_chart_top_units(&self->chart.top);
+    jlt_units units = jlt_chart_top_units(&self->chart.top);
+    bool scales;
+    JLT_TRY(jlt_instance_scales(&scales, descriptor, params, &units));
+    if (!scales) units = (jlt_units){ 0 };
     JLT_TRY(bind(self, descriptor, params, &units, options));
     jlt_chart_top_init_in(&self->flow_chart, &self->chart.top, &units);
     self->flow.chart = &self->flow_chart.base;
@@ -115,23 +118,49 @@ done:
     return st;
 }
 
-jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state)
+/* The field at x; false: it is not finite. */
+static bool field_at(const jlt_system *self, const double *x, double *f)
+{
+    bool finite = true;
+
+    self->field.call(x, self->field.p, f);
+    for (unsigned i = 0; i < self->field.dim; i++) finite &= isfinite(f[i]);
+    return finite;
+}
+
+/* Whether the field is the same a period on, to rounding, in every component. */
+static bool is_period(const jlt_system *self, double *x, unsigned state, double period)
 {
     static const double same = 1e-9; /* rounding of a period, times slopes of the field */
     const unsigned n = self->field.dim;
-    double x[JLT_CHART_STATES_MAX] = { 0 }, f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX], size = 0;
+    const double at = x[state];
+    double f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX];
+    bool repeats = field_at(self, x, f);
 
-    for (unsigned i = 0; i < n; i++) x[i] = 0.37 + 0.11 * sin(i + 1.);
-    self->field.call(x, self->field.p, f);
-    for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(f[i]));
-    for (*state = 0; *state < n; ++*state) {
-        const double at = x[*state];
-        if (periods[*state] == 0) continue;
-        x[*state] += periods[*state];
-        self->field.call(x, self->field.p, there);
-        x[*state] = at;
-        for (unsigned i = 0; i < n; i++)
-            if (fabs(there[i] - f[i]) > same * fmax(size, fabs(there[i]))) return JLT_ERR_DOMAIN;
+    x[state] = at + period;
+    repeats = repeats && x[state] != at && field_at(self, x, there);
+    x[state] = at;
+    for (unsigned i = 0; repeats && i < n; i++) repeats = fabs(there[i] - f[i]) <= same * fmax(fabs(f[i]), fabs(there[i]));
+    return repeats;
+}
+
+jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state)
+{
+    enum { POINTS = 5 };
+    const jlt_quantity *quantities = self->instance->descriptor->states;
+    const unsigned n = self->field.dim;
+    double x[JLT_CHART_STATES_MAX] = { 0 };
+
+    for (int k = 0; k < POINTS; k++) {
+        for (unsigned i = 0; i < n; i++) {
+            const double share = 0.5 + 0.4 * sin(i + 1. + 1.7 * k), low = quantities[i].low, high = quantities[i].high;
+            x[i] = isfinite(low) && isfinite(high) ? low + share * (high - low)
+                   : isfinite(low)                 ? low + share
+                   : isfinite(high)                ? high - share
+                                                   : 2 * share - 0.6;
+        }
+        for (*state = 0; *state < n; ++*state)
+            if (periods[*state] != 0 && !is_period(self, x, *state, periods[*state])) return JLT_ERR_DOMAIN;
     }
     jlt_chart_set_periods(&self->chart.plane, periods);
     return JLT_OK;

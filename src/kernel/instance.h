@@ -2,6 +2,8 @@
 #ifndef JLT_KERNEL_INSTANCE_H
 #define JLT_KERNEL_INSTANCE_H
 
+#include <stdbool.h>
+
 #include "core/status.h"
 #include "kernel/units.h"
 
@@ -21,6 +23,12 @@ JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_de
 JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
                                               const jlt_units *units);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
+
+/** Whether the field is the same in these units: so it is where each of its terms has the dimension that the units of states and
+ *  parameters say, and there is no number with a dimension of its own. Found by evaluation at generic states of several sizes, where
+ *  both must agree to the bit. Errors: as jlt_instance_create. */
+JLT_CHECKED jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params,
+                                           const jlt_units *units);
 
 /** Checked forms, as jlt_kernel_eval; x, shape (states,), must lie in the table's domain (else DOMAIN). */
 JLT_CHECKED jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x);

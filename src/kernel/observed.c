@@ -7,7 +7,8 @@
 
 struct jlt_observed {
     jlt_instance *general;
-    int *exponents; /* of the units of what is observed, then of conditions */
+    bool scaled; /* some exponent is not 0 */
+    int *exponents; /* (states,): of the units of what is asked about */
 };
 
 jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params, const jlt_units *units)
@@ -17,16 +18,17 @@ jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of
     jlt_observed *self = NULL;
 
     *observed = NULL;
-    if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX) goto done;
+    if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX || of->state_count > JLT_OBSERVED_STATES_MAX) goto done;
     st = JLT_ERR_NOMEM;
     self = calloc(1, sizeof *self);
     if (self == NULL) goto done;
-    self->exponents = calloc(general->observe_count + general->valid_count + 1, sizeof *self->exponents);
+    self->exponents = calloc(of->state_count, sizeof *self->exponents);
     if (self->exponents == NULL) goto done;
-    JLT_TRY(jlt_instance_create_in(&self->general, general, params, units));
-    for (unsigned i = 0; i < general->observe_count; i++) self->exponents[i] = jlt_units_exponent(units, general->observes[i].unit);
-    for (unsigned i = 0; i < general->valid_count; i++)
-        self->exponents[general->observe_count + i] = jlt_units_exponent(units, general->valids[i].unit);
+    JLT_TRY(jlt_instance_create(&self->general, general, params));
+    for (unsigned i = 0; i < of->state_count; i++) {
+        self->exponents[i] = jlt_units_exponent(units, of->states[i].unit);
+        self->scaled |= self->exponents[i] != 0;
+    }
     *observed = self;
     self = NULL; /* ownership moved to the caller */
 done:
@@ -54,25 +56,31 @@ const char *jlt_observed_condition(const jlt_observed *observed)
     return d->valid_count == 1 ? d->valids[0].name : "valid";
 }
 
+/* What is asked about in the table's units, whatever units an observed quantity says that it has: in these it is computed. */
+static const double *in_table(const jlt_observed *self, double *room, const double *x)
+{
+    if (!self->scaled) return x;
+    for (unsigned i = 0; i < self->general->descriptor->state_count; i++) room[i] = ldexp(x[i], self->exponents[i]);
+    return room;
+}
+
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x)
 {
     const jlt_instance *general = observed->general;
+    double room[JLT_OBSERVED_STATES_MAX];
 
     if (general->descriptor->observe_count == 0) return;
-    general->descriptor->observe_values.call(x, general->block, values);
-    for (unsigned i = 0; i < general->descriptor->observe_count; i++) values[i] = ldexp(values[i], observed->exponents[i]);
+    general->descriptor->observe_values.call(in_table(observed, room, x), general->block, values);
 }
 
 double jlt_observed_least(const jlt_observed *observed, const double *x)
 {
     const jlt_descriptor *d = observed->general->descriptor;
-    double values[JLT_OBSERVED_CONDITIONS_MAX], least = INFINITY;
+    double values[JLT_OBSERVED_CONDITIONS_MAX], room[JLT_OBSERVED_STATES_MAX], least = INFINITY;
 
     if (d->valid_count == 0) return least;
-    d->valid_values.call(x, observed->general->block, values);
-    for (unsigned i = 0; i < d->valid_count; i++) {
-        const double value = ldexp(values[i], observed->exponents[d->observe_count + i]);
-        if (value < least) least = value;
-    }
+    d->valid_values.call(in_table(observed, room, x), observed->general->block, values);
+    for (unsigned i = 0; i < d->valid_count; i++)
+        if (values[i] < least) least = values[i];
     return least;
 }

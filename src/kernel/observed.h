@@ -1,7 +1,7 @@
 /** What a table says to look at along orbits (`observe`), and where its model holds (`valid`).
  *
  *  Their kernels are those of the general field with all its states; what is asked are states of one field of the model in the same
- *  time, in units of a problem, and what is told is in the table's units. */
+ *  time, in units of a problem; they are evaluated, and what is told is, in the table's own. */
 #ifndef JLT_KERNEL_OBSERVED_H
 #define JLT_KERNEL_OBSERVED_H
 
@@ -9,7 +9,7 @@
 
 #include "kernel/instance.h"
 
-enum { JLT_OBSERVED_CONDITIONS_MAX = 256 }; /* as in a table */
+enum { JLT_OBSERVED_CONDITIONS_MAX = 256, JLT_OBSERVED_STATES_MAX = 256 }; /* as in a table, with lifted roots */
 
 typedef struct jlt_observed jlt_observed;
 

@@ -10,7 +10,8 @@
 /* A text, or null for none. */
 static json_t *text_or_null(const char *text)
 {
-    return text != NULL && text[0] != '\0' ? json_string(text) : json_null();
+    json_t *string = text != NULL && text[0] != '\0' ? json_string(text) : NULL; /* NULL too where it is no UTF-8, as files may be called */
+    return string != NULL ? string : json_null();
 }
 
 static void write_json(FILE *stream, const jlt_csv_settings *s)

@@ -138,9 +138,14 @@ static jlt_status look(jlt_course *self, jlt_tier_view *told, const jlt_candidat
     jlt_top top;
     jlt_status st = jlt_top_read(&top, model, question->params);
 
+    bool scales = false;
+
     if (st != JLT_OK) return st;
     jlt_tier_look(told, chosen->tier, chosen->descriptor, &top, question->start);
     self->units = jlt_chart_top_units(&told->chart);
+    st = jlt_instance_scales(&scales, model, question->params, &self->units);
+    if (st != JLT_OK) return st;
+    if (!scales) self->units = (jlt_units){ 0 };
     jlt_units_count(self->params, question->params, model->params, model->param_count, &self->units);
     jlt_units_count(start, question->start, model->states, JLT_TOP_STATES, &self->units);
     st = jlt_top_read(&top, model, self->params);

@@ -8,7 +8,7 @@
 
 #include "scene/tier.h"
 
-enum { JLT_PLAN_CANDIDATES_MAX = 16, JLT_PLAN_PARAMS_MAX = 64, JLT_PLAN_STATES_MAX = 64 };
+enum { JLT_PLAN_CANDIDATES_MAX = 16, JLT_PLAN_PARAMS_MAX = 64, JLT_PLAN_STATES_MAX = 128 };
 
 typedef struct {
     const jlt_descriptor *model; /* the general field that was asked about */

@@ -25,6 +25,12 @@ expect 0 '^0,10,' jellett section "${strobe[@]}" --set k=0 --start theta=0.1,v=0
 awk -F, -v pi=3.141592653589793 '/^0,[0-9]/ { n++; t = 2*pi*$2*3/2; A = w = 0; c = 0.5; w = 2/3; A = 0.5
     bad += ($3 - t)^2 > 1e-20 || ($5 - A*c/(c^2 + w^2)*(1 - exp(-c*t)))^2 > 1e-22 || $4 > pi || $4 < -pi } END { exit !(n == 11 && !bad) }' out ||
     fail "returns of the linear system: $(cat out)"
+# What is no period of the field, or is known at no point of it, is refused.
+expect 3 'theta is no angle' jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=2*pi,theta=3 --start theta=0.1,v=0 --returns 1
+printf 'model apart\nstate r in (2, 9)\nstate b\nroot s = sqrt(r - 2)\neq r = 0*r\neq b = s*(1 + b^2)\n' > apart.tt
+expect 3 'b is no angle' jellett section ./apart.tt --section r=2.9 --modulo 'b=2*pi' --start b=1 --returns 1
+printf 'model sizes\nparam k\ndefault k = 1e12\nstate a\nstate b\neq a = k\neq b = -b\n' > sizes.tt
+expect 3 'b is no angle' jellett section ./sizes.tt --section a=0 --modulo b=1 --start b=2.5 --returns 1
 # Its multipliers are 1, of theta, and exp(-2 pi c/w); its exponents 0 and -c.
 expect 0 '^1,' jellett orbits "${strobe[@]}" --set k=0 --start theta=0,v=0 --hold theta --period 1
 awk -F, '/^1,/ { good = ($7 - 1)^2 < 1e-20 && ($9 - exp(-1.5*3.141592653589793))^2 < 1e-22 && ($4 - 3*3.141592653589793)^2 < 1e-20 } END { exit !good }' out ||

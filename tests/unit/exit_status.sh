@@ -48,6 +48,9 @@ for program in ttc jellett; do
     expect 5 into_full $program --version
 done
 
+for together in --challenge=3 --kernels --verbose; do expect 2 ttc prove --mutate $together "$scratch/good.tt"; done
+expect 2 ttc prove --seed=3 "$scratch/good.tt"
+
 for command in check prove cost show; do
     expect 0 ttc $command "$scratch/good.tt"
     expect 3 ttc $command "$scratch/bad.tt"

@@ -73,7 +73,26 @@ expect 0 alive jellett section ./spherical_top.tt --set mu=0.01 --section omega_
     --start gamma3=0.2,v_nu=0.4,omega_n=0.5,omega3=-2
 expect 0 "UNPROVED: rests on" jellett models ./spherical_top.tt
 
+# A number with a dimension of its own, a unit that is left out or wrong: whatever units an orbit is integrated in, it is that of the
+# table. The same friction with a parameter that has its dimension is another way to it.
+mkdir dimension
+cp *.tt dimension
+awk '{ print } /R.omega_n.omega3$/ && ++n == 1 { print "    - v_nu/10" }
+    /^valid contact/ { print "observe spin = omega_n + 1\nobserve unit = omega_n*1 [m]" }' "$JLT_SOURCE_DIR/codegen/models/spherical_top.tt" \
+    > dimension/spherical_top.tt
+heavy="m=1000,R=100,I1=3000000,I3=3000000,a3=51,g=10"
+expect 0 alive jellett simulate ./dimension/spherical_top.tt --set $heavy --start $start --times 0,1
+rows out > number
+awk '{ print } /R.omega_n.omega3$/ && ++n == 1 { print "    - nu*v_nu" } /^param g/ { print "param nu [1/s] \"friction\"\ndefault nu = 1/10" }' \
+    "$JLT_SOURCE_DIR/codegen/models/spherical_top.tt" > dimension/spherical_top.tt
+expect 0 alive jellett simulate ./dimension/spherical_top.tt --set $heavy --start $start --times 0,1
+rows out > parameter
+paste -d, number parameter | awk -F, 'END { exit !(NR == 3 && $3 < -140.98 && $3 > -140.99 && ($3 - $15)^2 < 1e-16 && ($10 - $5 - 1)^2 < 1e-24 && $11 == $5) }' ||
+    fail "a number with a dimension: $(paste -d, number parameter | tail -1)"
+
 # What is wrong with a table is said with its place; its name reaches no shell.
+printf 'model bad\nstate x\neq x = -x\nobserve t = 2*x\n' > bad.tt
+expect 3 "bad.tt:4:9: error: 't' is a column of every table" jellett simulate ./bad.tt --start x=1 --times 1
 printf 'model bad\nstate x\neq x = y\n' > bad.tt
 expect 3 'bad.tt:3:8: error' jellett simulate ./bad.tt --start x=1 --times 1
 name='a table; touch shell $(touch shell).tt'
