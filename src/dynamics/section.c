@@ -213,19 +213,33 @@ static void end(jlt_section *self, jlt_return *row, double t, const double *x, j
     row->fate = fate;
 }
 
-/* What ended the orbit short of a crossing of the section. */
-static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
+/* Whether an orbit that stands still does so at a pole, which methods whose steps hold its root relative to itself come as near to as
+ * they like. */
+static bool is_pole(const jlt_section *self)
+{
+    const int root = self->flow.field->root;
+    return self->flow.chart->side != NULL && root >= 0 && self->limit[root] < 1e-12;
+}
+
+static void end_at_pole(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
 {
     const jlt_chart *chart = self->flow.chart;
 
+    end(self, row, outcome->t, outcome->x, JLT_FATE_POLE_PLUS);
+    if (chart->side != NULL && chart->side(chart, row->x) < 0) row->fate = JLT_FATE_POLE_MINUS;
+}
+
+/* What ended the orbit short of a crossing of the section. */
+static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
+{
     switch (outcome->end) {
     case JLT_END_TIME: end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET); return;
     case JLT_END_EVENT: end(self, row, outcome->t, outcome->x, JLT_FATE_INVALID); return;
-    case JLT_END_OBSERVER: end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM); return;
-    case JLT_END_POLE:
-        end(self, row, outcome->t, outcome->x, JLT_FATE_POLE_PLUS);
-        if (chart->side != NULL && chart->side(chart, row->x) < 0) row->fate = JLT_FATE_POLE_MINUS;
+    case JLT_END_OBSERVER:
+        if (is_pole(self)) end_at_pole(self, row, outcome);
+        else end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM);
         return;
+    case JLT_END_POLE: end_at_pole(self, row, outcome); return;
     case JLT_END_INTERRUPT:
         end(self, row, outcome->t, outcome->x, JLT_FATE_ALIVE);
         row->interrupted = true;
