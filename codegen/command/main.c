@@ -44,7 +44,6 @@ static const struct argp_option generate_options[] = {
     { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
     END_OF_OPTIONS
 };
-static const struct argp_option build_options[] = { END_OF_OPTIONS };
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
@@ -69,7 +68,7 @@ static const command commands[] = {
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
       "operation counts. Claims are proved first: kernels that rest on one which is refuted or not settled are not "
       "written. Output is a pure function of the tables and options; on any error no file is touched." },
-    { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
+    { "build", "compile a table to a shared object, and print its path", ttc_command_build, NULL,
       "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
       "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, so that the next time it is "
       "there; jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
