@@ -228,14 +228,7 @@ static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
                 "(--contact end stops them there)\n",
                 sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed));
     if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
-    if (!o->check) return JLT_EXIT_DONE;
-    if (f->table.unchecked > 0)
-        fprintf(stderr, "jellett: DP could not be computed at %zu of %zu returns\n", f->table.unchecked,
-                f->table.unchecked + f->table.checked);
-    if (f->table.checked == 0) return f->table.unchecked > 0 ? JLT_EXIT_FAILED : JLT_EXIT_DONE;
-    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g, %.2g of its bound\n",
-            f->table.worst_defect, f->table.worst_share);
-    return f->table.worst_share <= 1 ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
+    return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 
 /* Whatever orbits are followed with. */

@@ -34,4 +34,8 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table);
 /** As jlt_writer_text: table is a jlt_section_table, row a jlt_section_row. With check for one thread at a time. */
 void jlt_section_table_row(FILE *stream, void *table, const void *row);
 
+/** Says on standard error what the check found. False: a determinant is beyond its bound, or there were returns and none of them
+ *  could be checked. */
+bool jlt_section_table_verdict(const jlt_section_table *table);
+
 #endif

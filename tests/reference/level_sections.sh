@@ -69,6 +69,10 @@ awk -F, '/^0,0,/ { exit !($6 < 0) }' out || fail "the guess's sign does not choo
 expect 0 "points of the grid have no state" jellett section ./henon_heiles.tt "${level[@]}" --grid y=0:2:5,py=0 --returns 1
 expect 2 "--project: roessler has no integrals" jellett section roessler --section y=0 --start x=-7,z=0.02 --project
 expect 2 "lives on past steps" jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0,px=1 --project --method msadams
+# On the other branch of the level DP is not known: a check that checks nothing does not pass.
+expect 1 "DP could not be computed at 3 of 3 returns" jellett section ./henon_heiles.tt --section x=0 --level E=1/12 --solve px=0.3 \
+    --start y=0.1,py=0 --returns 3 --check --direction both
+
 # Friction: what was an integral is none any more.
 sed -e 's/^    - y$/&\n    - py\/100/' henon_heiles.tt > friction.tt
 expect 3 "E is no integral of this table" jellett section ./friction.tt --section x=0 --start y=0.1,py=0 --level E=1/12 --solve px=1
