@@ -108,7 +108,8 @@ bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options 
 
 ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, const ttc_options *options, int *status)
 {
-    ttc_proof_report *report = ttc_prove_guarded(model, options->effort == TTC_EFFORT_FULL ? 6 : 1, ttc_resolve_beside, NULL);
+    const int seconds = options->effort == TTC_EFFORT_FULL ? TTC_GUARD_SECONDS_FULL : TTC_GUARD_SECONDS;
+    ttc_proof_report *report = ttc_prove_guarded(model, seconds, ttc_resolve_beside, NULL);
     if (report == NULL) tell_no_memory(status);
     return report;
 }

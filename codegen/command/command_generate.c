@@ -7,6 +7,7 @@
 #include "kernels/plan.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
+#include "readback/prove_kernels.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -231,7 +232,25 @@ static bool mark_unproved(ttc_plan *plan, const ttc_proof_report *report, const 
     return false;
 }
 
-/* Everything that one table is written as. */
+/* Every kernel of the plan computes what the table says, or a proof of that is beyond the prover: neither is written. */
+static void prove_kernels(const ttc_plan *plan, ttc_proof_report *report, int *status)
+{
+    const size_t claims = report->proof_count;
+    if (!ttc_prove_kernels(plan, report)) {
+        fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", plan->model->file);
+        ttc_command_raise(status, TTC_EXIT_MEMORY);
+    }
+    for (size_t i = claims; i < report->proof_count; i++) {
+        const ttc_proof *proof = report->proofs + i;
+        if (proof->status == TTC_PROVED) continue;
+        ttc_command_complain(plan->model, proof->place, NULL, "kernel %s is %s: %s (--effort quick writes kernels without these proofs)",
+                             proof->name, ttc_proof_status_name(proof->status), proof->remainder);
+        ttc_command_raise(status, TTC_EXIT_REFUTED);
+    }
+}
+
+/* Everything that one table is written as. Kernels are proved when they are written, for what a proof adds to the graph of
+ * expressions would change them. */
 static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *model, const ttc_options *options,
                            int *status)
 {
@@ -245,6 +264,7 @@ static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *
             complain(&f, failed);
             ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
         }
+        else if (options->effort == TTC_EFFORT_FULL) prove_kernels(plan, report, status);
     }
     ttc_proof_report_destroy(report);
     ttc_text_clear(&unproved);

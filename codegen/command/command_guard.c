@@ -18,7 +18,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536, PATIENCE = 30, WORDS_SIZE = 200 };
+enum { MEMORY_MIB = 1536, PATIENCE = 30, WORDS_SIZE = 200 };
 
 #ifdef JLT_SANITIZED
 enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
@@ -170,13 +170,15 @@ static ttc_proof_ending ending_of(read_result result, int status, const char *wo
     return speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
 }
 
-static void give_up(ttc_proof_run *run, bool *settled, int times, ttc_proof_ending ending, int status, const char *words)
+static int table_seconds(int claim_seconds) { return 5 * claim_seconds / 2; }
+
+static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_proof_ending ending, int status, const char *words)
 {
     char text[WORDS_SIZE + 80];
     const size_t index = first_open(settled, ttc_proof_run_count(run));
     if (ending == TTC_ENDED_LATE)
         snprintf(text, sizeof text, "its proof passes the limit of %d s of processor time a claim, or of %d s a table",
-                 SECONDS_A_CLAIM * times, SECONDS_A_TABLE * times);
+                 claim_seconds, table_seconds(claim_seconds));
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
         snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
     else
@@ -221,7 +223,7 @@ static double spent(void)
 
 /* One worker, until it is done, dead or late; the claim that it was at is then given up. In/out: seconds, that are left to the
  * table. False: no worker can be made. */
-static bool employ(ttc_proof_run *run, bool *settled, int times, double *seconds)
+static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double *seconds)
 {
     int verdicts[2], words[2], status = 0;
     char said[WORDS_SIZE];
@@ -242,8 +244,8 @@ static bool employ(ttc_proof_run *run, bool *settled, int times, double *seconds
     close(words[1]);
     const bool ok = worker > 0 && clock_getcpuclockid(worker, &b.processor) == 0;
     while (ok && result == READ_DONE && first_open(settled, count) < count) {
-        b.processor_end = fmin(time_of(b.processor) + SECONDS_A_CLAIM * times, *seconds);
-        b.clock_end = time_of(CLOCK_MONOTONIC) + (double)PATIENCE * SECONDS_A_CLAIM * times;
+        b.processor_end = fmin(time_of(b.processor) + claim_seconds, *seconds);
+        b.clock_end = time_of(CLOCK_MONOTONIC) + (double)PATIENCE * claim_seconds;
         result = receive_proof(verdicts[0], run, settled, &b);
     }
     if (worker > 0) {
@@ -251,23 +253,23 @@ static bool employ(ttc_proof_run *run, bool *settled, int times, double *seconds
         while (waitpid(worker, &status, 0) < 0 && errno == EINTR) continue;
         *seconds -= spent() - spent_before;
         read_words(words[0], said);
-        if (result != READ_DONE) give_up(run, settled, times, ending_of(result, status, said), status, said);
+        if (result != READ_DONE) give_up(run, settled, claim_seconds, ending_of(result, status, said), status, said);
     }
     close(verdicts[0]);
     close(words[0]);
     return ok;
 }
 
-ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int times, ttc_resolver resolver, void *context)
+ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int claim_seconds, ttc_resolver resolver, void *context)
 {
     ttc_proof_run *run = ttc_proof_run_create(model, resolver, context);
     ttc_proof_report *report = NULL;
     size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
     bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
-    double seconds = (double)SECONDS_A_TABLE * times;
+    double seconds = table_seconds(claim_seconds);
     while (ok && first_open(settled, count) < count) {
-        if (seconds <= 0) give_up(run, settled, times, TTC_ENDED_LATE, 0, "");
-        else ok = employ(run, settled, times, &seconds);
+        if (seconds <= 0) give_up(run, settled, claim_seconds, TTC_ENDED_LATE, 0, "");
+        else ok = employ(run, settled, claim_seconds, &seconds);
     }
     if (ok) report = ttc_proof_run_report(run, count);
     free(settled);

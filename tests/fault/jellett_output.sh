@@ -9,7 +9,7 @@ status=0
 fail() { echo "$*"; status=1; }
 
 at=v_nu=0.7,omega3=1.1
-sweep=(jellett eigen --set a3=0 --at "$at" --sweep gamma3=-0.99:0.99:2001)
+sweep=(jellett eigen --set a3=0 --at "$at" --sweep gamma3=-0.99:0.99:501)
 
 expect() { # STATUS TITLE COMMAND...
     local want=$1 title=$2 code
@@ -61,7 +61,7 @@ for signal in INT TERM KILL; do
 done
 
 # A section map that is interrupted keeps whole rows, the first of those that an undisturbed run writes, and says so.
-section=(jellett section --grid 8x8 --returns 600)
+section=(jellett section --grid 8x8 --returns 3000)
 "${section[@]}" --output "$scratch/rows" 2> /dev/null
 for signal in INT TERM KILL; do
     rm -rf "$scratch/d"

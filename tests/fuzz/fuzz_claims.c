@@ -109,7 +109,7 @@ static tally examine(uint64_t seed, made_table *made)
     tally sum = { .tables = 1 };
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *model = ttc_model_parse(made->text, strlen(made->text), "random.tt", diagnostics);
-    ttc_proof_report *report = model != NULL ? ttc_prove_guarded(model, 1, resolve, made) : NULL;
+    ttc_proof_report *report = model != NULL ? ttc_prove_guarded(model, TTC_GUARD_SECONDS, resolve, made) : NULL;
     if (report == NULL) {
         ttc_diagnostics_print(diagnostics, stdout);
         sum.failures++;

@@ -1,5 +1,5 @@
-/* Translation: every kernel program of every table computes what the table says, exactly; and a program with one operation
- * exchanged for another does not. */
+/* Translation: every kernel program of a table computes what the table says, exactly; and a program with one operation
+ * exchanged for another does not. Those of the shipped tables are proved where they are generated: unit.regenerated. */
 #include "prove_text.h"
 
 #include "readback/prove_kernels.h"
@@ -34,12 +34,6 @@ static size_t check_table(const char *path)
     ttc_plan_clear(&plan);
     ttc_model_destroy(model);
     return count;
-}
-
-static void every_kernel_of_the_shipped_tables_computes_what_the_table_says(void **state)
-{
-    (void)state;
-    assert_true(check_tables(JLT_SOURCE_DIR "/codegen/models", check_table) > 200);
 }
 
 static void kernels_of_unseen_tables_compute_what_the_table_says(void **state)
@@ -140,7 +134,6 @@ static void a_kernel_with_one_operation_exchanged_is_refuted(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kernel_of_the_shipped_tables_computes_what_the_table_says),
         cmocka_unit_test(kernels_of_unseen_tables_compute_what_the_table_says),
         cmocka_unit_test(a_kernel_with_one_operation_exchanged_is_refuted),
     };

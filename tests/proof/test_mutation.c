@@ -1,5 +1,6 @@
 /* Every term of every shipped table matters to some claim: with its sign flipped, or dropped, a claim is refuted. A mutant
- * that the reader refuses is no table, and counts neither way. */
+ * that the reader refuses is no table, and counts neither way. The 202 of spherical_top_full.tt take longer than all others
+ * together, and are a slow test of their own: mutation_of_full_slow.sh. */
 #include "prove_text.h"
 
 #include "prove/mutate.h"
@@ -7,6 +8,7 @@
 /* Mutants that no claim of a table refutes. */
 static size_t survivors(const char *path)
 {
+    if (strstr(path, "/spherical_top_full.tt") != NULL) return 0;
     ttc_mutation_report *report = NULL;
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *model = ttc_model_read(path, diagnostics);
