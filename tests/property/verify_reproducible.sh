@@ -16,10 +16,11 @@ for model in $models; do
         grep -q "\"$key\"" "$scratch/one" || fail "$model: no key $key in the JSON"
     done
     grep -q '"failed": 0' "$scratch/one" || fail "$model: the JSON says that something fails"
-    [ "$model" != spherical_top_full ] || continue # each run proves it anew, which takes longer than all the others
-    jellett verify "$model" > "$scratch/two" || { fail "$model: does not hold with the default seed"; grep FAILS "$scratch/two"; }
-    jellett verify "$model" --seed 7 --samples 40 --json | cmp -s - "$scratch/one" || fail "$model: the same seed gives another JSON"
+    case $model in spherical_top | spherical_top_balanced | chaplygin_sleigh | lorenz)
+        jellett verify "$model" --seed 7 --samples 40 --json | cmp -s - "$scratch/one" || fail "$model: the same seed gives another JSON"
+    esac
 done
+jellett verify > "$scratch/one" || { fail "spherical_top: does not hold with the default seed"; grep FAILS "$scratch/one"; }
 jellett verify --seed 8 --samples 40 > "$scratch/one"
 jellett verify --seed 8 --samples 40 | cmp -s - "$scratch/one" || fail "the same seed gives another output"
 jellett verify --seed 9 --samples 40 > "$scratch/two"
