@@ -41,6 +41,7 @@ static const char *const lines[] = {
     "                            bound depends on parameters; parameters: -INFINITY and INFINITY */",
     "    jlt_sign sign;       /* parameters: their sign condition; states: JLT_ANY_SIGN */",
     "    double value;        /* parameters: the default, NaN when the table gives none */",
+    "    double period;       /* states: what the table claims to be a period, see the claim `periodic`; 0 when nothing */",
     "} jlt_quantity;",
     "",
     "typedef struct {",

@@ -198,6 +198,9 @@ static void add_quantities(ttc_text *text, const char *name, const ttc_field *fi
         add_double(text, field->graph, s->kind == TTC_STATE ? s->high : TTC_NONE, "INFINITY");
         ttc_text_format(text, ", %s, ", s->kind == TTC_PARAM ? signs[s->sign] : signs[0]);
         add_double(text, field->graph, s->kind == TTC_PARAM ? s->value : TTC_NONE, "NAN");
+        ttc_text_add(text, ", ");
+        add_double(text, field->graph, s->kind == TTC_STATE ? s->period : TTC_NONE, "0.0");
+        if (s->kind == TTC_STATE && s->in_pi) ttc_text_add(text, "*" TTC_PI_DOUBLE);
         ttc_text_add(text, " },\n");
     }
     ttc_text_add(text, "};\n\n");

@@ -114,7 +114,7 @@ static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
     ttc_ratio value, state;
     ttc_ratio_init(task->ring, &value);
     ttc_ratio_init(task->ring, &state);
-    if (task->claim->kind == TTC_CLAIM_SYMMETRY) {
+    if (task->claim->kind != TTC_CLAIM_REVERSOR) {
         set_determinant(task, &value, matrix);
         ttc_task_require(task, &value, TTC_IS_NONZERO, "the map has no inverse: its determinant");
     } else {

@@ -48,6 +48,7 @@ static bool is_soft(ttc_keyword keyword)
     case TTC_KEYWORD_LOG:
     case TTC_KEYWORD_OBSERVE:
     case TTC_KEYWORD_VALID:
+    case TTC_KEYWORD_PERIODIC:
     case TTC_KEYWORD_MODULO:
     case TTC_KEYWORD_ONTO:
     case TTC_KEYWORD_WITH: return true;

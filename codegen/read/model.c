@@ -125,6 +125,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_REDUCTION: return "reduction";
     case TTC_CLAIM_EMBEDDING: return "embedding";
     case TTC_CLAIM_SYMMETRY: return "symmetry";
+    case TTC_CLAIM_PERIODIC: return "periodic";
     }
     return "claim";
 }

@@ -36,6 +36,8 @@ typedef struct {
     ttc_id definition; /* see the kinds; TTC_NONE otherwise. Its node stands before `node` in the graph */
     uint32_t partner;  /* of an angle pair */
     ttc_sign sign;     /* TTC_PARAM */
+    ttc_id period;     /* TTC_STATE: a number > 0, of which `periodic` claims pi times as much where `in_pi`; TTC_NONE: none */
+    bool in_pi;
     ttc_id low, high;  /* TTC_STATE: open interval, constants or expressions in parameters; TTC_NONE: unbounded */
     ttc_id value;      /* TTC_PARAM: the default, a number; TTC_NONE: none given */
 } ttc_symbol_entry;
@@ -106,7 +108,8 @@ typedef enum {
     TTC_CLAIM_POSITIVE,   /* expression > 0 */
     TTC_CLAIM_REDUCTION,  /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
     TTC_CLAIM_EMBEDDING,  /* the same; the target is the larger model */
-    TTC_CLAIM_SYMMETRY    /* as REVERSOR; named by its keyword where it has no name */
+    TTC_CLAIM_SYMMETRY,   /* as REVERSOR; named by its keyword where it has no name */
+    TTC_CLAIM_PERIODIC    /* the symmetry STATE = STATE + period; named by its state */
 } ttc_claim_kind;
 
 typedef struct {

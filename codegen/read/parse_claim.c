@@ -163,6 +163,43 @@ static bool parse_reduction(ttc_parser *parser, ttc_claim *claim)
            ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") && parse_target_bindings(parser, claim);
 }
 
+/* The period as a number, or pi times one; TTC_NONE: it is neither, or not positive. */
+static ttc_id number_of_period(const ttc_model *model, ttc_id period, bool *in_pi)
+{
+    *in_pi = ttc_kind_of(model->graph, period) != TTC_NUMBER;
+    for (size_t i = 0; *in_pi && i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_PI) period = ttc_divide(model->graph, period, model->symbols[i].node);
+    if (period == TTC_NONE || ttc_kind_of(model->graph, period) != TTC_NUMBER) return TTC_NONE;
+    return fmpq_sgn(ttc_coefficient(model->graph, period)) > 0 ? period : TTC_NONE;
+}
+
+/* The state that the claim is named by grows by a period. */
+static bool parse_period(ttc_parser *parser, ttc_claim *claim)
+{
+    ttc_model *model = parser->model;
+    const ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+    size_t i = 0;
+    bool in_pi;
+    while (i < model->state_count && strcmp(model->symbols[model->states[i]].name, claim->name) != 0) i++;
+    if (i == model->state_count) return ttc_parse_error(parser, claim->place, "'%s' is not a state (expected one)", claim->name);
+    const uint32_t symbol = model->states[i];
+    const ttc_id period = ttc_parse_expression(parser);
+    if (period == TTC_NONE) return false;
+    const ttc_id number = number_of_period(model, period, &in_pi);
+    ttc_symbol_entry *state = model->symbols + symbol;
+    if (state->low != TTC_NONE || state->high != TTC_NONE)
+        return ttc_parse_error(parser, claim->place, "'%s' has an interval, which a period leads out of", claim->name);
+    if (number == TTC_NONE)
+        return ttc_parse_error(parser, place, "not a period of '%s' (expected a positive number, or one times pi)", claim->name);
+    state->period = number;
+    state->in_pi = in_pi;
+    claim->bindings.items = ttc_parse_extend(NULL, 0, sizeof *claim->bindings.items);
+    const ttc_id image = ttc_add(model->graph, state->node, period);
+    if (claim->bindings.items == NULL || image == TTC_NONE) return ttc_parse_no_memory(parser);
+    claim->bindings.items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
+    return true;
+}
+
 /* What stands after the name, up to the clauses. */
 static bool parse_body(ttc_parser *parser, ttc_claim *claim)
 {
@@ -173,6 +210,8 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
     case TTC_CLAIM_REVERSOR:
     case TTC_CLAIM_SYMMETRY:
         return parse_map(parser, claim);
+    case TTC_CLAIM_PERIODIC:
+        return ttc_parse_expect_mark(parser, '=', "the state") && parse_period(parser, claim);
     case TTC_CLAIM_EQUILIBRIA:
         return ttc_parse_expect_mark(parser, ':', "the name") &&
                ttc_parse_bindings(parser, &claim->bindings, 1u << TTC_STATE, "a state");
@@ -221,6 +260,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     case TTC_KEYWORD_EMBEDDING: return TTC_CLAIM_EMBEDDING;
     case TTC_KEYWORD_POSITIVE: return TTC_CLAIM_POSITIVE;
     case TTC_KEYWORD_SYMMETRY: return TTC_CLAIM_SYMMETRY;
+    case TTC_KEYWORD_PERIODIC: return TTC_CLAIM_PERIODIC;
     default: return TTC_CLAIM_REDUCTION;
     }
 }

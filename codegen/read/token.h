@@ -13,7 +13,7 @@
     X(CHARPOLY, "charpoly") X(OBSTRUCTS, "obstructs") X(EQUAL, "equal") X(MATRIX, "matrix")                  \
     X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate") X(POSITIVE, "positive")                 \
     X(DOMAIN, "domain") X(EMBEDDING, "embedding")                                               \
-    X(SYMMETRY, "symmetry") X(EXP, "exp") X(LOG, "log") X(OBSERVE, "observe") X(VALID, "valid")
+    X(SYMMETRY, "symmetry") X(EXP, "exp") X(LOG, "log") X(OBSERVE, "observe") X(VALID, "valid") X(PERIODIC, "periodic")
 
 /* Keywords inside a record. */
 #define TTC_CLAUSE_LIST(X)                                                                                   \

@@ -221,14 +221,14 @@ static const jlt_equilibria equilibria[] = {
 };
 
 static const jlt_quantity states[] = {
-    { "v", "m/s", "speed along the blade", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "w", "1/s", "angular velocity", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "v", "m/s", "speed along the blade", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "w", "1/s", "angular velocity", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "I", "kg m^2", "moment of inertia about the centre of mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "a", "m", "distance of the centre of mass from the blade", -INFINITY, INFINITY, JLT_ANY_SIGN, 1.0 },
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "I", "kg m^2", "moment of inertia about the centre of mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "a", "m", "distance of the centre of mass from the blade", -INFINITY, INFINITY, JLT_ANY_SIGN, 1.0, 0.0 },
 };
 
 static const jlt_named integrals[] = {

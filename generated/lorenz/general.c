@@ -243,15 +243,15 @@ static const jlt_equilibria equilibria[] = {
 };
 
 static const jlt_quantity states[] = {
-    { "x", "", "intensity of convection", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "y", "", "temperature difference of rising and falling currents", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "z", "", "distortion of the vertical profile of temperature", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "x", "", "intensity of convection", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "y", "", "temperature difference of rising and falling currents", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "z", "", "distortion of the vertical profile of temperature", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "sigma", "", "Prandtl number", -INFINITY, INFINITY, JLT_ANY_SIGN, 10.0 },
-    { "rho", "", "Rayleigh number over its critical value", -INFINITY, INFINITY, JLT_ANY_SIGN, 28.0 },
-    { "beta", "", "geometric factor", -INFINITY, INFINITY, JLT_NONZERO, (8.0 / 3.0) },
+    { "sigma", "", "Prandtl number", -INFINITY, INFINITY, JLT_ANY_SIGN, 10.0, 0.0 },
+    { "rho", "", "Rayleigh number over its critical value", -INFINITY, INFINITY, JLT_ANY_SIGN, 28.0, 0.0 },
+    { "beta", "", "geometric factor", -INFINITY, INFINITY, JLT_NONZERO, (8.0 / 3.0), 0.0 },
 };
 
 const jlt_descriptor jlt_kernels_lorenz_general = {

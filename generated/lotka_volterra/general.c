@@ -215,15 +215,15 @@ static const jlt_equilibria equilibria[] = {
 };
 
 static const jlt_quantity states[] = {
-    { "x", "", "prey", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
-    { "y", "", "predators", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
+    { "x", "", "prey", 0.0, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "y", "", "predators", 0.0, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "a", "", "growth of the prey", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 3.0) },
-    { "b", "", "prey lost to each predator", -INFINITY, INFINITY, JLT_POSITIVE, (4.0 / 3.0) },
-    { "c", "", "death of predators", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "d", "", "predators gained by each prey", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "a", "", "growth of the prey", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 3.0), 0.0 },
+    { "b", "", "prey lost to each predator", -INFINITY, INFINITY, JLT_POSITIVE, (4.0 / 3.0), 0.0 },
+    { "c", "", "death of predators", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "d", "", "predators gained by each prey", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
 };
 
 static const jlt_named integrals[] = {

@@ -168,14 +168,14 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "q", "", "position", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "p", "", "momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "z", "", "friction", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "q", "", "position", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "p", "", "momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "z", "", "friction", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "T", "", "temperature", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "Q", "", "inertia of the thermostat", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "T", "", "temperature", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "Q", "", "inertia of the thermostat", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
 };
 
 static const jlt_named measures[] = {

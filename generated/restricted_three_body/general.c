@@ -340,14 +340,14 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "x", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "y", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "vx", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "vy", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "x", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "y", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "vx", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "vy", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "mu", "", "mass of the smaller body over the whole mass", -INFINITY, INFINITY, JLT_POSITIVE, (12277471.0 / 1000000000.0) },
+    { "mu", "", "mass of the smaller body over the whole mass", -INFINITY, INFINITY, JLT_POSITIVE, (12277471.0 / 1000000000.0), 0.0 },
 };
 
 static const jlt_named integrals[] = {

@@ -190,15 +190,15 @@ static const jlt_equilibria equilibria[] = {
 };
 
 static const jlt_quantity states[] = {
-    { "x", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "y", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "z", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "x", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "y", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "z", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "a", "", "", -INFINITY, INFINITY, JLT_NONZERO, (1.0 / 5.0) },
-    { "b", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 5.0) },
-    { "c", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, (57.0 / 10.0) },
+    { "a", "", "", -INFINITY, INFINITY, JLT_NONZERO, (1.0 / 5.0), 0.0 },
+    { "b", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 5.0), 0.0 },
+    { "c", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, (57.0 / 10.0), 0.0 },
 };
 
 const jlt_descriptor jlt_kernels_roessler_general = {

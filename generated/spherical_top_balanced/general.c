@@ -1,13 +1,13 @@
 /* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Table:      spherical_top_balanced, SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069
+ *  Table:      spherical_top_balanced, SHA-256 df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    5    1    1    2     10    7   (75)
- *  jacobian            2   31   12    1    1    2     14   11   (282)
- *  rhs_jacobian        2   34   12    1    1    2     13   12   (336)
+ *  jacobian            2   31   12    1    1    2     14   12   (282)
+ *  rhs_jacobian        3   34   12    1    1    2     14   14   (336)
  *  divergence          4    9    3    1    1    1     10    5   (31)
  *  integral_values     3    7    3    1    1    1      8    4   (33)
  *  integral_gradients  2   10    5    2    1    2     10    5   (77)
@@ -16,11 +16,11 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in R - R*I3/I1, 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R*I3*M - R*I1*M,
- *      R*I3*M - R*I3^2*M/I1, (I1*M)*s*C - gamma3*(G*J1/R), gamma3*(I3*M)*C + (G*J3/R)*s,
- *      (G*J3/R)*gamma3*1/s - (I3*M)*C, C*(I1*M)*gamma3*1/s + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3),
- *      a part of d(d(v_slip)/dt)/d(psi), d(d(v_slip)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3),
- *      d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S
+ *    digits are lost where terms nearly cancel in R - R*I3/I1, 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1),
+ *      R*I3*M - R*I3^2*M/I1, R*I3*M - R*I1*M, gamma3*(I3*M)*C + (G*J3/R)*s, (I1*M)*s*C - gamma3*(G*J1/R),
+ *      (G*J3/R)*gamma3*1/s - (I3*M)*C, v_slip - (M/(m*R))*S, a part of d(d(psi)/dt)/d(gamma3),
+ *      a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), C*(I1*M)*gamma3*1/s + G*J1/R,
+ *      d(d(v_slip)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -184,39 +184,39 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t11 = t6*t9; /* 1/Theta = s*1/(Theta*s) */
     const double t12 = cos(x[2]); /* C = cos(psi) */
     const double t13 = x[0]*t10; /* gamma3*1/s */
-    const double t14 = t6*t12; /* s*C */
-    const double t15 = p[17]*t14; /* (-M/J1)*s*C */
-    out[2] = t15;
-    const double t16 = p[9]*t14; /* I1*M*s*C */
-    const double t17 = JLT_FNMA(x[0], p[10], t16); /* I1*M*s*C - gamma3*G*J1/R */
-    const double t18 = p[11]*t6; /* G*J3/R*s */
-    const double t19 = p[19]*t6; /* (R*I3*M - R*I1*M)*s */
-    const double t20 = p[12]*t12; /* I3*M*C */
-    const double t21 = JLT_FMA(x[0], t20, t18); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t22 = JLT_FMS(p[11], t13, t20); /* G*J3/R*gamma3*1/s - I3*M*C */
-    const double t23 = t11*t21; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t24 = t11*t22; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t25 = t19*t23; /* (R*I3*M - R*I1*M)*s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t26 = x[0]*t11; /* gamma3*1/Theta */
-    const double t27 = p[9]*t13; /* I1*M*gamma3*1/s */
-    const double t28 = JLT_FMA(t12, t27, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
-    const double t29 = t17*t26; /* (I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta */
-    const double t30 = t17*t24; /* (I1*M*s*C - gamma3*G*J1/R)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t31 = JLT_FMA(t23, t28, t30); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(C*I1*M*gamma3*1/s + G*J1/R) + t30 */
-    const double t32 = JLT_FNMA(p[20], t29, t25); /* (R*I3*M - R*I1*M)*s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - (R*I3*M - R*I3^2*M/I1)*(I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta */
-    const double t33 = p[18]*t23; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t34 = t29*t33; /* (I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta*t33 */
-    const double t35 = JLT_FNMA(p[8], t31, t34); /* (I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta*t33 - (R - R*I3/I1)*t31 */
-    const double t36 = t11*t35; /* 1/Theta*t35 */
-    out[3] = t36;
+    const double t14 = p[11]*t6; /* G*J3/R*s */
+    const double t15 = p[12]*t12; /* I3*M*C */
+    const double t16 = JLT_FMA(x[0], t15, t14); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t17 = JLT_FMS(p[11], t13, t15); /* G*J3/R*gamma3*1/s - I3*M*C */
+    const double t18 = t11*t16; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t19 = t11*t17; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t20 = p[9]*t12; /* I1*M*C */
+    const double t21 = t6*t20; /* s*I1*M*C */
+    const double t22 = JLT_FNMA(x[0], p[10], t21); /* s*I1*M*C - gamma3*G*J1/R */
+    const double t23 = JLT_FMA(t13, t20, p[10]); /* gamma3*1/s*I1*M*C + G*J1/R */
+    const double t24 = x[0]*t11; /* gamma3*1/Theta */
+    const double t25 = t22*t24; /* (s*I1*M*C - gamma3*G*J1/R)*gamma3*1/Theta */
+    const double t26 = t19*t22; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t27 = JLT_FMA(t18, t23, t26); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(gamma3*1/s*I1*M*C + G*J1/R) + t26 */
+    const double t28 = p[18]*t18; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t29 = t25*t28; /* (s*I1*M*C - gamma3*G*J1/R)*gamma3*1/Theta*t28 */
+    const double t30 = JLT_FNMA(p[8], t27, t29); /* (s*I1*M*C - gamma3*G*J1/R)*gamma3*1/Theta*t28 - (R - R*I3/I1)*t27 */
+    const double t31 = t11*t30; /* 1/Theta*t30 */
+    out[3] = t31;
+    const double t32 = p[19]*t6; /* (R*I3*M - R*I1*M)*s */
+    const double t33 = t18*t32; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s */
+    const double t34 = JLT_FNMA(p[20], t25, t33); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s - (R*I3*M - R*I3^2*M/I1)*(s*I1*M*C - gamma3*G*J1/R)*gamma3*1/Theta */
+    const double t35 = p[17]*t6; /* (-M/J1)*s */
+    const double t36 = t12*t35; /* C*(-M/J1)*s */
+    out[2] = t36;
     const double t37 = t10*t13; /* 1/s*gamma3*1/s */
-    const double t38 = JLT_FMA(p[21], t26, t37); /* 2*m*R^2*(I1 - I3)*gamma3*1/Theta + 1/s*gamma3*1/s */
-    const double t39 = JLT_FMS(t23, t38, t24); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(2*m*R^2*(I1 - I3)*gamma3*1/Theta + 1/s*gamma3*1/s) - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t38 = JLT_FMA(p[21], t24, t37); /* 2*m*R^2*(I1 - I3)*gamma3*1/Theta + 1/s*gamma3*1/s */
+    const double t39 = JLT_FMS(t18, t38, t19); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(2*m*R^2*(I1 - I3)*gamma3*1/Theta + 1/s*gamma3*1/s) - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
     const double t40 = t10*t39; /* 1/s*t39 */
     out[6] = t40;
     const double t41 = sin(x[2]); /* S = sin(psi) */
     const double t42 = t11*t41; /* 1/Theta*S */
-    const double t43 = t32*t42; /* t32*1/Theta*S */
+    const double t43 = t34*t42; /* t34*1/Theta*S */
     out[5] = t43;
     const double t44 = JLT_FNMA(p[7], t41, x[1]); /* v_slip - M/(m*R)*S */
     const double t45 = p[16]*t13; /* (-m*R/J1)*gamma3*1/s */
@@ -243,56 +243,57 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = t6*t8; /* 1/s = Theta*1/(s*Theta) */
     const double t10 = t5*t8; /* 1/Theta = s*1/(s*Theta) */
     const double t11 = cos(x[2]); /* C = cos(psi) */
-    const double t12 = t5*t11; /* s*C */
-    const double t13 = p[17]*t12; /* (-M/J1)*s*C */
-    out[5] = t13;
-    const double t14 = p[9]*t12; /* I1*M*s*C */
-    const double t15 = JLT_FNMA(x[0], p[10], t14); /* I1*M*s*C - gamma3*G*J1/R */
-    const double t16 = t10*t15; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t17 = p[11]*t5; /* G*J3/R*s */
-    const double t18 = p[12]*t11; /* I3*M*C */
-    const double t19 = JLT_FMA(x[0], t18, t17); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t20 = t10*t19; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t12 = p[11]*t5; /* G*J3/R*s */
+    const double t13 = p[12]*t11; /* I3*M*C */
+    const double t14 = JLT_FMA(x[0], t13, t12); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t15 = t10*t14; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t16 = t5*t11; /* s*C */
+    const double t17 = p[17]*t16; /* (-M/J1)*s*C */
+    out[5] = t17;
+    const double t18 = p[9]*t16; /* I1*M*s*C */
+    const double t19 = JLT_FNMA(x[0], p[10], t18); /* I1*M*s*C - gamma3*G*J1/R */
+    const double t20 = t10*t15; /* 1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
     const double t21 = x[0]*t9; /* gamma3*1/s */
-    const double t22 = JLT_FMS(p[11], t21, t18); /* G*J3/R*gamma3*1/s - I3*M*C */
+    const double t22 = JLT_FMS(p[11], t21, t13); /* G*J3/R*gamma3*1/s - I3*M*C */
     const double t23 = t10*t22; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t24 = x[0]*t16; /* gamma3*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t25 = p[8]*t16; /* (R - R*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t26 = t20*t25; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R - R*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t24 = x[0]*t20; /* gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t25 = p[8]*t20; /* (R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t26 = t19*t25; /* (I1*M*s*C - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
     out[1] = t26;
-    const double t27 = p[9]*t21; /* I1*M*gamma3*1/s */
-    const double t28 = JLT_FMA(t11, t27, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
-    const double t29 = t9*t20; /* 1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    out[2] = t29;
-    const double t30 = t9*t29; /* 1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t31 = t9*t23; /* 1/s*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t32 = p[18]*t24; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*gamma3*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t33 = JLT_FNMA(p[8], t28, t32); /* t32 - (R - R*I3/I1)*(C*I1*M*gamma3*1/s + G*J1/R) */
-    const double t34 = p[19]*t5; /* (R*I3*M - R*I1*M)*s */
-    const double t35 = t20*t34; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s */
-    const double t36 = JLT_FNMA(p[20], t24, t35); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s - (R*I3*M - R*I3^2*M/I1)*gamma3*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t37 = t10*t20; /* 1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t38 = p[6]*t5; /* m*R/J1*s */
-    out[4] = t38;
-    const double t39 = t33*t37; /* (t32 - (R - R*I3/I1)*(C*I1*M*gamma3*1/s + G*J1/R))*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t40 = JLT_FNMA(t23, t25, t39); /* t39 - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C)*(R - R*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    out[6] = t40;
-    const double t41 = JLT_FMA(p[21], t37, t30); /* 2*m*R^2*(I1 - I3)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) + 1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t42 = JLT_FMS(t21, t41, t31); /* gamma3*1/s*t41 - 1/s*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    out[9] = t42;
-    const double t43 = sin(x[2]); /* S = sin(psi) */
-    const double t44 = t10*t43; /* 1/Theta*S */
-    const double t45 = t36*t44; /* t36*1/Theta*S */
+    const double t27 = t10*t19; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t28 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t29 = t27*t28; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R)*gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t30 = sin(x[2]); /* S = sin(psi) */
+    const double t31 = t10*t30; /* 1/Theta*S */
+    const double t32 = JLT_FNMA(p[7], t30, x[1]); /* v_slip - M/(m*R)*S */
+    const double t33 = t9*t15; /* 1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    out[2] = t33;
+    const double t34 = JLT_FMS(t21, t33, t23); /* gamma3*1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t35 = JLT_FMA(p[21], t24, t34); /* 2*m*R^2*(I1 - I3)*gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) + t34 */
+    const double t36 = t9*t35; /* 1/s*t35 */
+    out[9] = t36;
+    const double t37 = p[18]*t24; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t38 = JLT_FNMA(p[8], t23, t37); /* t37 - (R - R*I3/I1)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t39 = t27*t38; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R)*(t37 - (R - R*I3/I1)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C)) */
+    const double t40 = p[19]*t5; /* (R*I3*M - R*I1*M)*s */
+    const double t41 = JLT_FNMA(t15, t40, t29); /* t29 - 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s */
+    const double t42 = p[6]*t5; /* m*R/J1*s */
+    out[4] = t42;
+    const double t43 = t32*t42; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    out[0] = t43;
+    const double t44 = t31*t41; /* 1/Theta*S*(t29 - 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s) */
+    const double t45 = -t44; /* -t44 */
     out[8] = t45;
-    const double t46 = JLT_FNMA(p[7], t43, x[1]); /* v_slip - M/(m*R)*S */
-    const double t47 = t38*t46; /* m*R/J1*s*(v_slip - M/(m*R)*S) */
-    out[0] = t47;
-    const double t48 = p[16]*t21; /* (-m*R/J1)*gamma3*1/s */
-    const double t49 = t46*t48; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/s */
-    out[3] = t49;
-    const double t50 = p[22]*t21; /* (-I3*M)*gamma3*1/s */
-    const double t51 = t44*t50; /* 1/Theta*S*(-I3*M)*gamma3*1/s */
-    out[11] = t51;
+    const double t46 = p[9]*t21; /* I1*M*gamma3*1/s */
+    const double t47 = JLT_FMA(t11, t46, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
+    const double t48 = JLT_FNMA(t25, t47, t39); /* t39 - (R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(C*I1*M*gamma3*1/s + G*J1/R) */
+    out[6] = t48;
+    const double t49 = p[16]*t21; /* (-m*R/J1)*gamma3*1/s */
+    const double t50 = t32*t49; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/s */
+    out[3] = t50;
+    const double t51 = p[22]*t21; /* (-I3*M)*gamma3*1/s */
+    const double t52 = t31*t51; /* 1/Theta*S*(-I3*M)*gamma3*1/s */
+    out[11] = t52;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -470,18 +471,18 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
-    { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
+    { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
 };
 
 static const jlt_quantity params[] = {
-    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
-    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
-    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
-    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0), 0.0 },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0), 0.0 },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0), 0.0 },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0, 0.0 },
 };
 
 static const jlt_named integrals[] = {
@@ -495,7 +496,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069",
+    .sha256 = "df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 3, .param_count = 6, .block_count = 32,
@@ -504,10 +505,10 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 16, 5, 1, 1, 2, 10, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, R - R*I3/I1, C*s*(I1*M) - gamma3*(G*J1/R), C*gamma3*(I3*M) + s*(G*J3/R)" },
-    .jacobian = { jacobian, 9, { 2, 31, 12, 1, 1, 2, 14, 11 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R - R*I3/I1, R*I3*M - R*I1*M, R*I3*M - R*I3^2*M/I1, (I1*M)*s*C - gamma3*(G*J1/R), gamma3*(I3*M)*C + (G*J3/R)*s, (G*J3/R)*gamma3*1/s - (I3*M)*C, C*(I1*M)*gamma3*1/s + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), a part of d(d(v_slip)/dt)/d(gamma3), (2*m*R^2*(I1 - I3))*gamma3*1/Theta + 1/s*gamma3*1/s, a part of d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 2, 34, 12, 1, 1, 2, 13, 12 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in R - R*I3/I1, 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R*I3*M - R*I1*M, R*I3*M - R*I3^2*M/I1, (I1*M)*s*C - gamma3*(G*J1/R), gamma3*(I3*M)*C + (G*J3/R)*s, (G*J3/R)*gamma3*1/s - (I3*M)*C, C*(I1*M)*gamma3*1/s + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), d(d(v_slip)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3), d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S" },
+    .jacobian = { jacobian, 9, { 2, 31, 12, 1, 1, 2, 14, 12 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R - R*I3/I1, R*I3*M - R*I1*M, R*I3*M - R*I3^2*M/I1, gamma3*(I3*M)*C + (G*J3/R)*s, (G*J3/R)*gamma3*1/s - (I3*M)*C, s*(I1*M)*C - gamma3*(G*J1/R), gamma3*1/s*(I1*M)*C + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), (2*m*R^2*(I1 - I3))*gamma3*1/Theta + 1/s*gamma3*1/s, a part of d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S" },
+    .rhs_jacobian = { rhs_jacobian, 12, { 3, 34, 12, 1, 1, 2, 14, 14 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in R - R*I3/I1, 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R*I3*M - R*I3^2*M/I1, R*I3*M - R*I1*M, gamma3*(I3*M)*C + (G*J3/R)*s, (I1*M)*s*C - gamma3*(G*J1/R), (G*J3/R)*gamma3*1/s - (I3*M)*C, v_slip - (M/(m*R))*S, a part of d(d(psi)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), C*(I1*M)*gamma3*1/s + G*J1/R, d(d(v_slip)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, a part of the divergence" },
     .integral_values = { integral_values, 1, { 3, 7, 3, 1, 1, 1, 8, 4 }, { 7, 22, 0, 2, 1, 1, 10, 7 },

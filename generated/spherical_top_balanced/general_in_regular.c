@@ -2,12 +2,12 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_balanced, SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069
+ *  Table:      spherical_top_balanced, SHA-256 df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   15    5    1    0    2      7    6   (82)
- *  jacobian            1   37   13    1    0    2     10   13   (432)
+ *  jacobian            1   38   13    1    0    2     10   13   (432)
  *  rhs_jacobian        3   41   13    1    0    2     10   14   (496)
  *  divergence          1    3    4    1    0    1      7    3   (26)
  *  integral_values     0    6    4    1    0    1      5    4   (30)
@@ -17,10 +17,10 @@
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are
  *    digits are lost where terms nearly cancel in R - R*I3/I1, R*I3*M - R*I3^2*M/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1,
- *      G*J1 - I3*G*J1/I1, R*I3*M - R*I1*M, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, C*s*(I1*M) - (G*J1/R)*gamma3,
- *      gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S, a part of d(d(v_slip)/dtau)/d(s),
- *      a part of d(d(psi)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(s),
- *      d(d(v_slip)/dtau)/d(psi), d(d(psi)/dtau)/d(s)
+ *      G*J1 - I3*G*J1/I1, R*I3*M - R*I1*M, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, gamma3*(I3*M)*C + s*(G*J3/R),
+ *      C*s*(I1*M) - (G*J1/R)*gamma3, v_slip - (M/(m*R))*S, d(d(psi)/dtau)/d(gamma3),
+ *      a part of d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), a part of d(d(v_slip)/dtau)/d(s),
+ *      a part of d(d(v_slip)/dtau)/d(psi), d(d(v_slip)/dtau)/d(s), d(d(psi)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -107,13 +107,13 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t42 = params[5]*t41; /* M*R*I1 */
     const double t43 = t23 - t42; /* M*R*I3 - M*R*I1 */
     out[21] = t43;
-    const double t44 = params[2]*t34; /* I1*m*R*R*R */
-    const double t45 = 4.0*t44; /* 4*I1*m*R*R*R */
-    const double t46 = t36 - t45; /* I3*m*R*R*R*4 - 4*I1*m*R*R*R */
+    const double t44 = t15*t29; /* J3*I3*G */
+    const double t45 = t44/params[2]; /* J3*I3*G/I1 */
+    const double t46 = t16 - t45; /* G*J3 - J3*I3*G/I1 */
     out[22] = t46;
-    const double t47 = t15*t29; /* J3*I3*G */
-    const double t48 = t47/params[2]; /* J3*I3*G/I1 */
-    const double t49 = t16 - t48; /* G*J3 - J3*I3*G/I1 */
+    const double t47 = params[2]*t34; /* I1*m*R*R*R */
+    const double t48 = 4.0*t47; /* 4*I1*m*R*R*R */
+    const double t49 = t36 - t48; /* I3*m*R*R*R*4 - 4*I1*m*R*R*R */
     out[23] = t49;
     const double t50 = t1*t20; /* R*R*m*2 */
     const double t51 = params[3]*t50; /* I3*R*R*m*2 */
@@ -203,64 +203,65 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t5 = 1.0/t4; /* 1/Theta */
     const double t6 = cos(x[2]); /* C = cos(psi) */
     const double t7 = x[3]*p[14]; /* s*G*J3/R */
-    const double t8 = p[15]*t6; /* I3*M*C */
-    const double t9 = JLT_FMA(x[0], t8, t7); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t10 = t5*t9; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t8 = x[0]*p[15]; /* gamma3*I3*M */
+    const double t9 = JLT_FMA(t6, t8, t7); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t10 = t5*t9; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
     const double t11 = x[3]*p[12]; /* s*I1*M */
     const double t12 = t6*t11; /* C*s*I1*M */
     const double t13 = JLT_FNMA(x[0], p[13], t12); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t14 = t5*t13; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t15 = x[3]*t5; /* s*1/Theta */
-    const double t16 = t10*t15; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t17 = p[23]*t15; /* (G*J3 - I3*G*J3/I1)*s*1/Theta */
-    const double t18 = p[18]*t15; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta */
-    const double t19 = JLT_FMA(p[8], t10, t17); /* (R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) + (G*J3 - I3*G*J3/I1)*s*1/Theta */
-    const double t20 = t14*t18; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta */
-    const double t21 = sin(x[2]); /* S = sin(psi) */
-    const double t22 = x[3]*t16; /* s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t23 = JLT_FMA(p[22], t22, t19); /* (4*m*R^3*I3 - 4*m*R^3*I1)*s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta + t19 */
-    const double t24 = p[21]*t22; /* (R*I3*M - R*I1*M)*s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t25 = JLT_FNMA(x[0], t20, t24); /* t24 - gamma3*t20 */
-    const double t26 = t21*t25; /* S*(t24 - gamma3*t20) */
-    out[6] = t26;
-    const double t27 = t6*t20; /* C*t20 */
-    const double t28 = t14*t23; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t23 */
-    const double t29 = x[0]*t5; /* gamma3*1/Theta */
-    const double t30 = p[16]*t6; /* M/J1*C */
-    const double t31 = t0*t30; /* s*s*M/J1*C */
-    const double t32 = -t31; /* -s*s*M/J1*C */
-    out[2] = t32;
-    const double t33 = p[21]*t6; /* (R*I3*M - R*I1*M)*C */
-    const double t34 = JLT_FNMA(t16, t33, t28); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t23 - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*(R*I3*M - R*I1*M)*C */
-    out[7] = t34;
-    const double t35 = JLT_FNMA(p[7], t21, x[1]); /* v_slip - M/(m*R)*S */
-    const double t36 = x[0]*p[20]; /* gamma3*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1) */
-    const double t37 = JLT_FMA(t14, t36, p[19]); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*gamma3*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1) + G*J1 - I3*G*J1/I1 */
-    const double t38 = JLT_FNMA(t16, t37, t27); /* C*t20 - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*t37 */
-    out[4] = t38;
-    const double t39 = p[24]*t29; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t40 = t10*t39; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    const double t41 = JLT_FMS(t5, t8, t40); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    out[8] = t41;
-    const double t42 = p[25]*t29; /* (-I3*M)*gamma3*1/Theta */
-    const double t43 = t21*t42; /* S*(-I3*M)*gamma3*1/Theta */
-    out[10] = t43;
-    const double t44 = p[14]*t5; /* G*J3/R*1/Theta */
-    const double t45 = JLT_FNMA(p[26], t16, t44); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    out[11] = t45;
-    const double t46 = x[3]*t35; /* s*(v_slip - M/(m*R)*S) */
-    const double t47 = p[17]*t46; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
-    out[3] = t47;
-    const double t48 = p[27]*t46; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
-    out[12] = t48;
-    const double t49 = x[3]*x[0]; /* s*gamma3 */
-    const double t50 = t30*t49; /* M/J1*C*s*gamma3 */
-    out[14] = t50;
-    const double t51 = p[27]*t49; /* (-m*R/J1)*s*gamma3 */
-    out[13] = t51;
-    const double t52 = x[0]*p[27]; /* gamma3*(-m*R/J1) */
-    const double t53 = t35*t52; /* (v_slip - M/(m*R)*S)*gamma3*(-m*R/J1) */
-    out[15] = t53;
+    const double t14 = x[3]*t5; /* s*1/Theta */
+    const double t15 = t10*t14; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*s*1/Theta */
+    const double t16 = p[8]*t5; /* (R - R*I3/I1)*1/Theta */
+    const double t17 = t10*t16; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*(R - R*I3/I1)*1/Theta */
+    const double t18 = p[22]*t5; /* (G*J3 - I3*G*J3/I1)*1/Theta */
+    const double t19 = JLT_FMA(p[23], t15, t18); /* (4*m*R^3*I3 - 4*m*R^3*I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*s*1/Theta + (G*J3 - I3*G*J3/I1)*1/Theta */
+    const double t20 = JLT_FMA(t14, t19, t17); /* s*1/Theta*t19 + 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*(R - R*I3/I1)*1/Theta */
+    const double t21 = p[18]*t14; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta */
+    const double t22 = t13*t21; /* (C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta */
+    const double t23 = t13*t20; /* (C*s*I1*M - gamma3*G*J1/R)*t20 */
+    const double t24 = sin(x[2]); /* S = sin(psi) */
+    const double t25 = x[0]*t5; /* gamma3*1/Theta */
+    const double t26 = p[16]*t6; /* M/J1*C */
+    const double t27 = t0*t26; /* s*s*M/J1*C */
+    const double t28 = -t27; /* -s*s*M/J1*C */
+    out[2] = t28;
+    const double t29 = JLT_FNMA(p[7], t24, x[1]); /* v_slip - M/(m*R)*S */
+    const double t30 = t5*t6; /* 1/Theta*C */
+    const double t31 = p[14]*t5; /* G*J3/R*1/Theta */
+    const double t32 = JLT_FNMA(p[26], t15, t31); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*s*1/Theta */
+    out[11] = t32;
+    const double t33 = p[20]*t25; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta */
+    const double t34 = JLT_FMA(t13, t33, p[19]); /* (C*s*I1*M - gamma3*G*J1/R)*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta + G*J1 - I3*G*J1/I1 */
+    const double t35 = p[21]*t15; /* (R*I3*M - R*I1*M)*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*s*1/Theta */
+    const double t36 = JLT_FNMA(t6, t35, t23); /* (C*s*I1*M - gamma3*G*J1/R)*t20 - C*t35 */
+    out[7] = t36;
+    const double t37 = x[3]*t24; /* s*S */
+    const double t38 = t35*t37; /* t35*s*S */
+    const double t39 = t24*t25; /* S*gamma3*1/Theta */
+    const double t40 = JLT_FNMA(t22, t39, t38); /* t35*s*S - (C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta*S*gamma3*1/Theta */
+    out[6] = t40;
+    const double t41 = p[25]*t39; /* (-I3*M)*S*gamma3*1/Theta */
+    out[10] = t41;
+    const double t42 = t22*t30; /* (C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta*1/Theta*C */
+    const double t43 = JLT_FNMA(t15, t34, t42); /* t42 - 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*s*1/Theta*t34 */
+    out[4] = t43;
+    const double t44 = p[15]*t30; /* I3*M*1/Theta*C */
+    const double t45 = p[24]*t25; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t46 = JLT_FNMA(t10, t45, t44); /* I3*M*1/Theta*C - 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[8] = t46;
+    const double t47 = x[3]*t29; /* s*(v_slip - M/(m*R)*S) */
+    const double t48 = p[17]*t47; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[3] = t48;
+    const double t49 = p[27]*t47; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
+    out[12] = t49;
+    const double t50 = x[3]*x[0]; /* s*gamma3 */
+    const double t51 = t26*t50; /* M/J1*C*s*gamma3 */
+    out[14] = t51;
+    const double t52 = p[27]*t50; /* (-m*R/J1)*s*gamma3 */
+    out[13] = t52;
+    const double t53 = x[0]*p[27]; /* gamma3*(-m*R/J1) */
+    const double t54 = t29*t53; /* (v_slip - M/(m*R)*S)*gamma3*(-m*R/J1) */
+    out[15] = t54;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -269,82 +270,82 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[9] = 0.0;
     out[13] = 0.0;
     const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = p[6]*t0; /* m*R/J1*s*s */
-    out[5] = t1;
-    const double t2 = x[0]*p[11]; /* gamma3*I3/I1 */
-    const double t3 = JLT_FMA(x[0], t2, t0); /* gamma3*gamma3*I3/I1 + s*s */
-    const double t4 = JLT_FMA(p[10], t3, p[9]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s*s) + I1*I3 */
-    const double t5 = 1.0/t4; /* 1/Theta */
-    const double t6 = cos(x[2]); /* C = cos(psi) */
-    const double t7 = x[3]*p[12]; /* s*I1*M */
-    const double t8 = t6*t7; /* C*s*I1*M */
-    const double t9 = JLT_FNMA(p[13], x[0], t8); /* C*s*I1*M - G*J1/R*gamma3 */
-    const double t10 = x[3]*p[14]; /* s*G*J3/R */
-    const double t11 = p[15]*t6; /* I3*M*C */
-    const double t12 = JLT_FMA(x[0], t11, t10); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t13 = t5*t12; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    out[2] = t13;
-    const double t14 = x[3]*t5; /* s*1/Theta */
-    const double t15 = t5*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t16 = p[8]*t9; /* (R - R*I3/I1)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t17 = sin(x[2]); /* S = sin(psi) */
-    const double t18 = t14*t15; /* s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t19 = t13*t14; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t20 = t16*t19; /* (R - R*I3/I1)*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    out[1] = t20;
-    const double t21 = JLT_FNMA(p[7], t17, x[1]); /* v_slip - M/(m*R)*S */
-    const double t22 = p[18]*t18; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t23 = x[3]*p[22]; /* s*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t24 = t19*t23; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*s*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t25 = JLT_FMA(p[8], t13, t24); /* (R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) + t24 */
-    const double t26 = x[0]*t13; /* gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t27 = JLT_FNMA(p[24], t26, t11); /* I3*M*C - 2*m*R^2*I3*gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t28 = t5*t27; /* 1/Theta*t27 */
-    out[12] = t28;
-    const double t29 = p[6]*t21; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t30 = x[3]*t21; /* s*(v_slip - M/(m*R)*S) */
-    const double t31 = t0*t29; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t31;
-    const double t32 = p[17]*t30; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
-    out[7] = t32;
-    const double t33 = p[27]*t30; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
-    out[16] = t33;
-    const double t34 = x[3]*x[0]; /* s*gamma3 */
-    const double t35 = p[27]*t34; /* (-m*R/J1)*s*gamma3 */
-    out[17] = t35;
-    const double t36 = p[16]*t6; /* M/J1*C */
-    const double t37 = t0*t36; /* s*s*M/J1*C */
-    const double t38 = -t37; /* -s*s*M/J1*C */
-    out[6] = t38;
-    const double t39 = t34*t36; /* s*gamma3*M/J1*C */
-    out[18] = t39;
-    const double t40 = t29*t34; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t41 = -t40; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    out[3] = t41;
-    const double t42 = x[0]*t29; /* gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t43 = -t42; /* -gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[19] = t43;
-    const double t44 = t6*t22; /* C*t22 */
-    const double t45 = p[20]*t18; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t46 = JLT_FNMA(t26, t45, t44); /* C*t22 - gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*t45 */
-    const double t47 = JLT_FNMA(p[19], t19, t46); /* C*t22 - gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*t45 - (G*J1 - I3*G*J1/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    out[8] = t47;
-    const double t48 = p[23]*t18; /* (G*J3 - I3*G*J3/I1)*s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t49 = p[21]*t19; /* (R*I3*M - R*I1*M)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t50 = JLT_FNMA(t6, t49, t48); /* t48 - C*t49 */
-    const double t51 = JLT_FMA(t15, t25, t50); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*((R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) + t24) + t48 - C*t49 */
-    out[11] = t51;
-    const double t52 = x[3]*t17; /* s*S */
-    const double t53 = t49*t52; /* t49*s*S */
-    const double t54 = x[0]*t17; /* gamma3*S */
-    const double t55 = JLT_FNMA(t22, t54, t53); /* t49*s*S - t22*gamma3*S */
-    out[10] = t55;
-    const double t56 = p[25]*t5; /* (-I3*M)*1/Theta */
-    const double t57 = t54*t56; /* gamma3*S*(-I3*M)*1/Theta */
-    out[14] = t57;
-    const double t58 = p[14]*t5; /* G*J3/R*1/Theta */
-    const double t59 = JLT_FNMA(p[26], t19, t58); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    out[15] = t59;
+    const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t2 = JLT_FMA(x[0], t1, t0); /* gamma3*gamma3*I3/I1 + s*s */
+    const double t3 = JLT_FMA(p[10], t2, p[9]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s*s) + I1*I3 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = cos(x[2]); /* C = cos(psi) */
+    const double t6 = x[3]*p[14]; /* s*G*J3/R */
+    const double t7 = p[15]*t5; /* I3*M*C */
+    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t9 = t4*t8; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[2] = t9;
+    const double t10 = t4*t7; /* 1/Theta*I3*M*C */
+    const double t11 = x[3]*p[12]; /* s*I1*M */
+    const double t12 = t5*t11; /* C*s*I1*M */
+    const double t13 = JLT_FNMA(p[13], x[0], t12); /* C*s*I1*M - G*J1/R*gamma3 */
+    const double t14 = x[3]*t4; /* s*1/Theta */
+    const double t15 = sin(x[2]); /* S = sin(psi) */
+    const double t16 = p[18]*t4; /* (R*I3*M - R*I3^2*M/I1)*1/Theta */
+    const double t17 = t5*t16; /* C*(R*I3*M - R*I3^2*M/I1)*1/Theta */
+    const double t18 = x[0]*t4; /* gamma3*1/Theta */
+    const double t19 = t9*t14; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t20 = t13*t14; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta */
+    const double t21 = JLT_FNMA(p[7], t15, x[1]); /* v_slip - M/(m*R)*S */
+    const double t22 = p[8]*t9; /* (R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t23 = t9*t18; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    const double t24 = JLT_FNMA(p[24], t23, t10); /* 1/Theta*I3*M*C - 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    out[12] = t24;
+    const double t25 = JLT_FNMA(p[20], t23, t17); /* C*(R*I3*M - R*I3^2*M/I1)*1/Theta - (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    const double t26 = t13*t22; /* (C*s*I1*M - G*J1/R*gamma3)*(R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t27 = t20*t22; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*(R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[1] = t27;
+    const double t28 = t20*t25; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*t25 */
+    const double t29 = JLT_FNMA(p[19], t19, t28); /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*t25 - (G*J1 - I3*G*J1/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    out[8] = t29;
+    const double t30 = JLT_FMA(p[22], t20, t26); /* (G*J3 - I3*G*J3/I1)*(C*s*I1*M - G*J1/R*gamma3)*s*1/Theta + t26 */
+    const double t31 = p[21]*t19; /* (R*I3*M - R*I1*M)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t32 = p[6]*x[0]; /* m*R/J1*gamma3 */
+    const double t33 = x[3]*t21; /* s*(v_slip - M/(m*R)*S) */
+    const double t34 = p[17]*t33; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[7] = t34;
+    const double t35 = p[27]*t33; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
+    out[16] = t35;
+    const double t36 = t32*t33; /* m*R/J1*gamma3*s*(v_slip - M/(m*R)*S) */
+    const double t37 = -t36; /* -m*R/J1*gamma3*s*(v_slip - M/(m*R)*S) */
+    out[3] = t37;
+    const double t38 = t21*t32; /* (v_slip - M/(m*R)*S)*m*R/J1*gamma3 */
+    const double t39 = -t38; /* -(v_slip - M/(m*R)*S)*m*R/J1*gamma3 */
+    out[19] = t39;
+    const double t40 = p[16]*t5; /* M/J1*C */
+    const double t41 = t5*t31; /* C*t31 */
+    const double t42 = x[3]*t31; /* s*t31 */
+    const double t43 = p[18]*t18; /* (R*I3*M - R*I3^2*M/I1)*gamma3*1/Theta */
+    const double t44 = JLT_FNMA(t20, t43, t42); /* s*t31 - (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*(R*I3*M - R*I3^2*M/I1)*gamma3*1/Theta */
+    const double t45 = t15*t44; /* S*t44 */
+    out[10] = t45;
+    const double t46 = p[23]*t20; /* (4*m*R^3*I3 - 4*m*R^3*I1)*(C*s*I1*M - G*J1/R*gamma3)*s*1/Theta */
+    const double t47 = JLT_FMS(t19, t46, t41); /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*t46 - C*t31 */
+    const double t48 = JLT_FMA(t4, t30, t47); /* 1/Theta*t30 + 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*t46 - C*t31 */
+    out[11] = t48;
+    const double t49 = p[25]*t18; /* (-I3*M)*gamma3*1/Theta */
+    const double t50 = t15*t49; /* S*(-I3*M)*gamma3*1/Theta */
+    out[14] = t50;
+    const double t51 = p[14]*t4; /* G*J3/R*1/Theta */
+    const double t52 = JLT_FNMA(p[26], t19, t51); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    out[15] = t52;
+    const double t53 = p[6]*t0; /* m*R/J1*s*s */
+    out[5] = t53;
+    const double t54 = t21*t53; /* (v_slip - M/(m*R)*S)*m*R/J1*s*s */
+    out[0] = t54;
+    const double t55 = t0*t40; /* s*s*M/J1*C */
+    const double t56 = -t55; /* -s*s*M/J1*C */
+    out[6] = t56;
+    const double t57 = x[3]*x[0]; /* s*gamma3 */
+    const double t58 = t40*t57; /* M/J1*C*s*gamma3 */
+    out[18] = t58;
+    const double t59 = p[27]*t57; /* (-m*R/J1)*s*gamma3 */
+    out[17] = t59;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -516,19 +517,19 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
-    { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
+    { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
+    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
-    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
-    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
-    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0), 0.0 },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0), 0.0 },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0), 0.0 },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0, 0.0 },
 };
 
 static const jlt_named integrals[] = {
@@ -542,7 +543,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069",
+    .sha256 = "df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 4, .param_count = 6, .block_count = 38,
@@ -551,10 +552,10 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 15, 5, 1, 0, 2, 7, 6 }, { 13, 57, 0, 10, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R - R*I3/I1, v_slip - (M/(m*R))*S, C*s*(I1*M) - gamma3*(G*J1/R), C*gamma3*(I3*M) + s*(G*J3/R)" },
-    .jacobian = { jacobian, 16, { 1, 37, 13, 1, 0, 2, 10, 13 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R*I3*M - R*I3^2*M/I1, G*J1 - I3*G*J1/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1, R*I3*M - R*I1*M, 4*m*R^3*I3 - 4*m*R^3*I1, G*J3 - I3*G*J3/I1, R - R*I3/I1, gamma3*(I3*M)*C + s*(G*J3/R), C*s*(I1*M) - gamma3*(G*J1/R), a part of d(d(v_slip)/dtau)/d(s), a part of d(d(v_slip)/dtau)/d(psi), d(d(v_slip)/dtau)/d(s), v_slip - (M/(m*R))*S, a part of d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), d(d(psi)/dtau)/d(gamma3), d(d(psi)/dtau)/d(s)" },
+    .jacobian = { jacobian, 16, { 1, 38, 13, 1, 0, 2, 10, 13 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R*I3*M - R*I3^2*M/I1, G*J1 - I3*G*J1/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1, R*I3*M - R*I1*M, R - R*I3/I1, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, C*gamma3*(I3*M) + s*(G*J3/R), C*s*(I1*M) - gamma3*(G*J1/R), a part of d(d(v_slip)/dtau)/d(s), a part of d(d(v_slip)/dtau)/d(s), v_slip - (M/(m*R))*S, d(d(psi)/dtau)/d(s), a part of d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(s), d(d(v_slip)/dtau)/d(psi), d(d(v_slip)/dtau)/d(gamma3), d(d(psi)/dtau)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 3, 41, 13, 1, 0, 2, 10, 14 }, { 65, 363, 0, 66, 0, 2, 16, 11 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R - R*I3/I1, R*I3*M - R*I3^2*M/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1, G*J1 - I3*G*J1/I1, R*I3*M - R*I1*M, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, C*s*(I1*M) - (G*J1/R)*gamma3, gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S, a part of d(d(v_slip)/dtau)/d(s), a part of d(d(psi)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(s), d(d(v_slip)/dtau)/d(psi), d(d(psi)/dtau)/d(s)" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R - R*I3/I1, R*I3*M - R*I3^2*M/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1, G*J1 - I3*G*J1/I1, R*I3*M - R*I1*M, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, gamma3*(I3*M)*C + s*(G*J3/R), C*s*(I1*M) - (G*J1/R)*gamma3, v_slip - (M/(m*R))*S, d(d(psi)/dtau)/d(gamma3), a part of d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), a part of d(d(v_slip)/dtau)/d(s), a part of d(d(v_slip)/dtau)/d(psi), d(d(v_slip)/dtau)/d(s), d(d(psi)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 7, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, (m*R/J1)*(v_slip - (M/(m*R))*S) + ((I3*M/(m*R^2*I1))/Theta/(m*R^2*I1))*S" },
     .integral_values = { integral_values, 1, { 0, 6, 4, 1, 0, 1, 5, 4 }, { 6, 21, 0, 2, 0, 1, 10, 6 },

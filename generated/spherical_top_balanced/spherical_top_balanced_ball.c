@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_balanced, SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069
+ *  Table:      spherical_top_balanced, SHA-256 df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -1,4 +1,4 @@
-/* spherical_top_balanced: its table byte for byte (SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_balanced: its table byte for byte (SHA-256 df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_balanced[];
@@ -66,6 +66,8 @@ const char jlt_table_spherical_top_balanced[] = {
     '\n',
     'e','m','b','e','d','d','i','n','g',' ','r','e','d','u','c','e','d',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
     ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','a','3',' ','=',' ','0',',',' ','g',' ','=',' ','0','\n',
+    '\n',
+    'p','e','r','i','o','d','i','c',' ','p','s','i',' ','=',' ','2','*','p','i','\n',
     '\0'
 };
 
@@ -76,6 +78,7 @@ const jlt_claim jlt_claims_spherical_top_balanced[] = {
     { "equal", "horizontal_momentum", "", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
     { "embedding", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
+    { "periodic", "psi", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },

@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Variant:    equal_moments: I3 = I1
- *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
+ *  Table:      spherical_top_plane, SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -269,18 +269,18 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
-    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
 };
 
 static const jlt_quantity params[] = {
-    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
-    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
-    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
-    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
-    { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0) },
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0), 0.0 },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0), 0.0 },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0), 0.0 },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0, 0.0 },
+    { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
 const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
@@ -290,7 +290,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8",
+    .sha256 = "1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
     .state_count = 2, .param_count = 7, .block_count = 17,

@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
+ *  Table:      spherical_top_plane, SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -265,57 +265,57 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t20 = t16*t19; /* v_slip*s/v_slip^2*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S */
     const double t21 = p[20]*t16; /* R/(I1^2*J1)*v_slip*s/v_slip^2 */
     const double t22 = JLT_FNMA(p[5], t5, t20); /* t20 - M*C */
-    const double t23 = p[21]*t22; /* 1/J1*(t20 - M*C) */
-    const double t24 = t0*t23; /* s*s*1/J1*(t20 - M*C) */
-    out[4] = t24;
-    const double t25 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t26 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
-    const double t27 = t25*t26; /* t25*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t28 = JLT_FMA(p[19], t9, t27); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t25*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t29 = t21*t28; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
-    const double t30 = x[2]*t29; /* s*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
-    out[3] = t30;
-    const double t31 = p[24]*t5; /* I1*M*(I1 - I3)*C */
-    const double t32 = t9*t31; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
-    const double t33 = p[17]*t5; /* I3*M*C */
-    const double t34 = x[2]*p[16]; /* s*G*J3/R */
-    const double t35 = JLT_FMA(x[0], t33, t34); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t36 = t4*t35; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    out[1] = t36;
-    const double t37 = t4*t33; /* 1/Theta*I3*M*C */
-    const double t38 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t39 = JLT_FNMA(t25, t38, t32); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t25*s*m*R^2*I1*(I1 - I3) */
-    const double t40 = t21*t39; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t39 */
-    const double t41 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t42 = JLT_FMS(p[23], t17, t40); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t39 */
-    const double t43 = x[2]*t42; /* s*t42 */
-    out[5] = t43;
-    const double t44 = t40 - t41; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t39 - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t45 = x[0]*t44; /* gamma3*t44 */
-    out[11] = t45;
-    const double t46 = x[2]*t41; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t47 = JLT_FMA(x[0], t29, t46); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 + s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t48 = -t47; /* -t47 */
-    out[9] = t48;
-    const double t49 = x[2]*t46; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t49;
-    const double t50 = x[0]*t46; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t51 = -t50; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[2] = t51;
-    const double t52 = x[0]*t4; /* gamma3*1/Theta */
-    const double t53 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
-    const double t54 = x[2]*x[0]; /* s*gamma3 */
-    const double t55 = t23*t54; /* 1/J1*(t20 - M*C)*s*gamma3 */
-    const double t56 = -t55; /* -1/J1*(t20 - M*C)*s*gamma3 */
-    out[10] = t56;
-    const double t57 = p[26]*t52; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t58 = JLT_FNMA(t36, t57, t37); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    const double t23 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t24 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
+    const double t25 = t23*t24; /* t23*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t26 = JLT_FMA(p[19], t9, t25); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t23*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t27 = t21*t26; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t26 */
+    const double t28 = x[2]*t27; /* s*R/(I1^2*J1)*v_slip*s/v_slip^2*t26 */
+    out[3] = t28;
+    const double t29 = p[24]*t5; /* I1*M*(I1 - I3)*C */
+    const double t30 = t9*t29; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
+    const double t31 = p[17]*t5; /* I3*M*C */
+    const double t32 = x[2]*p[16]; /* s*G*J3/R */
+    const double t33 = JLT_FMA(x[0], t31, t32); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t34 = t4*t33; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[1] = t34;
+    const double t35 = t4*t31; /* 1/Theta*I3*M*C */
+    const double t36 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t37 = JLT_FNMA(t23, t36, t30); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t23*s*m*R^2*I1*(I1 - I3) */
+    const double t38 = t21*t37; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t37 */
+    const double t39 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t40 = JLT_FMS(p[23], t17, t38); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t37 */
+    const double t41 = x[2]*t40; /* s*t40 */
+    out[5] = t41;
+    const double t42 = t38 - t39; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t37 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t43 = x[0]*t42; /* gamma3*t42 */
+    out[11] = t43;
+    const double t44 = x[2]*t39; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t45 = JLT_FMA(x[0], t27, t44); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t26 + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t46 = -t45; /* -t45 */
+    out[9] = t46;
+    const double t47 = x[2]*t44; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t47;
+    const double t48 = x[0]*t44; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t49 = -t48; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[2] = t49;
+    const double t50 = x[2]*p[21]; /* s*1/J1 */
+    const double t51 = t22*t50; /* (t20 - M*C)*s*1/J1 */
+    const double t52 = x[2]*t51; /* s*(t20 - M*C)*s*1/J1 */
+    out[4] = t52;
+    const double t53 = x[0]*t51; /* gamma3*(t20 - M*C)*s*1/J1 */
+    const double t54 = -t53; /* -gamma3*(t20 - M*C)*s*1/J1 */
+    out[10] = t54;
+    const double t55 = x[0]*t4; /* gamma3*1/Theta */
+    const double t56 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t57 = p[26]*t55; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t58 = JLT_FNMA(t34, t57, t35); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
     out[6] = t58;
-    const double t59 = p[27]*t52; /* (-I3*M)*gamma3*1/Theta */
+    const double t59 = p[27]*t55; /* (-I3*M)*gamma3*1/Theta */
     const double t60 = t13*t59; /* S*(-I3*M)*gamma3*1/Theta */
     out[7] = t60;
-    const double t61 = JLT_FNMA(x[2], t36, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t62 = t53*t61; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    const double t61 = JLT_FNMA(x[2], t34, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t62 = t56*t61; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
     out[8] = t62;
 }
 
@@ -462,19 +462,19 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
-    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
+    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
-    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
-    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
-    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
-    { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0) },
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0), 0.0 },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0), 0.0 },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0), 0.0 },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0, 0.0 },
+    { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
 const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
@@ -484,7 +484,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8",
+    .sha256 = "1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
     .state_count = 3, .param_count = 7, .block_count = 37,

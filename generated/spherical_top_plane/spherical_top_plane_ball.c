@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
+ *  Table:      spherical_top_plane, SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -1,4 +1,4 @@
-/* spherical_top_plane: its table byte for byte (SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_plane: its table byte for byte (SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_plane[];
@@ -55,13 +55,16 @@ const char jlt_table_spherical_top_plane[] = {
     '\n',
     'e','m','b','e','d','d','i','n','g',' ','b','a','l','a','n','c','e','d',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','b','a','l','a','n','c','e','d','.','t','t',' ','w','i','t','h','\n',
     ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','s','l','i','p',' ','=',' ','v','_','s','l','i','p',',',' ','p','s','i',' ','=',' ','p','s','i','\n',
+    '\n',
+    'p','e','r','i','o','d','i','c',' ','p','s','i',' ','=',' ','2','*','p','i','\n',
     '\0'
 };
 
 const jlt_claim jlt_claims_spherical_top_plane[] = {
     { "equal", "jellett", "", JLT_PROVED, "", NULL },
     { "equal", "third_integral", "", JLT_PROVED, "", NULL },
-    { "embedding", "balanced", "", JLT_PROVED, "", "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069" },
+    { "embedding", "balanced", "", JLT_PROVED, "", "df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d" },
+    { "periodic", "psi", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "root", "v_slip", "", JLT_PROVED, "", NULL },
     { "variant", "equal_moments", "", JLT_PROVED, "", NULL },

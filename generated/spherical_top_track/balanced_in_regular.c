@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124
+ *  Table:      spherical_top_track, SHA-256 85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   19    9    1    0    2      7    8   (96)
  *  jacobian            13   59   21    1    0    2     10   18   (375)
- *  rhs_jacobian        15   69   21    1    0    2      7   19   (449)
+ *  rhs_jacobian        15   69   21    1    0    2      8   20   (449)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     1   14   10    0    0    2      6    8   (51)
  *  integral_gradients  0   31    7    0    0    2      5    8   (89)
@@ -18,17 +18,17 @@
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau,
- *      numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*(m*R*I3)*V,
- *      omega_tau - ((1)/Theta)*(m*R*I3)*V,
- *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
- *      d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau,
+ *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V,
+ *      omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau,
  *      numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n,
  *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n,
  *      v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s),
  *      d(d(y)/dtau)/d(s),
  *      d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V,
- *      d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3,
- *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)
+ *      omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega3)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -91,20 +91,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t12;
     const double t13 = -t0; /* -I3/I1 */
     out[12] = t13;
-    const double t14 = params[4]*params[4]; /* I1*I1 */
-    const double t15 = t4*2.0; /* I3*I3*2 */
-    const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
-    out[13] = t16;
-    const double t17 = params[0]*params[0]; /* m*m */
-    const double t18 = t1*t1; /* R*R*R*R */
-    const double t19 = t17*t18; /* m*m*R*R*R*R */
-    const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
-    const double t21 = params[5]*t4; /* I3*I3*I3 */
-    const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
-    const double t23 = t4*t19; /* I3*I3*m*m*R*R*R*R */
-    const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    const double t14 = params[0]*params[0]; /* m*m */
+    const double t15 = t1*t1; /* R*R*R*R */
+    const double t16 = t14*t15; /* m*m*R*R*R*R */
+    const double t17 = params[4]*params[4]; /* I1*I1 */
+    const double t18 = t16*t17; /* m*m*R*R*R*R*I1*I1 */
+    const double t19 = params[5]*t4; /* I3*I3*I3 */
+    const double t20 = t2*t19; /* m*R*R*I3*I3*I3 */
+    const double t21 = t4*t16; /* I3*I3*m*m*R*R*R*R */
+    const double t22 = t20 + t21; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t23 = 2.0*t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t24 = t23/t18; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    out[13] = t24;
+    const double t25 = t4*2.0; /* I3*I3*2 */
+    const double t26 = t25/t17; /* I3*I3*2/(I1*I1) */
     out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
     out[38] = t27;
@@ -112,18 +112,18 @@ static void prepare(const double *restrict params, double *restrict out)
     out[33] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
-    const double t30 = params[5]*2.0; /* I3*2 */
-    const double t31 = t30/params[4]; /* I3*2/I1 */
-    out[16] = t31;
-    const double t32 = t3*t4; /* I1*m*R*R*I3*I3 */
-    const double t33 = params[4]*t19; /* I1*m*m*R*R*R*R */
-    const double t34 = params[5]*t33; /* I3*I1*m*m*R*R*R*R */
-    const double t35 = t32 + t34; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
-    const double t36 = 2.0*t35; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
-    const double t37 = t36/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    const double t30 = t3*t4; /* I1*m*R*R*I3*I3 */
+    const double t31 = params[4]*t16; /* I1*m*m*R*R*R*R */
+    const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
+    const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
+    const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
+    const double t35 = t34/t18; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    out[16] = t35;
+    const double t36 = params[5]*2.0; /* I3*2 */
+    const double t37 = t36/params[4]; /* I3*2/I1 */
     out[17] = t37;
-    const double t38 = t10*t30; /* (I1 - I3)*I3*2 */
-    const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
+    const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
+    const double t39 = t38/t17; /* (I1 - I3)*I3*2/(I1*I1) */
     out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
     out[19] = t40;
@@ -209,14 +209,14 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t25 = -x[3]; /* -omega_n */
     out[5] = t25;
     const double t26 = cos(x[5]); /* C = cos(chi) */
-    const double t27 = x[1]*t26; /* v_nu*C */
-    const double t28 = sin(x[5]); /* S = sin(chi) */
-    const double t29 = JLT_FMA(t5, t28, t27); /* R*(omega_n*gamma3 + s*omega3)*S + v_nu*C */
-    const double t30 = x[9]*t29; /* s*(R*(omega_n*gamma3 + s*omega3)*S + v_nu*C) */
-    out[7] = t30;
-    const double t31 = x[1]*t28; /* v_nu*S */
-    const double t32 = JLT_FNMA(t5, t26, t31); /* v_nu*S - R*(omega_n*gamma3 + s*omega3)*C */
-    const double t33 = x[9]*t32; /* s*(v_nu*S - R*(omega_n*gamma3 + s*omega3)*C) */
+    const double t27 = x[9]*x[1]; /* s*v_nu */
+    const double t28 = t26*t27; /* C*s*v_nu */
+    const double t29 = sin(x[5]); /* S = sin(chi) */
+    const double t30 = x[9]*t5; /* s*R*(omega_n*gamma3 + s*omega3) */
+    const double t31 = JLT_FMA(t29, t30, t28); /* S*s*R*(omega_n*gamma3 + s*omega3) + C*s*v_nu */
+    out[7] = t31;
+    const double t32 = t27*t29; /* s*v_nu*S */
+    const double t33 = JLT_FNMA(t26, t30, t32); /* s*v_nu*S - C*s*R*(omega_n*gamma3 + s*omega3) */
     out[8] = t33;
     const double t34 = -t21; /* -s*omega_tau*gamma3 */
     out[9] = t34;
@@ -283,137 +283,137 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[97] = 0.0;
     out[98] = 0.0;
     out[64] = x[9];
-    out[60] = x[3];
-    out[69] = x[4];
-    out[63] = x[0];
-    out[53] = (-1.0);
     const double t0 = x[9]*x[9]; /* s*s */
     out[2] = t0;
-    const double t1 = p[8] + t0; /* I3/(m*R^2) + s*s */
-    const double t2 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[6], t2, t1); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
-    const double t4 = 1.0/t3; /* 1/(Theta/(m*R^2*I1)) */
-    const double t5 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t6 = x[9]*t4; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t7 = x[9]*p[1]; /* s*R */
-    const double t8 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t9 = t4*t5; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t10 = p[15]*t9; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    out[31] = t10;
-    const double t11 = x[4]*t6; /* omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t12 = x[4]*t7; /* omega3*s*R */
-    const double t13 = JLT_FMA(p[11], t5, t12); /* 2*R*omega_n*gamma3 + omega3*s*R */
-    out[13] = t13;
-    const double t14 = t4*t8; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t15 = t8*t9; /* V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t16 = t6*t8; /* s*1/(Theta/(m*R^2*I1))*V/R */
-    const double t17 = JLT_FNMA(p[6], t9, t5); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t18 = JLT_FMA(p[7], t11, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    out[32] = t18;
-    const double t19 = -t16; /* -s*1/(Theta/(m*R^2*I1))*V/R */
-    out[43] = t19;
-    const double t20 = 2.0*t16; /* 2*s*1/(Theta/(m*R^2*I1))*V/R */
-    const double t21 = x[2]*t11; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t22 = x[2]*p[7]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t23 = t6*t22; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[34] = t23;
-    const double t24 = x[4]*t22; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t25 = t4*t24; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t26 = x[0]*t4; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t27 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
-    const double t28 = sin(x[5]); /* S = sin(chi) */
-    const double t29 = cos(x[5]); /* C = cos(chi) */
-    const double t30 = x[3]*t7; /* omega_n*s*R */
-    out[14] = t30;
-    const double t31 = t28*t30; /* S*omega_n*s*R */
-    out[70] = t31;
-    const double t32 = t29*t30; /* C*omega_n*s*R */
-    const double t33 = -t32; /* -C*omega_n*s*R */
-    out[80] = t33;
-    const double t34 = 2.0*t5; /* 2*omega_n*gamma3 */
-    const double t35 = JLT_FMA(p[1], t5, t12); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
-    const double t36 = t12 + t35; /* omega3*s*R + v_tau */
-    const double t37 = x[9]*p[6]; /* s*I3/I1 */
-    const double t38 = JLT_FMA(x[4], t37, t34); /* omega3*s*I3/I1 + 2*omega_n*gamma3 */
-    const double t39 = -t38; /* -(omega3*s*I3/I1 + 2*omega_n*gamma3) */
-    out[23] = t39;
-    const double t40 = x[3]*t37; /* omega_n*s*I3/I1 */
-    const double t41 = -t40; /* -omega_n*s*I3/I1 */
-    out[24] = t41;
-    const double t42 = JLT_FNMA(p[6], t14, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t43 = x[3]*t14; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t44 = x[0]*t42; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[33] = t44;
-    const double t45 = x[3]*t42; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t46 = p[13]*t15; /* 2*I3^2/I1^2*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t47 = p[16]*t15; /* 2*I3/I1*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t48 = JLT_FNMA(p[14], t21, t46); /* 2*I3^2/I1^2*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t49 = JLT_FMA(t26, t48, t45); /* gamma3*1/(Theta/(m*R^2*I1))*t48 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[30] = t49;
-    const double t50 = p[18]*t21; /* 2*I3*(I1 - I3)/I1^2*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t51 = x[3]*t6; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t52 = JLT_FMS(t20, t51, t43); /* 2*s*1/(Theta/(m*R^2*I1))*V/R*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t53 = p[19]*t51; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[41] = t53;
-    const double t54 = x[0]*t27; /* gamma3*s*(I1 - I3)/I1 */
-    const double t55 = JLT_FMS(t11, t54, t51); /* omega3*s*1/(Theta/(m*R^2*I1))*gamma3*s*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[42] = t55;
-    const double t56 = t21*t27; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
-    const double t57 = JLT_FNMA(p[17], t21, t47); /* 2*I3/I1*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t58 = JLT_FMA(t6, t57, t25); /* s*1/(Theta/(m*R^2*I1))*t57 + t25 */
-    out[39] = t58;
-    const double t59 = JLT_FMS(t2, t50, t47); /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) - 2*I3/I1*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t60 = JLT_FNMA(t6, t59, t56); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t59 */
-    out[40] = t60;
-    const double t61 = p[20] + t2; /* I1/(m*R^2) + gamma3*gamma3 */
-    const double t62 = t26*t61; /* gamma3*1/(Theta/(m*R^2*I1))*(I1/(m*R^2) + gamma3*gamma3) */
-    const double t63 = JLT_FMA(t50, t62, t52); /* 2*I3*(I1 - I3)/I1^2*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*gamma3*1/(Theta/(m*R^2*I1))*(I1/(m*R^2) + gamma3*gamma3) + t52 */
-    out[49] = t63;
-    const double t64 = x[2]*t54; /* omega_tau*gamma3*s*(I1 - I3)/I1 */
-    const double t65 = t6*t64; /* s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*s*(I1 - I3)/I1 */
-    out[44] = t65;
-    const double t66 = x[9]*t29; /* s*C */
-    out[71] = t66;
-    const double t67 = x[9]*t28; /* s*S */
-    out[81] = t67;
-    const double t68 = t7*t67; /* s*R*s*S */
-    out[74] = t68;
-    const double t69 = t7*t66; /* s*R*s*C */
-    const double t70 = -t69; /* -s*R*s*C */
-    out[84] = t70;
-    const double t71 = p[1]*x[0]; /* R*gamma3 */
-    const double t72 = t67*t71; /* s*S*R*gamma3 */
+    const double t1 = x[9]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[9] = t2;
+    out[60] = x[3];
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    out[10] = t4;
+    out[69] = x[4];
+    const double t5 = x[9]*p[1]; /* s*R */
+    const double t6 = x[4]*t5; /* omega3*s*R */
+    out[63] = x[0];
+    const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + omega3*s*R */
+    out[13] = t8;
+    const double t9 = x[3]*t5; /* omega_n*s*R */
+    out[14] = t9;
+    const double t10 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t11 = p[1]*t10; /* R*omega_n*omega3 */
+    out[19] = t11;
+    const double t12 = -t3; /* -omega_n*omega_n */
+    out[20] = t12;
+    const double t13 = 2.0*t7; /* 2*omega_n*gamma3 */
+    const double t14 = x[9]*p[6]; /* s*I3/I1 */
+    const double t15 = JLT_FMA(x[4], t14, t13); /* omega3*s*I3/I1 + 2*omega_n*gamma3 */
+    const double t16 = -t15; /* -(omega3*s*I3/I1 + 2*omega_n*gamma3) */
+    out[23] = t16;
+    const double t17 = x[3]*t14; /* omega_n*s*I3/I1 */
+    const double t18 = -t17; /* -omega_n*s*I3/I1 */
+    out[24] = t18;
+    const double t19 = t10*p[12]; /* omega_n*omega3*(-I3/I1) */
+    out[29] = t19;
+    const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t21 = t0 + p[8]; /* s*s + I3/(m*R^2) */
+    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
+    const double t23 = 1.0/t22; /* 1/(Theta/(m*R^2*I1)) */
+    const double t24 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t28 = x[9]*t23; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t29 = x[4]*t28; /* omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t30 = x[2]*t29; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t31 = p[13]*t30; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t32 = t7*t25; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    const double t33 = JLT_FNMA(p[14], t32, t31); /* t31 - 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    const double t34 = x[0]*t23; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t35 = JLT_FNMA(t33, t34, t27); /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) - (t31 - 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R)*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[30] = t35;
+    const double t36 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t37 = p[15]*t36; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[31] = t37;
+    const double t38 = JLT_FNMA(p[6], t36, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t39 = JLT_FMA(t29, p[7], t38); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[32] = t39;
+    const double t40 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[33] = t40;
+    const double t41 = x[2]*p[7]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t42 = t28*t41; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[34] = t42;
+    const double t43 = x[4]*t41; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = t23*t43; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t32*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t46 = JLT_FMS(t30, p[16], t45); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t47 = JLT_FNMA(t28, t46, t44); /* t44 - s*1/(Theta/(m*R^2*I1))*t46 */
+    out[39] = t47;
+    const double t48 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
+    const double t49 = t30*t48; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    const double t50 = t30*p[18]; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t51 = JLT_FMS(t20, t50, t45); /* gamma3*gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t52 = JLT_FNMA(t28, t51, t49); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t51 */
+    out[40] = t52;
+    const double t53 = x[3]*t28; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[41] = t54;
+    const double t55 = x[0]*t48; /* gamma3*s*(I1 - I3)/I1 */
+    const double t56 = JLT_FMS(t29, t55, t53); /* omega3*s*1/(Theta/(m*R^2*I1))*gamma3*s*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[42] = t56;
+    const double t57 = t24*t28; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t58 = -t57; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    out[43] = t58;
+    const double t59 = x[2]*t55; /* omega_tau*gamma3*s*(I1 - I3)/I1 */
+    const double t60 = t28*t59; /* s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*s*(I1 - I3)/I1 */
+    out[44] = t60;
+    const double t61 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t62 = 2.0*t57; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t63 = t20 + p[20]; /* gamma3*gamma3 + I1/(m*R^2) */
+    const double t64 = t34*t63; /* gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) */
+    const double t65 = JLT_FMS(t53, t62, t61); /* omega_n*s*1/(Theta/(m*R^2*I1))*2*V/R*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t66 = JLT_FMA(t50, t64, t65); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2*gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) + t65 */
+    out[49] = t66;
+    out[53] = (-1.0);
+    const double t67 = sin(x[5]); /* S = sin(chi) */
+    const double t68 = t9*t67; /* omega_n*s*R*S */
+    out[70] = t68;
+    const double t69 = cos(x[5]); /* C = cos(chi) */
+    const double t70 = x[9]*t69; /* s*C */
+    out[71] = t70;
+    const double t71 = t5*x[0]; /* s*R*gamma3 */
+    const double t72 = t67*t71; /* S*s*R*gamma3 */
     out[73] = t72;
-    const double t73 = t66*t71; /* s*C*R*gamma3 */
-    const double t74 = -t73; /* -s*C*R*gamma3 */
-    out[83] = t74;
-    const double t75 = x[9]*x[2]; /* s*omega_tau */
-    const double t76 = 2.0*t75; /* 2*s*omega_tau */
-    out[9] = t76;
-    const double t77 = -t75; /* -s*omega_tau */
-    out[90] = t77;
-    const double t78 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t79 = p[1]*t78; /* R*omega_n*omega_n */
-    out[10] = t79;
-    const double t80 = -t78; /* -omega_n*omega_n */
-    out[20] = t80;
-    const double t81 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t82 = p[1]*t81; /* R*omega_n*omega3 */
-    out[19] = t82;
-    const double t83 = p[12]*t81; /* (-I3/I1)*omega_n*omega3 */
-    out[29] = t83;
-    const double t84 = x[1]*t67; /* v_nu*s*S */
-    const double t85 = JLT_FMS(t35, t66, t84); /* v_tau*s*C - v_nu*s*S */
-    out[75] = t85;
-    const double t86 = x[1]*t66; /* v_nu*s*C */
-    const double t87 = JLT_FMA(t35, t67, t86); /* v_tau*s*S + v_nu*s*C */
-    out[85] = t87;
-    const double t88 = x[1]*t29; /* v_nu*C */
-    const double t89 = JLT_FMA(t28, t36, t88); /* S*(omega3*s*R + v_tau) + v_nu*C */
-    out[79] = t89;
-    const double t90 = x[1]*t28; /* v_nu*S */
-    const double t91 = JLT_FNMA(t29, t36, t90); /* v_nu*S - C*(omega3*s*R + v_tau) */
-    out[89] = t91;
+    const double t73 = x[9]*t67; /* s*S */
+    out[81] = t73;
+    const double t74 = t5*t73; /* s*R*s*S */
+    out[74] = t74;
+    const double t75 = x[1]*t73; /* v_nu*s*S */
+    const double t76 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
+    const double t77 = JLT_FMS(t70, t76, t75); /* s*C*v_tau - v_nu*s*S */
+    out[75] = t77;
+    const double t78 = x[1]*t69; /* v_nu*C */
+    const double t79 = t6 + t76; /* omega3*s*R + v_tau */
+    const double t80 = JLT_FMA(t67, t79, t78); /* S*(omega3*s*R + v_tau) + v_nu*C */
+    out[79] = t80;
+    const double t81 = t9*t69; /* omega_n*s*R*C */
+    const double t82 = -t81; /* -omega_n*s*R*C */
+    out[80] = t82;
+    const double t83 = t69*t71; /* C*s*R*gamma3 */
+    const double t84 = -t83; /* -C*s*R*gamma3 */
+    out[83] = t84;
+    const double t85 = t5*t70; /* s*R*s*C */
+    const double t86 = -t85; /* -s*R*s*C */
+    out[84] = t86;
+    const double t87 = x[1]*t70; /* v_nu*s*C */
+    const double t88 = JLT_FMA(t73, t76, t87); /* s*S*v_tau + v_nu*s*C */
+    out[85] = t88;
+    const double t89 = x[1]*t67; /* v_nu*S */
+    const double t90 = JLT_FNMA(t69, t79, t89); /* v_nu*S - C*(omega3*s*R + v_tau) */
+    out[89] = t90;
+    const double t91 = -t1; /* -s*omega_tau */
+    out[90] = t91;
     const double t92 = x[9]*x[0]; /* s*gamma3 */
     const double t93 = -t92; /* -s*gamma3 */
     out[92] = t93;
@@ -497,12 +497,12 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = JLT_FMA(p[22], t1, p[21]); /* m*R^2*I1*s*s + I1*I3 */
     const double t5 = JLT_FMA(x[0], t3, t4); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
     const double t6 = 1.0/t5; /* 1/Theta */
-    const double t7 = x[9]*x[4]; /* s*omega3 */
-    const double t8 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t7 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t8 = x[9]*x[4]; /* s*omega3 */
     const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t10 = p[24]*t7; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t11 = p[26]*t8; /* m*R*I1*V */
-    const double t12 = p[25]*t8; /* m*R*I3*V */
+    const double t10 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t11 = p[26]*t7; /* m*R*I1*V */
+    const double t12 = p[25]*t7; /* m*R*I3*V */
     const double t13 = x[9]*x[3]; /* s*omega_n */
     const double t14 = p[1]*t13; /* R*s*omega_n */
     out[24] = t14;
@@ -511,137 +511,137 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t16 = x[9]*x[0]; /* s*gamma3 */
     const double t17 = -t16; /* -s*gamma3 */
     out[102] = t17;
-    const double t18 = p[27]*t7; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t19 = cos(x[5]); /* C = cos(chi) */
-    const double t20 = x[9]*t19; /* s*C */
-    out[81] = t20;
-    const double t21 = sin(x[5]); /* S = sin(chi) */
-    const double t22 = x[9]*t21; /* s*S */
-    out[91] = t22;
-    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t24 = -t23; /* -omega_tau*gamma3 */
-    out[109] = t24;
-    const double t25 = p[32]*t23; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
-    const double t26 = t7 + t9; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t26;
-    const double t27 = p[6]*t7; /* I3/I1*s*omega3 */
-    const double t28 = x[2]*t10; /* omega_tau*(I3^2 + m*R^2*I3)*s*omega3 */
-    const double t29 = JLT_FNMA(t9, t12, t28); /* numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*m*R*I3*V */
-    const double t30 = JLT_FNMA(t6, t12, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t31 = t6*t29; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t32 = JLT_FNMA(p[23], t9, t10); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t33 = JLT_FMA(t6, t32, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[42] = t33;
-    const double t34 = JLT_FMA(x[2], t9, t31); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t34;
-    const double t35 = x[0]*t30; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[43] = t35;
-    const double t36 = x[3]*t30; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t37 = t11*t13; /* m*R*I1*V*s*omega_n */
-    const double t38 = t16*t18; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
-    const double t39 = JLT_FMS(x[2], t38, t37); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R*I1*V*s*omega_n */
-    const double t40 = t6*t39; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    out[4] = t40;
-    const double t41 = JLT_FNMA(p[22], t13, t38); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
-    const double t42 = t6*t41; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[52] = t42;
-    const double t43 = x[1]*t21; /* v_nu*S */
-    const double t44 = p[1]*t21; /* R*S */
-    const double t45 = t13*t44; /* s*omega_n*R*S */
-    out[80] = t45;
-    const double t46 = t16*t44; /* s*gamma3*R*S */
-    out[83] = t46;
-    const double t47 = t1*t44; /* s*s*R*S */
-    out[84] = t47;
-    const double t48 = p[1]*t19; /* R*C */
-    const double t49 = x[1]*t19; /* v_nu*C */
-    const double t50 = JLT_FNMA(t26, t48, t43); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
-    const double t51 = JLT_FMA(t26, t44, t49); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    const double t52 = JLT_FMA(t7, t44, t51); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    out[89] = t52;
-    const double t53 = x[9]*t51; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
-    out[7] = t53;
-    out[95] = t53;
-    const double t54 = t1*t48; /* s*s*R*C */
-    const double t55 = -t54; /* -s*s*R*C */
-    out[94] = t55;
-    const double t56 = JLT_FNMA(t7, t48, t50); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
-    out[99] = t56;
-    const double t57 = x[9]*t50; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[8] = t57;
-    const double t58 = -t57; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[85] = t58;
-    const double t59 = x[2]*x[9]; /* omega_tau*s */
-    const double t60 = 2.0*t59; /* 2*omega_tau*s */
-    out[19] = t60;
-    const double t61 = -t59; /* -omega_tau*s */
-    out[100] = t61;
-    const double t62 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t63 = x[4]*t62; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t64 = t6*t63; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t65 = x[3]*t11; /* omega_n*m*R*I1*V */
-    const double t66 = JLT_FMS(t7, t25, t65); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*m*R*I1*V */
-    const double t67 = p[1]*t7; /* R*s*omega3 */
-    const double t68 = JLT_FMA(p[11], t9, t67); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[23] = t68;
-    const double t69 = t6*t66; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t70 = t9 + t27; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t71 = x[3]*t70; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t72 = -t71; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t72;
-    const double t73 = JLT_FMA(2.0, t9, t27); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t74 = -t73; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[33] = t74;
-    const double t75 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t76 = t6*t75; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[41] = t76;
-    const double t77 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t78 = t6*t77; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t79 = JLT_FNMA(t31, t78, t36); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[40] = t79;
-    const double t80 = t6*t59; /* 1/Theta*omega_tau*s */
-    const double t81 = x[0]*t59; /* gamma3*omega_tau*s */
-    const double t82 = -t81; /* -gamma3*omega_tau*s */
-    out[9] = t82;
-    const double t83 = t18*t80; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s */
-    const double t84 = JLT_FNMA(t40, t78, t83); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[50] = t84;
-    const double t85 = p[24]*t80; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
-    out[44] = t85;
-    const double t86 = x[9]*t6; /* s*1/Theta */
-    const double t87 = t11*t86; /* m*R*I1*V*s*1/Theta */
-    const double t88 = -t87; /* -m*R*I1*V*s*1/Theta */
-    out[53] = t88;
-    const double t89 = p[30]*t86; /* 2*m*R^2*I1*s*1/Theta */
-    const double t90 = JLT_FNMA(t31, t89, t64); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[49] = t90;
-    const double t91 = JLT_FNMA(t40, t89, t69); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[59] = t91;
-    const double t92 = x[3]*p[1]; /* omega_n*R */
-    const double t93 = t26*t92; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
-    out[1] = t93;
-    const double t94 = x[3]*t92; /* omega_n*omega_n*R */
-    out[20] = t94;
-    const double t95 = x[4]*t92; /* omega3*omega_n*R */
-    out[29] = t95;
-    const double t96 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t97 = -t96; /* -omega_n*omega_n */
-    out[30] = t97;
-    const double t98 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    const double t99 = x[4]*t98; /* omega3*omega_n*(-I3/I1) */
-    out[39] = t99;
-    const double t100 = p[31]*t13; /* (-m*R*I1)*s*omega_n */
-    const double t101 = t6*t100; /* 1/Theta*(-m*R*I1)*s*omega_n */
-    out[51] = t101;
-    const double t102 = t13*t48; /* s*omega_n*R*C */
-    const double t103 = -t102; /* -s*omega_n*R*C */
-    out[90] = t103;
-    const double t104 = t16*t48; /* s*gamma3*R*C */
-    const double t105 = -t104; /* -s*gamma3*R*C */
-    out[93] = t105;
-    const double t106 = p[27]*t16; /* m*R^2*(I1 - I3)*s*gamma3 */
-    const double t107 = t80*t106; /* 1/Theta*omega_tau*s*m*R^2*(I1 - I3)*s*gamma3 */
-    out[54] = t107;
+    const double t18 = cos(x[5]); /* C = cos(chi) */
+    const double t19 = x[9]*t18; /* s*C */
+    out[81] = t19;
+    const double t20 = sin(x[5]); /* S = sin(chi) */
+    const double t21 = x[9]*t20; /* s*S */
+    out[91] = t21;
+    const double t22 = x[2]*x[9]; /* omega_tau*s */
+    const double t23 = 2.0*t22; /* 2*omega_tau*s */
+    out[19] = t23;
+    const double t24 = -t22; /* -omega_tau*s */
+    out[100] = t24;
+    const double t25 = t6*t22; /* 1/Theta*omega_tau*s */
+    const double t26 = p[24]*t25; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
+    out[44] = t26;
+    const double t27 = p[27]*t25; /* m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
+    const double t28 = t16*t27; /* s*gamma3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
+    out[54] = t28;
+    const double t29 = t8*t27; /* s*omega3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
+    const double t30 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t31 = -t30; /* -omega_tau*gamma3 */
+    out[109] = t31;
+    const double t32 = p[32]*t30; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
+    const double t33 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t33;
+    const double t34 = p[6]*t8; /* I3/I1*s*omega3 */
+    const double t35 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t36 = JLT_FNMA(t9, t12, t35); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
+    const double t37 = JLT_FNMA(t6, t12, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t38 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t39 = t6*t36; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t40 = t6*t38; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t41 = JLT_FMA(x[2], t9, t39); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t41;
+    const double t42 = x[0]*t37; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[43] = t42;
+    const double t43 = x[3]*t37; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t44 = t11*t13; /* m*R*I1*V*s*omega_n */
+    const double t45 = x[2]*t16; /* omega_tau*s*gamma3 */
+    const double t46 = -t45; /* -omega_tau*s*gamma3 */
+    out[9] = t46;
+    const double t47 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t48 = JLT_FMS(t45, t47, t44); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R*I1*V*s*omega_n */
+    const double t49 = t16*t47; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
+    const double t50 = t6*t48; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t50;
+    const double t51 = JLT_FNMA(p[22], t13, t49); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
+    const double t52 = t6*t51; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[52] = t52;
+    const double t53 = x[1]*t20; /* v_nu*S */
+    const double t54 = p[1]*t20; /* R*S */
+    const double t55 = t13*t54; /* s*omega_n*R*S */
+    out[80] = t55;
+    const double t56 = t16*t54; /* s*gamma3*R*S */
+    out[83] = t56;
+    const double t57 = t1*t54; /* s*s*R*S */
+    out[84] = t57;
+    const double t58 = p[1]*t18; /* R*C */
+    const double t59 = x[1]*t18; /* v_nu*C */
+    const double t60 = JLT_FNMA(t33, t58, t53); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
+    const double t61 = JLT_FMA(t33, t54, t59); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t62 = JLT_FMA(t8, t54, t61); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    out[89] = t62;
+    const double t63 = x[9]*t61; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
+    out[7] = t63;
+    out[95] = t63;
+    const double t64 = t16*t58; /* s*gamma3*R*C */
+    const double t65 = -t64; /* -s*gamma3*R*C */
+    out[93] = t65;
+    const double t66 = t1*t58; /* s*s*R*C */
+    const double t67 = -t66; /* -s*s*R*C */
+    out[94] = t67;
+    const double t68 = JLT_FNMA(t8, t58, t60); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
+    out[99] = t68;
+    const double t69 = x[9]*t60; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[8] = t69;
+    const double t70 = -t69; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[85] = t70;
+    const double t71 = t13*t58; /* s*omega_n*R*C */
+    const double t72 = -t71; /* -s*omega_n*R*C */
+    out[90] = t72;
+    const double t73 = p[31]*t13; /* (-m*R*I1)*s*omega_n */
+    const double t74 = t6*t73; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[51] = t74;
+    const double t75 = x[3]*t11; /* omega_n*m*R*I1*V */
+    const double t76 = JLT_FMS(t8, t32, t75); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*m*R*I1*V */
+    const double t77 = t6*t76; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t78 = t9 + t34; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t79 = x[3]*t78; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t80 = -t79; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t80;
+    const double t81 = JLT_FMA(2.0, t9, t34); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t82 = -t81; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[33] = t82;
+    const double t83 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t84 = t6*t83; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t85 = JLT_FNMA(t39, t84, t43); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[40] = t85;
+    const double t86 = JLT_FNMA(t50, t84, t29); /* s*omega3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[50] = t86;
+    const double t87 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t88 = p[1]*t8; /* R*s*omega3 */
+    const double t89 = JLT_FMA(p[11], t9, t88); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[23] = t89;
+    const double t90 = JLT_FNMA(p[23], t9, t87); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t91 = JLT_FMA(t6, t90, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[42] = t91;
+    const double t92 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t93 = t6*t92; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[41] = t93;
+    const double t94 = x[9]*t6; /* s*1/Theta */
+    const double t95 = t11*t94; /* m*R*I1*V*s*1/Theta */
+    const double t96 = -t95; /* -m*R*I1*V*s*1/Theta */
+    out[53] = t96;
+    const double t97 = p[30]*t94; /* 2*m*R^2*I1*s*1/Theta */
+    const double t98 = JLT_FNMA(t39, t97, t40); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[49] = t98;
+    const double t99 = JLT_FNMA(t50, t97, t77); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[59] = t99;
+    const double t100 = x[3]*p[1]; /* omega_n*R */
+    const double t101 = t33*t100; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
+    out[1] = t101;
+    const double t102 = x[3]*t100; /* omega_n*omega_n*R */
+    out[20] = t102;
+    const double t103 = x[4]*t100; /* omega3*omega_n*R */
+    out[29] = t103;
+    const double t104 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t105 = -t104; /* -omega_n*omega_n */
+    out[30] = t105;
+    const double t106 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t107 = x[4]*t106; /* omega3*omega_n*(-I3/I1) */
+    out[39] = t107;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -807,14 +807,14 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
-    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
@@ -828,8 +828,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double u41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
+    double u43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
-    double u44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
@@ -857,31 +857,31 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t14[k] = t9[k]*p[6] + t7[k];
         t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
-        t18[k] = x0[k]*p[6];
-        t19[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[8] : 0);
-        t20[k] = jlt_jet_product(x0, t18, k) + t19[k];
-        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t22, k);
-        t25[k] = p[9]*x1[k] + x2[k];
-        t26[k] = jlt_jet_product(t22, t25, k);
-        t27[k] = x2[k] - p[6]*t26[k];
-        t28[k] = jlt_jet_product(t7, t27, k);
-        t30[k] = jlt_jet_product(t9, t22, k);
-        t31[k] = x2[k]*p[7];
-        t32[k] = jlt_jet_product(t30, t31, k) + t28[k];
+        t19[k] = x0[k]*p[6];
+        t20[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[8] : 0);
+        t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
+        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
+        t24[k] = jlt_jet_product(t9, t23, k);
+        t25[k] = x2[k]*p[7];
+        t26[k] = jlt_jet_product(t24, t25, k);
+        t29[k] = p[9]*x1[k] + x2[k];
+        t30[k] = jlt_jet_product(t23, t29, k);
+        t31[k] = x2[k] - p[6]*t30[k];
+        t32[k] = jlt_jet_product(t7, t31, k) + t26[k];
         t33[k] = jlt_jet_product(x9, x3, k);
-        t34[k] = jlt_jet_product(t26, t33, k);
+        t34[k] = jlt_jet_product(t30, t33, k);
         t36[k] = jlt_jet_product(t2, x0, k);
         t37[k] = p[10]*t36[k];
-        t38[k] = jlt_jet_product(t30, t37, k) - t34[k];
+        t38[k] = jlt_jet_product(t24, t37, k) - t34[k];
         t39[k] = -x3[k];
         t41[k] = jlt_jet_cosine(x5, t41, u41, k);
-        t42[k] = jlt_jet_product(x9, t41, k);
-        t43[k] = jlt_jet_product(x1, t42, k);
-        t44[k] = jlt_jet_sine(x5, t44, u44, k);
+        t42[k] = jlt_jet_product(x1, t41, k);
+        t43[k] = jlt_jet_sine(x5, t43, u43, k);
+        t44[k] = jlt_jet_product(t11, t43, k) + t42[k];
         t45[k] = jlt_jet_product(x9, t44, k);
-        t46[k] = jlt_jet_product(t11, t45, k) + t43[k];
-        t47[k] = jlt_jet_product(x1, t45, k);
-        t48[k] = t47[k] - jlt_jet_product(t11, t42, k);
+        t46[k] = jlt_jet_product(x1, t43, k);
+        t47[k] = t46[k] - jlt_jet_product(t11, t41, k);
+        t48[k] = jlt_jet_product(x9, t47, k);
         t49[k] = -t36[k];
         double *restrict next = coefficients + (k + 1)*11;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
@@ -891,7 +891,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         next[4] = x4[k + 1] = t38[k]/(k + 1);
         next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x6[k + 1] = t10[k]/(k + 1);
-        next[7] = x7[k + 1] = t46[k]/(k + 1);
+        next[7] = x7[k + 1] = t45[k]/(k + 1);
         next[8] = x8[k + 1] = t48[k]/(k + 1);
         next[9] = x9[k + 1] = t49[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
@@ -947,25 +947,25 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "gamma3", "1", "cosine of the tilt of the symmetry axis, (gamma, e3)", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
-    { "v_nu", "m/s", "velocity of the centre of mass along nu, the direction of free slipping", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "omega_tau", "rad/s", "angular velocity along tau, the rate of tilting", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "omega_n", "rad/s", "angular velocity along n", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "omega3", "rad/s", "angular velocity along the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "chi", "rad", "direction of nu in the plane: precession", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "spin", "rad", "proper rotation about the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "x", "m", "centre of mass, along alpha", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "y", "m", "centre of mass, along beta", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
+    { "gamma3", "1", "cosine of the tilt of the symmetry axis, (gamma, e3)", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
+    { "v_nu", "m/s", "velocity of the centre of mass along nu, the direction of free slipping", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "omega_tau", "rad/s", "angular velocity along tau, the rate of tilting", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "omega_n", "rad/s", "angular velocity along n", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "omega3", "rad/s", "angular velocity along the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "chi", "rad", "direction of nu in the plane: precession", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
+    { "spin", "rad", "proper rotation about the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
+    { "x", "m", "centre of mass, along alpha", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "y", "m", "centre of mass, along beta", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "R", "m", "radius of the sphere", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "g", "m/s^2", "acceleration of gravity", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
-    { "a3", "m", "displacement of the centre of mass along the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, (51.0 / 100.0) },
-    { "I1", "kg*m^2", "equatorial moment of inertia about the centre of mass", -INFINITY, INFINITY, JLT_POSITIVE, (1.0 / 3.0) },
-    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 3.0) },
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "R", "m", "radius of the sphere", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
+    { "g", "m/s^2", "acceleration of gravity", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0, 0.0 },
+    { "a3", "m", "displacement of the centre of mass along the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, (51.0 / 100.0), 0.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia about the centre of mass", -INFINITY, INFINITY, JLT_POSITIVE, (1.0 / 3.0), 0.0 },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 3.0), 0.0 },
 };
 
 static const jlt_named integrals[] = {
@@ -982,7 +982,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
+    .sha256 = "85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .block_count = 47,
@@ -991,11 +991,11 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 10, { 4, 19, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(spin)/dtau, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau, R*(omega_n*gamma3 + s*omega3)*S + v_nu*C, v_nu*S - R*(omega_n*gamma3 + s*omega3)*C" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(spin)/dtau, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau, d(x)/dtau, d(y)/dtau" },
     .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 10, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_tau), v_tau = R*omega_n*gamma3 + omega3*s*R, omega3*s*R + v_tau, omega3*s*(I3/I1) + (2)*omega_n*gamma3, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s), d(d(x)/dtau)/d(chi), d(d(y)/dtau)/d(chi), d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 19 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V, d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(d(v_nu)/dtau)/d(omega_n), omega3*s*(I3/I1) + (2)*omega_n*gamma3, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(s), v_tau = R*omega_n*gamma3 + omega3*s*R, d(d(x)/dtau)/d(chi), omega3*s*R + v_tau, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(chi), d(d(y)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 8, 20 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V, omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V" },
     .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 8 }, { 11, 38, 0, 0, 0, 2, 8, 7 },

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint: reduced system, attitude and track: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_track, SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124
+ *  Table:      spherical_top_track, SHA-256 85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -1,4 +1,4 @@
-/* spherical_top_track: its table byte for byte (SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_track: its table byte for byte (SHA-256 85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_track[];
@@ -101,6 +101,9 @@ const char jlt_table_spherical_top_track[] = {
     '\n',
     'r','e','d','u','c','t','i','o','n',' ','r','e','d','u','c','e','d',' ',':',' ','o','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
     ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3','\n',
+    '\n',
+    'p','e','r','i','o','d','i','c',' ','c','h','i',' ','=',' ','2','*','p','i','\n',
+    'p','e','r','i','o','d','i','c',' ','s','p','i','n',' ','=',' ','2','*','p','i','\n',
     '\0'
 };
 
@@ -116,6 +119,8 @@ const jlt_claim jlt_claims_spherical_top_track[] = {
     { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
     { "reduction", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
+    { "periodic", "chi", "", JLT_PROVED, "", NULL },
+    { "periodic", "spin", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "variant", "rod", "", JLT_PROVED, "", NULL },

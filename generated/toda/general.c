@@ -351,16 +351,16 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 }
 
 static const jlt_quantity states[] = {
-    { "q1", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "q2", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "q3", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "p1", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "p2", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
-    { "p3", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "q1", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "q2", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "q3", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "p1", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "p2", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
+    { "p3", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
 };
 
 static const jlt_quantity params[] = {
-    { "k", "", "stiffness of the springs", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "k", "", "stiffness of the springs", -INFINITY, INFINITY, JLT_POSITIVE, 1.0, 0.0 },
 };
 
 static const jlt_named integrals[] = {

@@ -21,7 +21,7 @@ static const struct argp_option option_table[] = {
       "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
       "section's coordinates are the others, and all of it lies on the branch that is found from there", 10 },
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
-      "With --section: states that are angles, such as phi=2*pi. They are shown within half a period of 0, orbits that differ by "
+      "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is to be none. They are shown within half a period of 0, orbits that differ by "
       "periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
     { "mirror", MIRROR, "STATE,...", 0, "With --section: states whose sign another model's reversor changes", 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
@@ -293,8 +293,8 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     if (text == NULL) return JLT_EXIT_DONE;
     const jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
     const bool named = strchr(text, '=') != NULL;
-    for (unsigned k = 0; code == JLT_EXIT_DONE && !system->is_top && k < chart->dim; k++)
-        if (axes[k].low_text == NULL && (named || chart->period[k] == 0))
+    for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
+        if (axes[k].low_text == NULL && (named || (!system->is_top && chart->period[k] == 0)))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
                                     chart->names[k], chart->names[k], chart->names[k]);
     return code;

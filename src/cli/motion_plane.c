@@ -68,19 +68,41 @@ static jlt_exit read_states(size_t *states, double *numbers, size_t *count, cons
     return code;
 }
 
+static bool is_solved_for(const plane *p, size_t state)
+{
+    for (unsigned i = 0; i < p->level_count; i++)
+        if (p->levels[i].state == state) return true;
+    return false;
+}
+
+/* Periods that the table proves, but of a state that levels determine, which may have many values there; then what is said. */
 static jlt_exit read_modulo(plane *out, const char *text, const jlt_descriptor *d)
 {
     size_t states[JLT_CHART_STATES_MAX], count;
     double numbers[JLT_CHART_STATES_MAX];
     const jlt_exit code = read_states(states, numbers, &count, text, d, "--modulo");
 
-    for (unsigned i = 0; i < d->state_count; i++) out->periods[i] = 0;
+    for (unsigned i = 0; i < d->state_count; i++) {
+        const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[i].name);
+        out->periods[i] = claim != NULL && claim->verdict == JLT_PROVED && !is_solved_for(out, i) ? d->states[i].period : 0;
+    }
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
+        const char *name = d->states[states[i]].name;
         out->periods[states[i]] = numbers[i];
-        if (!(numbers[i] > 0))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--modulo: the period of %s must be positive", d->states[states[i]].name);
+        if (!(numbers[i] >= 0))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--modulo: the period of %s must be positive, or 0 for none", name);
+        if (numbers[i] > 0 && is_solved_for(out, states[i]))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
+                                    "state", name);
     }
     return code;
+}
+
+static bool has_angles(const plane *p, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (p->periods[i] != 0) return true;
+    return false;
 }
 
 /* The table's integral of this name, proved. */
@@ -129,9 +151,6 @@ static jlt_exit read_levels(plane *out, const jlt_motion_options *options, const
         out->levels[i].guess = guesses[i];
         if (states[i] == out->column)
             return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is fixed by --section already", d->states[states[i]].name);
-        if (out->periods[states[i]] != 0)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
-                                    "state", d->states[states[i]].name);
     }
     if (d->state_count < 2)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has one state; a section has a coordinate beside the state that --section fixes",
@@ -161,12 +180,12 @@ jlt_exit jlt_motion_plane(jlt_system **system, const jlt_motion_options *options
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,
                                 descriptor->state_count, JLT_CHART_STATES_MAX);
     if (code == JLT_EXIT_DONE) code = read_mirror(&read, options->mirror, descriptor);
-    if (code == JLT_EXIT_DONE) code = read_modulo(&read, options->modulo, descriptor);
     if (code == JLT_EXIT_DONE) code = read_levels(&read, options, descriptor);
+    if (code == JLT_EXIT_DONE) code = read_modulo(&read, options->modulo, descriptor);
     if (code != JLT_EXIT_DONE) goto done;
     st = jlt_system_plane(system, descriptor, params, (unsigned)read.column, read.section.low,
                           options->mirror != NULL ? read.signs : NULL, &options->flow);
-    if (st == JLT_OK && options->modulo != NULL) st = jlt_system_angles(*system, read.periods, &state);
+    if (st == JLT_OK && has_angles(&read, descriptor->state_count)) st = jlt_system_angles(*system, read.periods, &state);
     if (st == JLT_ERR_DOMAIN && *system != NULL)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
                                 descriptor->states[state].name, descriptor->model, read.periods[state]);

@@ -76,4 +76,16 @@ expect 3 "'2\*pi/0' is no finite number" jellett section ./forced_pendulum.tt --
 expect 2 "the kernels of forced_pendulum follow one orbit at a time" jellett section "${strobe[@]}" "${start[@]}" --batch
 expect 2 "--modulo goes with --section" jellett section --start eta=0.1,gamma3=-0.6 --modulo eta=1
 expect 3 "H is an integral of forced_pendulum when" jellett section "${strobe[@]}" "${start[@]}" --level H=1 --solve v=1
+# What the table proves to be a period needs no option, which takes it back by 0; one that is refuted makes no angle.
+{ cat forced_pendulum.tt; printf 'periodic phi = 2*pi\nperiodic theta = 2*pi\n'; } > periodic.tt
+{ cat forced_pendulum.tt; printf 'periodic phi = 3\nperiodic theta = 2*pi\n'; } > refuted.tt
+turns=(--start theta=0.1,v=5 --returns 12)
+expect 0 '^0,12,' jellett section "${strobe[@]}" "${turns[@]}"
+grep -v '^#' out > wanted
+expect 0 '^0,12,' jellett section ./periodic.tt --section phi=0 "${turns[@]}"
+grep -v '^#' out | cmp -s - wanted || fail "by 'periodic': $(cat out)"
+expect 0 '^0,12,' jellett section ./periodic.tt --section phi=0 --modulo theta=0 "${turns[@]}"
+awk -F, '/^0,/ && ($4 > 4 || $4 < -4) { far = 1 } END { exit !far }' out || fail "theta is still an angle: $(cat out)"
+expect 0 '^0,[0-9]' jellett section ./refuted.tt --section phi=0 "${turns[@]}"
+grep -v '^#' out | cmp -s - wanted && fail "a refuted period is taken for one"
 exit $status

@@ -37,8 +37,8 @@ for command in section fates "lyapunov --returns 5" "continue --along E=2:2.2" "
     }
 done
 refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
-refuse 3 "--grid: no state has these levels" jellett section --grid gamma3=2:3:3 --output rows
-refuse 3 "--grid: no state has these levels" jellett fates --grid gamma3=2:3:3 --output rows
+refuse 3 "--grid: no state has these levels" jellett section --grid eta=0,gamma3=2:3:3 --output rows
+refuse 3 "--grid: no state has these levels" jellett fates --grid eta=0,gamma3=2:3:3 --output rows
 refuse 3 "no coordinate 'x'" jellett section --grid x=0:1:3
 refuse 3 "G = 0" jellett rod --start gamma3=0.2,v_nu=0,omega_tau=0,omega_n=0,omega3=0
 refuse 2 "say where to start" jellett lyapunov lorenz --section z=27
