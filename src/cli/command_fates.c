@@ -84,7 +84,7 @@ static void write_row(FILE *file, const options *o, const jlt_system *system, co
     const double values[] = { end->t, end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3, end->least };
     const bool tells_contact = strcmp(o->motion.contact, "report") == 0;
     jlt_csv_values(file, q, 2);
-    jlt_section_fate_text(fate, system->observed, end->fate);
+    jlt_section_fate_text(fate, system->observed, end->fate, end->lost);
     fprintf(file, ",%s,", fate);
     jlt_csv_row(file, values, tells_contact ? 5 : 4);
 }
@@ -149,7 +149,7 @@ static void summary(FILE *stream, const shares *sum, const jlt_system *system)
     fprintf(stream, "%zu starts:", sum->all.starts);
     for (int fate = JLT_FATE_ALIVE; fate < (int)JLT_FATE_COUNT; fate++)
         if (fate <= (int)JLT_FATE_EQUILIBRIUM || sum->all.by_fate[fate] > 0) {
-            jlt_section_fate_text(name, system->observed, (jlt_fate)fate);
+            jlt_section_fate_text(name, system->observed, (jlt_fate)fate, JLT_OBSERVED_ANY);
             fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], name);
         }
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
@@ -192,7 +192,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     fputs("plot ", stream);
     for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) {
         if (sum->all.by_fate[fate] == 0) continue;
-        jlt_section_fate_text(name, system->observed, (jlt_fate)fate);
+        jlt_section_fate_text(name, system->observed, (jlt_fate)fate, JLT_OBSERVED_ANY);
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN)", first ? "" : ", ", fate);
         if (cells) fprintf(stream, ":(%.9g):(%.9g)", width, height);
         fprintf(stream, " with %s lc rgb '%s' title \"%zu %s\" noenhanced", how, colours[fate], sum->all.by_fate[fate], name);

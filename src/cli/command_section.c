@@ -221,12 +221,12 @@ static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
         fprintf(stderr,
                 "jellett: at least %zu of %zu orbits have returns where %s is lost and the model does not hold; they were followed all "
                 "the same, and --batch does not look between returns\n",
-                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed));
+                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed, JLT_OBSERVED_ANY));
     else if (sum->invalid > 0 && !o->motion.flow.end_where_invalid)
         fprintf(stderr,
                 "jellett: %zu of %zu orbits lose %s, and the model does not hold from there on; they were followed all the same "
                 "(--contact end stops them there)\n",
-                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed));
+                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed, JLT_OBSERVED_ANY));
     if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }

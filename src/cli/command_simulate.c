@@ -210,13 +210,13 @@ static double difference(jlt_simulate_request *r, size_t k, const double *x, dou
 }
 
 /* st: of the call that made the row. */
-static void write_fate(FILE *file, const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
+static void write_fate(FILE *file, const jlt_course_row *row, jlt_status st)
 {
     jlt_fate failure;
 
     if (st != JLT_OK) fprintf(file, ",%s\n", jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown");
     else if (row->end == JLT_END_POLE) fputs(row->side > 0 ? ",pole+\n" : ",pole-\n", file);
-    else if (!isnan(row->lost_at)) fprintf(file, ",lost_%s\n", jlt_course_condition(r->courses[0]));
+    else if (!isnan(row->lost_at)) fprintf(file, ",lost_%s\n", row->lost);
     else fputs(",alive\n", file);
 }
 
@@ -240,7 +240,7 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     for (size_t k = 1; k < r->course_count; k++)
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_more(file, values, count);
-    write_fate(file, r, row, st);
+    write_fate(file, row, st);
     if (r->points != NULL) jlt_simulate_point(r, row);
 }
 
@@ -296,7 +296,7 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
     if (!isnan(row->lost_at))
         fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
                 "does not hold\n",
-                jlt_course_condition(r->courses[0]), row->lost_at, row->least);
+                row->lost, row->lost_at, row->least);
 }
 
 static jlt_exit run(int argc, char **argv)

@@ -17,6 +17,7 @@ void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t o
     row->t = at->t;
     row->least = at->least;
     row->fate = at->fate;
+    row->lost = at->lost;
     memcpy(row->values, at->q, chart->dim * sizeof *at->q);
     memcpy(row->values + chart->dim, at->x, chart->states * sizeof *at->x);
     if (before != NULL) memcpy(row->values + chart->dim + chart->states, before, chart->dim * sizeof *before);
@@ -31,7 +32,7 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
     for (unsigned i = 0; i < chart->solved_count; i++)
         fprintf(stream, ",%s", table->system->instance->descriptor->states[chart->solved[i]].name);
     fprintf(stream, "%s,fate", table->system->is_top ? ",v_nu,omega_n,omega3" : "");
-    if (table->least) fprintf(stream, ",%s_min", jlt_observed_condition(table->system->observed));
+    if (table->least) fprintf(stream, ",%s_min", jlt_observed_condition(table->system->observed, JLT_OBSERVED_ANY));
     fprintf(stream, "%s\n", table->check ? ",trace,det,divergence,defect" : "");
 }
 
@@ -89,7 +90,7 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
         write_field(stream, omega3);
     }
     fputc(',', stream);
-    jlt_section_fate_text(fate, system->observed, at->fate);
+    jlt_section_fate_text(fate, system->observed, at->fate, at->lost);
     fputs(fate, stream);
     if (self->least) write_field(stream, at->least);
     if (self->check) write_check(stream, self, at);

@@ -22,6 +22,7 @@ typedef struct {
     size_t orbit, number;
     double t, least;
     jlt_fate fate;
+    unsigned lost;
     double values[]; /* q (dim,); x (states,); the point before (dim,), which is read by check and not for number 0 */
 } jlt_section_row;
 

@@ -11,6 +11,7 @@ jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const doub
     JLT_TRY(jlt_section_start(section, &row, q, 1));
     while (row.fate == JLT_FATE_ALIVE && !row.interrupted && row.number < returns) JLT_TRY(jlt_section_next(section, &row));
     *end = (jlt_fates_end){ .fate = row.fate,
+                            .lost = row.lost,
                             .t = row.t,
                             .returns = row.number,
                             .least = row.least,

@@ -6,6 +6,7 @@
 
 typedef struct {
     jlt_fate fate;      /* ALIVE: neither an end nor a lost return within the budget */
+    unsigned lost;      /* of invalid: the index of the condition that breaks */
     double t;           /* of the end, or of the last return */
     size_t returns;
     double x[JLT_CHART_STATES_MAX]; /* there; at a pole the limit */

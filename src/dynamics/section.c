@@ -45,10 +45,10 @@ const char *jlt_section_fate_name(jlt_fate fate)
     return (unsigned)fate < JLT_FATE_COUNT ? fates[fate].name : "unknown";
 }
 
-void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate)
+void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate, unsigned lost)
 {
     if (fate == JLT_FATE_INVALID && observed != NULL)
-        snprintf(text, JLT_FATE_TEXT_MAX, "lost_%s", jlt_observed_condition(observed));
+        snprintf(text, JLT_FATE_TEXT_MAX, "lost_%s", jlt_observed_condition(observed, lost));
     else snprintf(text, JLT_FATE_TEXT_MAX, "%s", jlt_section_fate_name(fate));
 }
 
@@ -74,12 +74,12 @@ bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
 
 static double condition_value(void *context, const double *x)
 {
-    return jlt_observed_least(((const jlt_section *)context)->flow.observed, x);
+    return jlt_observed_least(((const jlt_section *)context)->flow.observed, NULL, x);
 }
 
 static void note_conditions(jlt_section *self, const double *x)
 {
-    if (self->flow.observed != NULL) self->least = fmin(self->least, jlt_observed_least(self->flow.observed, x));
+    if (self->flow.observed != NULL) self->least = fmin(self->least, jlt_observed_least(self->flow.observed, NULL, x));
 }
 
 static int watch(void *context, jlt_orbit *orbit)
@@ -146,6 +146,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->number = self->number;
     row->direction = 0;
     row->fate = JLT_FATE_ALIVE;
+    row->lost = 0;
     row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
@@ -157,6 +158,12 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
         return;
     }
     for (k = 0; k < chart->dim; k++) row->q[k] = NAN;
+}
+
+static void set_fate(jlt_return *row, const jlt_section *self, const double *x, jlt_fate fate)
+{
+    row->fate = fate;
+    if (fate == JLT_FATE_INVALID) jlt_observed_least(self->flow.observed, &row->lost, x);
 }
 
 static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int time_direction)
@@ -184,7 +191,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     if (self->event_count > self->crossings && self->least <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
     fill(row, self, 0, x, x[chart->column] == chart->level);
-    row->fate = self->start_fate;
+    set_fate(row, self, x, self->start_fate);
     return JLT_OK;
 }
 
@@ -210,7 +217,7 @@ static void end(jlt_section *self, jlt_return *row, double t, const double *x, j
     self->number++;
     self->t_start = t;
     fill(row, self, t, x, false);
-    row->fate = fate;
+    set_fate(row, self, x, fate);
 }
 
 /* Whether an orbit that stands still does so at a pole, which methods whose steps hold its root relative to itself come as near to as

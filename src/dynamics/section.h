@@ -47,9 +47,9 @@ typedef enum {
 /** alive, pole+, pole-, invalid, equilibrium, left_domain, budget, nonfinite, no_convergence, no_progress. */
 const char *jlt_section_fate_name(jlt_fate fate);
 
-/** The same, with lost_NAME for invalid: the name of the condition that breaks. */
+/** The same, with lost_NAME for invalid: the name of the condition that breaks, as jlt_observed_condition gives it. */
 enum { JLT_FATE_TEXT_MAX = 72 };
-void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate);
+void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate, unsigned lost);
 
 /** The fate of an orbit that a function's failure ends. False: none, the failure is not of the orbit. */
 bool jlt_section_fate_of(jlt_fate *fate, jlt_status status);
@@ -66,6 +66,7 @@ typedef struct {
     double q[JLT_CHART_DIM_MAX]; /* NaN where the orbit ended off the section */
     int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
     jlt_fate fate;
+    unsigned lost;               /* of invalid: the index of the condition that breaks */
     bool interrupted;            /* the flag was raised before the next return; the row repeats the point then reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */

@@ -50,10 +50,11 @@ const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed) { retu
 
 bool jlt_observed_has_conditions(const jlt_observed *observed) { return observed->general->descriptor->valid_count > 0; }
 
-const char *jlt_observed_condition(const jlt_observed *observed)
+const char *jlt_observed_condition(const jlt_observed *observed, unsigned condition)
 {
     const jlt_descriptor *d = observed->general->descriptor;
-    return d->valid_count == 1 ? d->valids[0].name : "valid";
+    if (d->valid_count == 1) condition = 0;
+    return condition < d->valid_count ? d->valids[condition].name : "valid";
 }
 
 /* What is asked about in the table's units, whatever units an observed quantity says that it has: in these it is computed. */
@@ -73,7 +74,7 @@ void jlt_observed_values(const jlt_observed *observed, double *values, const dou
     general->descriptor->observe_values.call(in_table(observed, room, x), general->block, values);
 }
 
-double jlt_observed_least(const jlt_observed *observed, const double *x)
+double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x)
 {
     const jlt_descriptor *d = observed->general->descriptor;
     double values[JLT_OBSERVED_CONDITIONS_MAX], room[JLT_OBSERVED_STATES_MAX], least = INFINITY;
@@ -81,6 +82,9 @@ double jlt_observed_least(const jlt_observed *observed, const double *x)
     if (d->valid_count == 0) return least;
     d->valid_values.call(in_table(observed, room, x), observed->general->block, values);
     for (unsigned i = 0; i < d->valid_count; i++)
-        if (values[i] < least) least = values[i];
+        if (values[i] < least) {
+            least = values[i];
+            if (condition != NULL) *condition = i;
+        }
     return least;
 }

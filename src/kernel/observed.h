@@ -27,11 +27,12 @@ const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed);
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x);
 
 /** The least value that `valid` conditions have at x: the model holds where it is positive. INFINITY: there are none, or none is
- *  known there. */
-double jlt_observed_least(const jlt_observed *observed, const double *x);
+ *  known there. *condition, unless NULL, gets the index of the one that has it, or stays. */
+double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
-/** Whether there are any such conditions, and what they are called: the name of the only one, else "valid". */
+/** Whether there are any such conditions, and what they are called: one by its index, ANY of several "valid". */
+enum { JLT_OBSERVED_ANY = JLT_OBSERVED_CONDITIONS_MAX };
 bool jlt_observed_has_conditions(const jlt_observed *observed);
-const char *jlt_observed_condition(const jlt_observed *observed);
+const char *jlt_observed_condition(const jlt_observed *observed, unsigned condition);
 
 #endif

@@ -32,6 +32,7 @@ struct jlt_course {
     jlt_observed *observed; /* of the asked model's states */
     double *seen; /* what it observes there */
     double least, lost_at;
+    const char *lost; /* the condition, NULL: none */
 
     double params[JLT_PLAN_PARAMS_MAX]; /* of the asked model, in the course's units */
     double start[JLT_PLAN_STATES_MAX];
@@ -78,18 +79,17 @@ unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quanti
     return jlt_observed_count(self->observed);
 }
 
-const char *jlt_course_condition(const jlt_course *self)
-{
-    return jlt_observed_condition(self->observed);
-}
-
 static void note_conditions(jlt_course *self, double t, const double *x)
 {
     /* NaN at a pole where the level does not tell the rotation: nothing is known there. */
-    const double value = jlt_observed_least(self->observed, x);
+    unsigned condition = 0;
+    const double value = jlt_observed_least(self->observed, &condition, x);
 
     if (value < self->least) self->least = value;
-    if (value <= 0 && isnan(self->lost_at)) self->lost_at = t;
+    if (value <= 0 && isnan(self->lost_at)) {
+        self->lost_at = t;
+        self->lost = jlt_observed_condition(self->observed, condition);
+    }
 }
 
 static int watch_conditions(void *context, jlt_orbit *orbit)
@@ -243,6 +243,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     note_conditions(self, t, self->x);
     row->least = self->least;
     row->lost_at = self->lost_at;
+    row->lost = self->lost;
     if (self->tier != NULL && self->tier->orient != NULL) {
         row->has_attitude = true;
         self->tier->orient(&self->view, &row->attitude, self->y);
@@ -291,6 +292,7 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
 
     row->x = NULL; /* until a point is reached */
     row->lost_at = NAN;
+    row->lost = NULL;
     t = ldexp(t, -self->units.time);
     if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
     if (t == self->t) {

@@ -27,6 +27,7 @@ typedef struct {
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
     double least;             /* value of the model's conditions over the accepted steps since the start; INFINITY: there are none */
     double lost_at;           /* when it was first seen not to be positive; NaN: never */
+    const char *lost;         /* the condition that then was broken; NULL: none */
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: sign of gamma3 there */
@@ -53,9 +54,8 @@ const jlt_instance *jlt_course_kernel(const jlt_course *self);
 unsigned jlt_course_integrals(const jlt_course *self);
 const char *jlt_course_integral(const jlt_course *self, unsigned index);
 
-/** What is observed, shape (count,), and what the model's condition is called. */
+/** What is observed, shape (count,). */
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities);
-const char *jlt_course_condition(const jlt_course *self);
 
 /** Steps and evaluations of the field so far; both 0 for quadratures. */
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations);

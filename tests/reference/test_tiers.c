@@ -252,7 +252,7 @@ static void contact_force_is_the_acceleration_of_the_centre(void **unused)
     /* rounding 1e-15/h^2 = 1e-9, truncation h^4 z^(6)/90 < 1e-9 */
     jlt_observed_values(observed, &force, x + 2 * STATES);
     assert_true(fabs(top.m * (acceleration + top.g) - force) <= 2e-8);
-    assert_true(jlt_observed_least(observed, x + 2 * STATES) == force);
+    assert_true(jlt_observed_least(observed, NULL, x + 2 * STATES) == force);
     jlt_observed_destroy(observed);
 }
 
