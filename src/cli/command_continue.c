@@ -1,4 +1,5 @@
-#include "cli/motion.h"
+#include "cli/motion_family.h"
+#include "cli/orbit_columns.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -19,9 +20,9 @@ enum { ALONG = 2000, STEP, DOWN, FOLLOW };
 
 static const struct argp_option option_table[] = {
     { "along", ALONG, "NAME=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Near the orbit; default eta=0,gamma3=-0.61", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Near the orbit, by all coordinates of the section; default eta=0,gamma3=-0.61 of the spherical top", 1 },
     { "period", 'n', "N", 0, "Returns of the orbit; default 1", 1 },
-    { "step", STEP, "VALUE", 0, "First arc length between points, in (eta, gamma3, value); at most 5 of them later; default 0.01", 1 },
+    { "step", STEP, "VALUE", 0, "First arc length between points, in the coordinates and the value; at most 5 of them later; default 0.01", 1 },
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
     { "branches", FOLLOW, NULL, 0,
@@ -52,15 +53,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
-    option_table, parse, "",
-    "Follow a periodic orbit of the spherical top as one parameter or level runs (pseudo-arclength), with its bifurcations: "
+    option_table, parse, "[MODEL]",
+    "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: "
     "folds, period doublings, branch points and tori."
-    "\vColumns: branch, the running value, arc, period, eta, gamma3, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, "
+    "\vColumns: branch, the running value, arc, period, the coordinates (eta, gamma3), T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, "
     "residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the values at the "
     "nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to converge "
     "there. Branches that begin on branch 1 or later are not followed: their bifurcations are listed, and how many is said at the end.\n\n"
     "  jellett continue --along E=2:2.4\n"
-    "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv",
+    "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv\n"
+    "  jellett continue roessler --section y=0 --start x=8,z=0 --along c=2:5.7",
     children, NULL, NULL,
 };
 
@@ -68,6 +70,7 @@ static const struct argp parser = {
 typedef struct {
     FILE *file, *points;
     const jlt_chart *chart;
+    unsigned shown; /* the coordinate in pictures */
     size_t branch, rows, capacity, count;
     struct landmark *landmarks; /* the bifurcations listed, in order */
     size_t joined;              /* the branch that a run met again; NONE while it has not */
@@ -114,19 +117,16 @@ static void mark_followed(sink *self, const jlt_continuation_point *end)
     }
 }
 
-static void write_point(FILE *file, size_t branch, const jlt_continuation_point *point)
+static void write_point(const sink *self, const jlt_continuation_point *point)
 {
-    const jlt_periodic *orbit = &point->orbit;
-    const double values[] = { orbit->points[0], orbit->points[1], orbit->T, orbit->trace, orbit->determinant, orbit->re[0],
-                              orbit->im[0], orbit->re[1], orbit->im[1] };
     const bool ends = point->kind != JLT_BIFURCATION_NONE;
+    FILE *file = self->file;
 
-    fprintf(file, "%zu,", branch);
+    fprintf(file, "%zu,", self->branch);
     jlt_csv_value(file, point->value);
-    fprintf(file, ",%.9g,%zu,", point->arc, orbit->period);
-    jlt_csv_values(file, values, sizeof values / sizeof *values);
-    fprintf(file, ",%s,%s,%.3g,%s,", orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual,
-            jlt_continuation_bifurcation_name(point->kind));
+    fprintf(file, ",%.9g,", point->arc);
+    jlt_orbit_columns_write(file, self->chart, &point->orbit);
+    fprintf(file, ",%s,", jlt_continuation_bifurcation_name(point->kind));
     jlt_csv_row(file, (const double[]){ ends ? point->low : NAN, ends ? point->high : NAN }, 2);
 }
 
@@ -140,9 +140,9 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
             self->joined = self->landmarks[i].branch;
             return JLT_ERR_EMPTY; /* ends the run */
         }
-    write_point(self->file, self->branch, point);
+    write_point(self, point);
     if (self->points != NULL)
-        fprintf(self->points, "%.9g %.9g %d %d\n", point->value, orbit->points[1], (int)point->kind,
+        fprintf(self->points, "%.9g %.9g %d %d\n", point->value, orbit->points[self->shown], (int)point->kind,
                 (int)orbit->type);
     self->rows++;
     if (ferror(self->file)) return JLT_ERR_IO;
@@ -218,7 +218,7 @@ static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_
     return JLT_OK;
 }
 
-static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const char *points)
+static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const char *shown, const char *points)
 {
     jlt_command_output script;
     FILE *stream;
@@ -228,8 +228,9 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
     jlt_motion_caption(stream, system, NULL);
     fprintf(stream,
-            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"γ_3 of the first point\"\n"
-            "set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name);
+            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"%s of the first point\"%s\n"
+            "set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name,
+            system->is_top ? "γ_3" : shown, system->is_top ? "" : " noenhanced");
     for (int kind = 1; kind <= (int)JLT_BIFURCATION_TORUS; kind++)
         fprintf(stream, ", $POINTS using 1:($3==%d?$2:1/0) with points pt %d lc %d title '%s'", kind, kind + 4, kind + 1,
                 jlt_continuation_bifurcation_name((jlt_bifurcation)kind));
@@ -253,7 +254,7 @@ static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
 }
 
 /* The orbit that the run begins with. */
-static jlt_exit find_first(jlt_continuation_point *first, jlt_system_family *family, const jlt_grid_axis *axis,
+static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *family, const jlt_grid_axis *axis,
                            const options *o, const jlt_system *system)
 {
     double q[JLT_CHART_DIM_MAX];
@@ -262,26 +263,27 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_system_family *fam
     jlt_exit code = jlt_motion_start(q, system, o->start);
 
     if (code != JLT_EXIT_DONE) return code;
-    *first = (jlt_continuation_point){ .value = *jlt_system_value(&family->values, axis->name) };
+    *first = (jlt_continuation_point){ .value = *family->entry };
     if (!(first->value >= axis->low && first->value <= axis->high))
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: the run begins at %s=%.10g, outside of the range", axis->name,
                                 first->value);
-    st = jlt_system_map_at(family, &map, first->value);
+    st = jlt_system_map_at(&family->systems, &map, first->value);
     if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
     if (st != JLT_OK && jlt_motion_interrupted(&o->motion))
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted before the first orbit was found; nothing is saved");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
 }
 
-static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
+static jlt_exit run_all(sink *to, jlt_motion_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
                         const options *o, const jlt_system *system)
 {
-    const jlt_family maps = { jlt_system_map_at, family };
+    const jlt_family maps = { jlt_system_map_at, &family->systems };
     const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
                                            .points_max = o->points, .interrupt = o->motion.flow.interrupt };
     jlt_status st;
 
     to->chart = system->flow.chart;
+    to->shown = system->is_top ? 1 : 0;
     st = run_branch(to, &maps, first, o->direction, &run, NULL);
     if (st == JLT_OK && o->follow) st = follow_branches(to, &maps, &run);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
@@ -289,8 +291,8 @@ static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .start = "eta=0,gamma3=-0.61", .period = 1, .points = 500, .step = 0.01, .direction = 1 };
-    jlt_system_family family = { .name = NULL };
+    options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
+    jlt_motion_family family = { .entry = NULL };
     sink to = { .branch = 0 };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
@@ -304,13 +306,17 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    code = jlt_motion_top(&system, &o.motion, "families to continue");
+    o.motion.flow.max_steps = 20000;
+    code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
-    if (code == JLT_EXIT_DONE && jlt_system_value(&system->values, axis.name) == NULL)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--along: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
+    if (code == JLT_EXIT_DONE && o.start == NULL && !system->is_top)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "say near which orbit to begin: --start, with all coordinates of the section");
+    if (code == JLT_EXIT_DONE && o.follow && system->flow.chart->dim != 2)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
+                                system->flow.chart->dim);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, axis.name);
     if (code != JLT_EXIT_DONE) goto done;
-    family = (jlt_system_family){ .values = system->values, .name = axis.name, .options = o.motion.flow };
-    family.options.max_steps = 20000;
+    if (o.start == NULL) o.start = "eta=0,gamma3=-0.61";
     code = find_first(&first, &family, &axis, &o, system);
     if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* there is nowhere else to go */
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
@@ -320,18 +326,19 @@ static jlt_exit run(int argc, char **argv)
     o.motion.swept = &axis;
     o.motion.swept_count = 1;
     jlt_motion_header(stream.file, &o.motion, system);
-    fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
-                         "bifurcation,low,high\n", axis.name);
+    fprintf(stream.file, "branch,%s,arc,", axis.name);
+    jlt_orbit_columns_names(stream.file, system->flow.chart);
+    fputs(",bifurcation,low,high\n", stream.file);
     code = run_all(&to, &family, &axis, &first, &o, system);
     if (to.points != NULL) fclose(to.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, stream.path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, points);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, system->flow.chart->names[to.shown], points);
 done:
     jlt_stream_discard(&stream);
-    jlt_system_family_clear(&family);
+    jlt_motion_family_clear(&family);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     free(to.landmarks);
@@ -340,5 +347,5 @@ done:
 }
 
 const jlt_command jlt_command_continue = {
-    "continue", "--along NAME=LOW:HIGH [OPTION...]", "Follow a periodic orbit in a parameter or level, with its bifurcations", run
+    "continue", "[MODEL] --along NAME=LOW:HIGH [OPTION...]", "Follow a periodic orbit in a parameter or level, with its bifurcations", run
 };

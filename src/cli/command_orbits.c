@@ -1,4 +1,5 @@
 #include "cli/motion.h"
+#include "cli/orbit_columns.h"
 #include "cli/progress.h"
 #include "dynamics/orbits.h"
 #include "report/csv.h"
@@ -70,28 +71,6 @@ static const struct argp parser = {
     "    --level E=2.15,G=0.161 --period 1",
     children, NULL, NULL,
 };
-
-static void column_names(FILE *file, const jlt_chart *chart)
-{
-    fputs("period", file);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%s", chart->names[k]);
-    fputs(",T,trace,det", file);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",mu%u_re,mu%u_im", k + 1, k + 1);
-    fputs(",symmetric,type,residual\n", file);
-}
-
-static void write_orbit(FILE *file, const jlt_chart *chart, const jlt_periodic *orbit)
-{
-    fprintf(file, "%zu,", orbit->period);
-    jlt_csv_values(file, orbit->points, chart->dim);
-    fputc(',', file);
-    jlt_csv_values(file, (const double[]){ orbit->T, orbit->trace, orbit->determinant }, 3);
-    for (unsigned k = 0; k < chart->dim; k++) {
-        fputc(',', file);
-        jlt_csv_values(file, (const double[]){ orbit->re[k], orbit->im[k] }, 2);
-    }
-    fprintf(file, ",%s,%s,%.3g\n", orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual);
-}
 
 /* What the orbits say about an invariant measure, and how well the flux identity holds. */
 static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *chart)
@@ -259,8 +238,12 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(stream.file, &o.motion, system);
     write_findings(stream.file, &list, system->flow.chart);
-    column_names(stream.file, system->flow.chart);
-    for (size_t i = 0; i < list.count; i++) write_orbit(stream.file, system->flow.chart, &list.orbits[i]);
+    jlt_orbit_columns_names(stream.file, system->flow.chart);
+    fputc('\n', stream.file);
+    for (size_t i = 0; i < list.count; i++) {
+        jlt_orbit_columns_write(stream.file, system->flow.chart, &list.orbits[i]);
+        fputc('\n', stream.file);
+    }
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, &list);
 done:

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
+#include "cli/motion_plane.h"
 #include "kernel/descriptor.h"
 #include "scene/link.h"
 #include "report/csv.h"
@@ -171,7 +172,7 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     if (code != JLT_EXIT_DONE) return code;
     if (strcmp(options->contact, "ignore") != 0 && !options->tells_contact)
         return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: only section and fates look at it", options->contact);
-    if (!is_top(descriptor) || options->section != NULL) return jlt_motion_plane(system, options, descriptor);
+    if (!is_top(descriptor) || options->section != NULL) return jlt_motion_plane_system(system, options, descriptor);
     code = check_levels(descriptor);
     return code == JLT_EXIT_DONE ? top_system(system, options) : code;
 }

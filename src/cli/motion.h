@@ -33,9 +33,6 @@ void jlt_motion_end(jlt_motion_options *options);
 /** The system that the options describe. Says what is wrong. */
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
 
-/** The same on --section of any table. */
-jlt_exit jlt_motion_plane(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor);
-
 /** What its levels are solved for, behind them in the header. */
 void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 

@@ -1,22 +1,13 @@
-#include "cli/motion.h"
+#include "cli/motion_plane.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/digits.h"
 #include "kernel/descriptor.h"
 
-/* What --section and its options say, in the order of the table's states. */
-typedef struct {
-    jlt_grid_axis section;
-    size_t column;
-    int signs[JLT_CHART_STATES_MAX];
-    double periods[JLT_CHART_STATES_MAX];
-    jlt_level levels[JLT_INVARIANTS_MAX];
-    unsigned level_count;
-} plane;
-
-static jlt_exit read_section(plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
+static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
 {
     const char *text = options->section;
     jlt_exit code;
@@ -30,7 +21,7 @@ static jlt_exit read_section(plane *out, const jlt_motion_options *options, cons
     return code;
 }
 
-static jlt_exit read_mirror(plane *out, const char *text, const jlt_descriptor *d)
+static jlt_exit read_mirror(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
     size_t index;
 
@@ -68,7 +59,7 @@ static jlt_exit read_states(size_t *states, double *numbers, size_t *count, cons
     return code;
 }
 
-static bool is_solved_for(const plane *p, size_t state)
+static bool is_solved_for(const jlt_motion_plane *p, size_t state)
 {
     for (unsigned i = 0; i < p->level_count; i++)
         if (p->levels[i].state == state) return true;
@@ -76,7 +67,7 @@ static bool is_solved_for(const plane *p, size_t state)
 }
 
 /* Periods that the table proves, but of a state that levels determine, which may have many values there; then what is said. */
-static jlt_exit read_modulo(plane *out, const char *text, const jlt_descriptor *d)
+static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
     size_t states[JLT_CHART_STATES_MAX], count;
     double numbers[JLT_CHART_STATES_MAX];
@@ -98,7 +89,7 @@ static jlt_exit read_modulo(plane *out, const char *text, const jlt_descriptor *
     return code;
 }
 
-static bool has_angles(const plane *p, unsigned count)
+static bool has_angles(const jlt_motion_plane *p, unsigned count)
 {
     for (unsigned i = 0; i < count; i++)
         if (p->periods[i] != 0) return true;
@@ -127,7 +118,7 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
     return JLT_EXIT_DONE;
 }
 
-static jlt_exit read_levels(plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
+static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
 {
     const jlt_assign_list *list = &options->level;
     size_t states[JLT_CHART_STATES_MAX], count;
@@ -161,38 +152,89 @@ static jlt_exit read_levels(plane *out, const jlt_motion_options *options, const
     return JLT_EXIT_DONE;
 }
 
-jlt_exit jlt_motion_plane(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor)
+jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *descriptor,
+                               const char *running)
 {
-    double *params = NULL;
-    plane read;
-    unsigned state;
-    jlt_status st = JLT_OK;
-    jlt_exit code = jlt_assign_params(&params, descriptor, &options->common.set);
+    size_t index;
+    jlt_exit code = jlt_assign_params(&out->params, descriptor, &options->common.set);
 
+    out->descriptor = descriptor;
+    out->flow = options->flow;
+    out->mirrored = options->mirror != NULL;
     if (code != JLT_EXIT_DONE) return code;
-    /* Integrals that hold for these parameters alone belong to a variant, which has the same states. */
-    if (options->level.count > 0) descriptor = jlt_descriptor_choose(descriptor, NULL, NULL, params);
+    /* Integrals that hold for these parameters alone belong to a variant, which has the same states. None is of a parameter that runs. */
+    if (options->level.count > 0) {
+        const bool runs = running != NULL && jlt_descriptor_param(descriptor, running, &index);
+        const double value = runs ? out->params[index] : 0;
+        if (runs) out->params[index] = NAN;
+        out->descriptor = jlt_descriptor_choose(descriptor, NULL, NULL, out->params);
+        if (runs) out->params[index] = value;
+    }
     if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
                                 options->contact, descriptor->model);
-    if (code == JLT_EXIT_DONE) code = read_section(&read, options, descriptor);
+    if (code == JLT_EXIT_DONE) code = read_section(out, options, out->descriptor);
     if (code == JLT_EXIT_DONE && descriptor->state_count > JLT_CHART_STATES_MAX)
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,
                                 descriptor->state_count, JLT_CHART_STATES_MAX);
-    if (code == JLT_EXIT_DONE) code = read_mirror(&read, options->mirror, descriptor);
-    if (code == JLT_EXIT_DONE) code = read_levels(&read, options, descriptor);
-    if (code == JLT_EXIT_DONE) code = read_modulo(&read, options->modulo, descriptor);
-    if (code != JLT_EXIT_DONE) goto done;
-    st = jlt_system_plane(system, descriptor, params, (unsigned)read.column, read.section.low,
-                          options->mirror != NULL ? read.signs : NULL, &options->flow);
-    if (st == JLT_OK && has_angles(&read, descriptor->state_count)) st = jlt_system_angles(*system, read.periods, &state);
-    if (st == JLT_ERR_DOMAIN && *system != NULL)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
-                                descriptor->states[state].name, descriptor->model, read.periods[state]);
-    else if (st == JLT_OK && read.level_count > 0) st = jlt_system_levels(*system, read.levels, read.level_count);
-    if (code == JLT_EXIT_DONE && st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+    if (code == JLT_EXIT_DONE) code = read_mirror(out, options->mirror, out->descriptor);
+    if (code == JLT_EXIT_DONE) code = read_levels(out, options, out->descriptor);
+    if (code == JLT_EXIT_DONE) code = read_modulo(out, options->modulo, out->descriptor);
+    return code;
+}
+
+void jlt_motion_plane_clear(jlt_motion_plane *plane)
+{
+    free(plane->params);
+    plane->params = NULL;
+}
+
+double *jlt_motion_plane_value(jlt_motion_plane *plane, const char *name)
+{
+    size_t index;
+
+    if (jlt_descriptor_param(plane->descriptor, name, &index)) return &plane->params[index];
+    for (unsigned i = 0; i < plane->level_count; i++)
+        if (strcmp(plane->descriptor->integrals[plane->levels[i].integral].name, name) == 0) return &plane->levels[i].value;
+    return NULL;
+}
+
+jlt_status jlt_motion_plane_make(const jlt_motion_plane *plane, jlt_system **system, unsigned *no_angle)
+{
+    const jlt_descriptor *d = plane->descriptor;
+    jlt_status st = JLT_OK;
+
+    *no_angle = d->state_count;
+    JLT_TRY(jlt_system_plane(system, d, plane->params, (unsigned)plane->column, plane->section.low,
+                             plane->mirrored ? plane->signs : NULL, &plane->flow));
+    if (has_angles(plane, d->state_count)) {
+        unsigned state = 0;
+        st = jlt_system_angles(*system, plane->periods, &state);
+        if (st == JLT_ERR_DOMAIN) *no_angle = state;
+    }
+    if (st == JLT_OK && plane->level_count > 0) st = jlt_system_levels(*system, plane->levels, plane->level_count);
 done:
-    free(params);
+    if (st != JLT_OK) {
+        jlt_system_destroy(*system);
+        *system = NULL;
+    }
+    return st;
+}
+
+jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor)
+{
+    jlt_motion_plane plane = { .params = NULL };
+    unsigned no_angle;
+    jlt_exit code = jlt_motion_plane_read(&plane, options, descriptor, NULL);
+
+    if (code == JLT_EXIT_DONE) {
+        const jlt_status st = jlt_motion_plane_make(&plane, system, &no_angle);
+        if (no_angle < descriptor->state_count)
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
+                                    descriptor->states[no_angle].name, descriptor->model, plane.periods[no_angle]);
+        else if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+    }
+    jlt_motion_plane_clear(&plane);
     return code;
 }
 

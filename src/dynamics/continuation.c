@@ -5,7 +5,7 @@
 
 #include "dynamics/continuation_step.h"
 
-enum { LOCATE = 40, BRANCH_TEST = 2 };
+enum { LOCATE = 40, BRANCH_TEST = 2, TORUS_TEST = 3 };
 
 typedef jlt_continuation_runner runner;
 typedef jlt_continuation_place place;
@@ -13,6 +13,7 @@ typedef jlt_continuation_place place;
 static const double turn = 0.3;         /* radians of a step at most, */
 static const double turn_across = 0.15; /* and of each half of one across a branch point */
 static const double same_place = 1e-6;
+static const double noise_of_determinant = 1e-9; /* about 1, where the map keeps areas: that of DP at its tolerance, and amplified */
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
 {
@@ -112,6 +113,7 @@ static jlt_status report(const runner *self, const place *from, const place *to,
     }
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k]) || (from->test[k] > 0) == (to->test[k] > 0)) continue;
+        if (k == TORUS_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
         const bracket b = locate(self, from, to, step, k);
         JLT_TRY(deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context));
     }

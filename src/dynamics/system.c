@@ -224,24 +224,31 @@ bool jlt_system_interval(const jlt_chart_top *chart, double *low, double *high)
 jlt_status jlt_system_map_at(void *context, jlt_map **map, double value)
 {
     jlt_system_family *self = context;
-    double *entry = jlt_system_value(&self->values, self->name);
     jlt_system *system = NULL;
     jlt_status st = JLT_OK;
 
-    if (entry == NULL) return JLT_ERR_ARG;
-    if (self->map == NULL || *entry != value) {
-        *entry = value;
-        JLT_TRY(jlt_system_top(&system, &self->values, &self->options));
-        jlt_map_destroy(self->map);
-        self->map = NULL;
-        jlt_system_destroy(self->system);
+    if (self->map == NULL || self->value != value) {
+        JLT_TRY(self->make(self->context, &system, value));
+        jlt_system_family_clear(self);
         self->system = system;
+        self->value = value;
         JLT_TRY(jlt_map_create(&self->map, &self->system->flow));
     }
     *map = self->map;
 done:
     if (st != JLT_OK) jlt_system_family_clear(self);
     return st;
+}
+
+jlt_status jlt_system_top_at(void *context, jlt_system **out, double value)
+{
+    jlt_top_family *self = context;
+    double *entry = jlt_system_value(&self->values, self->name);
+
+    *out = NULL;
+    if (entry == NULL) return JLT_ERR_ARG;
+    *entry = value;
+    return jlt_system_top(out, &self->values, &self->options);
 }
 
 void jlt_system_family_clear(jlt_system_family *self)

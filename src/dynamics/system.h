@@ -58,17 +58,27 @@ void jlt_system_destroy(jlt_system *self); /* NULL is legal */
  *  bisection; the widest one where there are several. false: none. */
 bool jlt_system_interval(const jlt_chart_top *chart, double *low, double *high);
 
-/** Maps of the spherical top as one of its values runs; for jlt_continuation_run. Zero `system` and `map` before use. */
+/** Systems as a value runs, and the map of the one asked about last. Zero `system` and `map` before use. */
 typedef struct {
-    jlt_top_values values;
-    const char *name; /* of the value that runs */
-    jlt_flow options;
+    jlt_status (*make)(void *context, jlt_system **out, double value); /* destroyed by the family */
+    void *context;
+    double value;
     jlt_system *system;
     jlt_map *map;
 } jlt_system_family;
 
-/** map_at of jlt_family, with a jlt_system_family as context. Errors: ARG, an unknown name; as jlt_system_top. */
+/** map_at of jlt_family, with a jlt_system_family as context. Errors: those of `make`. */
 JLT_CHECKED jlt_status jlt_system_map_at(void *family, jlt_map **map, double value);
 void jlt_system_family_clear(jlt_system_family *self);
+
+/** `make` of the spherical top as one of its values runs, with a jlt_top_family as context. Errors: ARG, an unknown name; as
+ *  jlt_system_top. */
+typedef struct {
+    jlt_top_values values;
+    const char *name; /* of the value that runs */
+    jlt_flow options;
+} jlt_top_family;
+
+JLT_CHECKED jlt_status jlt_system_top_at(void *top_family, jlt_system **out, double value);
 
 #endif

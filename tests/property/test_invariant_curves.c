@@ -155,7 +155,8 @@ static jlt_status record(void *context, const jlt_continuation_point *point)
  * trace of orbits found at fixed energies on both sides, without continuation. */
 static void bifurcations_lie_where_multipliers_say(void **unused)
 {
-    jlt_system_family family = { .values = jlt_system_defaults(), .name = "E" };
+    jlt_top_family tops = { .values = jlt_system_defaults(), .name = "E", .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
+    jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
     const jlt_family maps = { jlt_system_map_at, &family };
     const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
     jlt_continuation_point start = { .value = 2.15 }, other;
@@ -164,7 +165,6 @@ static void bifurcations_lie_where_multipliers_say(void **unused)
     jlt_map *map;
 
     (void)unused;
-    family.options = (jlt_flow){ .tolerance = 1e-13, .direction = JLT_RISING };
     assert_ok(jlt_system_map_at(&family, &map, 2.15));
     start.orbit = saddle_of(map);
     assert_ok(jlt_continuation_run(&end, &maps, &start, -1, &options, record, &first));

@@ -63,7 +63,7 @@ static bool check(const trial *t, const jlt_top_values *values, const jlt_period
 
 typedef struct {
     const trial *t;
-    const jlt_system_family *tops;
+    const jlt_top_family *tops;
     size_t left;
 } follower;
 
@@ -79,7 +79,8 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
 static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
 {
     const char *name = (const char *[]){ "E", "G", "a3", "I3" }[jlt_random_below(&t->random, 4)];
-    jlt_system_family tops = { .values = t->top, .name = name, .options = *flow };
+    jlt_top_family tops = { .values = t->top, .name = name, .options = *flow };
+    jlt_system_family maps = { .make = jlt_system_top_at, .context = &tops };
     const double value = *jlt_system_value(&tops.values, name), scale = fabs(value);
     const jlt_continuation_options options = { .scale = scale, .low = value - scale / 2, .high = value + scale / 2, .points_max = POINTS };
     const jlt_continuation_point start = { .value = value, .orbit = *orbit };
@@ -87,8 +88,8 @@ static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
     jlt_continuation_end end;
 
     if (scale > 0)
-        (void)!jlt_continuation_run(&end, &(jlt_family){ jlt_system_map_at, &tops }, &start, 1, &options, take, &to);
-    jlt_system_family_clear(&tops);
+        (void)!jlt_continuation_run(&end, &(jlt_family){ jlt_system_map_at, &maps }, &start, 1, &options, take, &to);
+    jlt_system_family_clear(&maps);
 }
 
 void case_periodic(trial *t)
