@@ -331,7 +331,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
 
     const jlt_descriptor *d = system->instance->descriptor;
     double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX] = { system->values.E, system->values.G };
-    const char *names[JLT_INVARIANTS_MAX] = { "E", "G" };
+    const char *names[JLT_INVARIANTS_MAX] = { "E", "G" }, *method = options->flow.method != NULL ? options->flow.method->name : "each";
     const unsigned level_count = system->is_top ? 2 : chart->solved_count;
 
     if (params == NULL) return;
@@ -344,7 +344,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     for (unsigned k = 0; k < level_count; k++)
         if (is_swept(options, names[k])) levels[k] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
-                                                options->flow.method->name, options->flow.tolerance });
+                                                method, options->flow.tolerance });
     free(params);
     if (level_count > 0) {
         fputs("# levels", stream);
@@ -353,7 +353,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
         fputc('\n', stream);
     }
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
-            chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
+            chart->level, directions[options->flow.direction + 1], method, options->flow.tolerance);
     if (jlt_observed_has_conditions(system->observed))
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
     fputs("; nothing is random, so there is no seed\n", stream);

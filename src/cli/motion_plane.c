@@ -250,7 +250,7 @@ jlt_exit jlt_motion_project(jlt_system *system)
     for (unsigned i = 0; i < d->integral_count; i++)
         if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
             return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
-    if (system->flow.method->multistep)
+    if (system->flow.method != NULL && system->flow.method->multistep)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method", system->flow.method->name);
     system->flow.kept = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, system->field.p };
     return JLT_EXIT_DONE;

@@ -1,0 +1,75 @@
+#include "cli/drift.h"
+
+#include <math.h>
+
+#include "report/csv.h"
+
+void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count)
+{
+    rows[(*count)++] = *row;
+    fprintf(self->file, "%s,%.0f,", method->name, row->returns);
+    jlt_csv_value(self->file, row->t);
+    fprintf(self->file, ",%zu", row->evaluations);
+    if (self->points != NULL) fprintf(self->points, "%.0f", row->returns);
+    for (unsigned k = 0; k < self->count; k++) {
+        fprintf(self->file, ",%.3g", row->drift[k]);
+        if (self->points != NULL) fprintf(self->points, " %.4g", row->drift[k]);
+    }
+    fputc('\n', self->file);
+    if (self->points != NULL) fputc('\n', self->points);
+}
+
+void jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *now)
+{
+    for (unsigned k = 0; k < self->count; k++) {
+        const unsigned i = self->watched[k];
+        row->drift[k] = fmax(row->drift[k], fabs(now[i] - first[i]) / (first[i] != 0 ? fabs(first[i]) : 1));
+    }
+}
+
+jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end, const jlt_method *method)
+{
+    const jlt_kernel_function integrals = self->system->instance->descriptor->integral_values.call;
+    const double *block = self->system->field.p;
+    double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX];
+    jlt_flow flow = self->system->flow;
+    jlt_section *section = NULL;
+    jlt_return at;
+    jlt_drift_row row = { .returns = 0 };
+    bool written = true;
+    jlt_status st = JLT_OK;
+
+    *count = 0;
+    *end = (jlt_drift_end){ .t = 0 };
+    flow.method = method;
+    JLT_TRY(jlt_section_create(&section, &flow));
+    JLT_TRY(jlt_section_start(section, &at, self->q, 1));
+    integrals(at.x, block, first);
+    for (size_t i = 1, next = 1, steps; i <= self->returns && !ferror(self->file); i++) {
+        JLT_TRY(jlt_section_next(section, &at));
+        if (at.interrupted) break;
+        if (jlt_section_failed(at.fate)) {
+            st = jlt_section_fate_status(at.fate);
+            goto done;
+        }
+        if (at.fate != JLT_FATE_ALIVE) {
+            jlt_section_fate_text(end->name, self->system->observed, at.fate, at.lost);
+            end->t = at.t;
+            end->returns = i - 1;
+            break;
+        }
+        integrals(at.x, block, now);
+        row.returns = (double)i;
+        row.t = at.t;
+        jlt_section_cost(section, &steps, &row.evaluations);
+        jlt_drift_note(self, &row, first, now);
+        written = i == next || i == self->returns;
+        if (written) jlt_drift_write(self, method, &row, rows, count);
+        if (i == next) next *= 2;
+        jlt_progress_show(&self->progress, i, self->returns);
+    }
+    if (!written && end->name[0] != '\0') jlt_drift_write(self, method, &row, rows, count);
+done:
+    jlt_section_destroy(section);
+    return st;
+}

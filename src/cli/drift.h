@@ -1,0 +1,58 @@
+/** How integrals drift along one orbit: what `jellett drift` follows, and the rows that come of it. */
+#ifndef JLT_CLI_DRIFT_H
+#define JLT_CLI_DRIFT_H
+
+#include "cli/motion.h"
+#include "cli/progress.h"
+#include "integrate/invariant.h"
+#include "scene/conserved.h"
+#include "scene/top.h"
+
+enum { JLT_DRIFT_ROWS_MAX = 64, JLT_DRIFT_STATES = JLT_TOP_STATES + 1 }; /* powers of two; the five states and s */
+
+typedef struct {
+    double returns, t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched */
+    size_t evaluations;
+} jlt_drift_row;
+
+/* What may come before all returns are done. */
+typedef struct {
+    char name[JLT_FATE_TEXT_MAX]; /* as fates are called; "": none */
+    double t;                     /* in the table's unit */
+    size_t returns;
+} jlt_drift_end;
+
+typedef struct {
+    const jlt_system *system;
+    size_t returns;
+    bool project;                         /* of the five states; a section has it in its flow */
+    FILE *file, *points;                  /* points: the same for a picture, or NULL */
+    unsigned count;                       /* integrals watched */
+    unsigned watched[JLT_INVARIANTS_MAX]; /* their indices among those of the kernel */
+    const char *names[JLT_INVARIANTS_MAX];
+    double q[JLT_CHART_DIM_MAX]; /* the start on the section */
+    jlt_progress progress;
+    jlt_field field;             /* from here on of the spherical top alone */
+    jlt_conserved conserved;
+    jlt_invariants invariants;
+    double start[JLT_DRIFT_STATES];
+    int time; /* binary exponent of its unit */
+} jlt_drift;
+
+/** One method over all returns of the section, or to the orbit's end; rows at powers of two and at the end, *count of them in
+ *  rows (JLT_DRIFT_ROWS_MAX,). Errors: those of the section. */
+JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
+                                         const jlt_method *method);
+
+/** The same of the spherical top in the five states of (3.2), with s, once they are opened. Errors: those of the orbit. */
+JLT_CHECKED jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
+                                      const jlt_method *method);
+
+/** Their field, integrals and start. *instance is the caller's. Errors: UNSUPPORTED, the table is another; those of the chart. */
+JLT_CHECKED jlt_status jlt_drift_five_open(jlt_drift *self, jlt_instance **instance);
+
+/* For those two. */
+void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count);
+void jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *now);
+
+#endif
