@@ -26,7 +26,7 @@ static const struct argp_option option_table[] = {
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
     { "branches", FOLLOW, NULL, 0,
-      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once", 1 },
+      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once; on sections of two coordinates", 1 },
     { 0 },
 };
 
@@ -54,12 +54,12 @@ static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: "
-    "folds, period doublings, branch points and tori."
-    "\vColumns: branch, the running value, arc, period, the coordinates (eta, gamma3), T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, "
-    "residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the values at the "
-    "nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to converge "
-    "there. Branches that begin on branch 1 or later are not followed: their bifurcations are listed, and how many is said at the end.\n\n"
+    "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: folds, period doublings, branch "
+    "points and, on a section of two coordinates, tori."
+    "\vColumns: branch, the running value, arc, period, the coordinates (eta, gamma3), T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
+    "symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the "
+    "values at the nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to "
+    "converge there. Branches that begin on branch 1 or later are not followed: their bifurcations are listed, and how many is said at the end.\n\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv\n"
     "  jellett continue roessler --section y=0 --start x=8,z=0 --along c=2:5.7",

@@ -40,10 +40,11 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "How far the integrals that a table proves drift along an orbit, by every method or by that of --method: of the spherical top E and "
     "G in the five states of system (3.2) in regular time, where no integral is built in; of other tables on --section."
-    "\vColumns: method, returns, t, evaluations, drift_E, drift_G (drift_NAME of each integral): evaluations of the field since the start, and the largest |F - F(start)|/"
-    "|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at the end. Comment lines at the end have the slopes: the "
-    "powers of the number of returns with which the drifts grow, fitted over the last four doublings; or, where the orbit ends before all returns are done, its end: pole+, pole- or "
-    "equilibrium, as in jellett section --help, with its time and the returns until then.\n\n"
+    "\vColumns: method, returns, t, evaluations, drift_E, drift_G (drift_NAME of each integral): evaluations of the field since the "
+    "start, and the largest |F - F(start)|/|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at "
+    "the end. Comment lines at the end have the slopes: the powers of the number of returns with which the drifts grow, fitted over the "
+    "last four doublings; or, where the orbit ends before all returns are done, its end: pole+, pole- or equilibrium, as in jellett "
+    "section --help, with its time and the returns until then.\n\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13\n"
     "  jellett drift toda --section q1=0 --start q2=0.1,q3=-0.1,p1=0.2,p2=0,p3=-0.2",
     children, NULL, NULL,
@@ -99,7 +100,8 @@ static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
         if (count > 0) *drawn |= 1u << m;
-        if (st == JLT_ERR_UNSUPPORTED) code = jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", method->name);
+        if (st == JLT_ERR_UNSUPPORTED)
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", method->name);
         else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
         else if (end.name[0] != '\0')
             fprintf(notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", method->name, end.name, end.t, end.returns);

@@ -22,8 +22,8 @@ static const struct argp_option option_table[] = {
       "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
       "section's coordinates are the others, and all of it lies on the branch that is found from there", 10 },
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
-      "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is to be none. They are shown within half a period of 0, orbits that differ by "
-      "periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
+      "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is "
+      "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
     { "mirror", MIRROR, "STATE,...", 0, "With --section: states whose sign another model's reversor changes", 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
     { "contact", CONTACT, "ignore|report|end", 0,

@@ -162,7 +162,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     out->flow = options->flow;
     out->mirrored = options->mirror != NULL;
     if (code != JLT_EXIT_DONE) return code;
-    /* Integrals that hold for these parameters alone belong to a variant, which has the same states. None is of a parameter that runs. */
+    /* Integrals that hold for these parameters alone belong to a variant, which has the same states; none for one that runs. */
     if (options->level.count > 0) {
         const bool runs = running != NULL && jlt_descriptor_param(descriptor, running, &index);
         const double value = runs ? out->params[index] : 0;
