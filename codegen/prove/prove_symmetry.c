@@ -163,6 +163,24 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id image)
     return result;
 }
 
+/* A period leads there and back: what bounds the domain must be the same after it. */
+static void check_regions(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio after, before;
+    ttc_ratio_init(task->ring, &after);
+    ttc_ratio_init(task->ring, &before);
+    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
+        ttc_evaluate(map, &after, model->regions[i].expression);
+        ttc_evaluate(task->field, &before, model->regions[i].expression);
+        ttc_ratio_subtract(task->ring, &after, &after, &before);
+        if (!ttc_ratio_is_zero(task->ring, &after))
+            ttc_task_unsettle(task, "the domain '%s' is not the same a period on", model->regions[i].name);
+    }
+    ttc_ratio_clear(task->ring, &before);
+    ttc_ratio_clear(task->ring, &after);
+}
+
 static void prove_map(ttc_task *task)
 {
     for (size_t i = 0; i < task->claim->bindings.count; i++)
@@ -174,6 +192,7 @@ static void prove_map(ttc_task *task)
     ttc_valuation *map = image(task);
     /* First, as the image's roots are then not yet in the ring, where they would be positive. */
     if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
+    if (map != NULL && task->claim->kind == TTC_CLAIM_PERIODIC) check_regions(task, map);
     ttc_ratio *matrix = map == NULL ? NULL : ttc_task_ratios(task, entries);
     if (map == NULL) ttc_task_unsettle(task, "out of memory");
     if (matrix != NULL) {

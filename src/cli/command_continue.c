@@ -62,7 +62,8 @@ static const struct argp parser = {
     "converge there. Branches that begin on branch 1 or later are not followed: their bifurcations are listed, and how many is said at the end.\n\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv\n"
-    "  jellett continue roessler --section y=0 --start x=8,z=0 --along c=2:5.7",
+    "  jellett continue roessler --section y=0 --direction down \\\n"
+    "    --start x=-7.2,z=0 --along c=2:5.7",
     children, NULL, NULL,
 };
 

@@ -41,7 +41,7 @@ static const struct argp parser = {
     "How far the integrals that a table proves drift along an orbit, by every method or by that of --method: of the spherical top E and "
     "G in the five states of system (3.2) in regular time, where no integral is built in; of other tables on --section."
     "\vColumns: method, returns, t, evaluations, drift_E, drift_G (drift_NAME of each integral): evaluations of the field since the "
-    "start, and the largest |F - F(start)|/|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at "
+    "start, and the largest |F - F(start)|/|F(start)| at a return so far (not divided where F(start) is 0, or the rounding of it); rows at powers of two and at "
     "the end. Comment lines at the end have the slopes: the powers of the number of returns with which the drifts grow, fitted over the "
     "last four doublings; or, where the orbit ends before all returns are done, its end: pole+, pole- or equilibrium, as in jellett "
     "section --help, with its time and the returns until then.\n\n"
@@ -69,14 +69,17 @@ static bool asked(const options *o, const jlt_method *method)
     return !(o->project && method->multistep);
 }
 
-/* The slopes of all integrals, where there are three rows that drift to fit a line. */
+/* The slopes, of integrals with three rows that drift to fit a line. */
 static void write_slopes(FILE *notes, const jlt_drift *r, const char *method, const jlt_drift_row *rows, size_t count)
 {
-    for (unsigned k = 0; k < r->count; k++)
-        if (isnan(slope(rows, count, k))) return;
-    for (unsigned k = 0; k < r->count; k++)
-        fprintf(notes, k == 0 ? "# %s: %s drifts as returns^%.2f" : "%.0s, %s as returns^%.2f", method, r->names[k], slope(rows, count, k));
-    fputc('\n', notes);
+    unsigned told = 0;
+
+    for (unsigned k = 0; k < r->count; k++) {
+        const double power = slope(rows, count, k);
+        if (isnan(power)) continue;
+        fprintf(notes, told++ == 0 ? "# %s: %s drifts as returns^%.2f" : "%.0s, %s as returns^%.2f", method, r->names[k], power);
+    }
+    if (told > 0) fputc('\n', notes);
 }
 
 /* *drawn: bit m, method m has points in the picture. */
@@ -149,9 +152,8 @@ static jlt_exit watch_proved(jlt_drift *r)
 
     for (unsigned i = 0; i < d->integral_count; i++) {
         if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED) continue;
-        if (i >= JLT_INVARIANTS_MAX)
-            return jlt_command_fail(JLT_EXIT_USAGE, "%s has %u integrals; drifts of the first %d are told", d->model, d->integral_count,
-                                    JLT_INVARIANTS_MAX);
+        if (r->count == JLT_INVARIANTS_MAX)
+            return jlt_command_fail(JLT_EXIT_USAGE, "%s proves more than %d integrals; drift serves up to so many", d->model, JLT_INVARIANTS_MAX);
         r->names[r->count] = d->integrals[i].name;
         r->watched[r->count++] = i;
     }
@@ -214,6 +216,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.method = NULL;
+    o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
     r.system = system;

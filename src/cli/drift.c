@@ -1,6 +1,7 @@
 #include "cli/drift.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "report/csv.h"
 
@@ -19,19 +20,38 @@ void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_
     if (self->points != NULL) fputc('\n', self->points);
 }
 
-void jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *now)
+jlt_status jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *sizes, const double *now)
 {
     for (unsigned k = 0; k < self->count; k++) {
         const unsigned i = self->watched[k];
-        row->drift[k] = fmax(row->drift[k], fabs(now[i] - first[i]) / (first[i] != 0 ? fabs(first[i]) : 1));
+        const double drift = fabs(now[i] - first[i]) / sizes[i];
+        if (!isfinite(drift)) return JLT_ERR_NONFINITE;
+        row->drift[k] = fmax(row->drift[k], drift);
+    }
+    return JLT_OK;
+}
+
+/* |F|, or 1 where that is 0, or no more than rounding of the terms that make it. */
+static void set_sizes(double *sizes, const jlt_drift *self, const double *first, const double *gradients, const double *x)
+{
+    static const double rounding = 1e-14;
+    const unsigned states = self->system->instance->descriptor->state_count;
+
+    for (unsigned k = 0; k < self->count; k++) {
+        const unsigned i = self->watched[k];
+        double terms = 0;
+        for (unsigned j = 0; j < states; j++) terms += fabs(gradients[i * states + j] * x[j]);
+        sizes[i] = fabs(first[i]) > rounding * terms ? fabs(first[i]) : 1;
     }
 }
 
 jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end, const jlt_method *method)
 {
-    const jlt_kernel_function integrals = self->system->instance->descriptor->integral_values.call;
+    const jlt_descriptor *d = self->system->instance->descriptor;
+    const jlt_kernel_function integrals = d->integral_values.call;
     const double *block = self->system->field.p;
-    double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX];
+    double *room = malloc(d->integral_count * (3 + (size_t)d->state_count) * sizeof *room);
+    double *first = room, *now = room + d->integral_count, *sizes = room + 2 * d->integral_count;
     jlt_flow flow = self->system->flow;
     jlt_section *section = NULL;
     jlt_return at;
@@ -42,9 +62,13 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count
     *count = 0;
     *end = (jlt_drift_end){ .t = 0 };
     flow.method = method;
+    st = JLT_ERR_NOMEM;
+    if (room == NULL) goto done;
     JLT_TRY(jlt_section_create(&section, &flow));
     JLT_TRY(jlt_section_start(section, &at, self->q, 1));
     integrals(at.x, block, first);
+    d->integral_gradients.call(at.x, block, sizes + d->integral_count);
+    set_sizes(sizes, self, first, sizes + d->integral_count, at.x);
     for (size_t i = 1, next = 1, steps; i <= self->returns && !ferror(self->file); i++) {
         JLT_TRY(jlt_section_next(section, &at));
         if (at.interrupted) break;
@@ -62,7 +86,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count
         row.returns = (double)i;
         row.t = at.t;
         jlt_section_cost(section, &steps, &row.evaluations);
-        jlt_drift_note(self, &row, first, now);
+        JLT_TRY(jlt_drift_note(self, &row, first, sizes, now));
         written = i == next || i == self->returns;
         if (written) jlt_drift_write(self, method, &row, rows, count);
         if (i == next) next *= 2;
@@ -71,5 +95,6 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count
     if (!written && end->name[0] != '\0') jlt_drift_write(self, method, &row, rows, count);
 done:
     jlt_section_destroy(section);
+    free(room);
     return st;
 }

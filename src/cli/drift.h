@@ -51,8 +51,8 @@ JLT_CHECKED jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size
 /** Their field, integrals and start. *instance is the caller's. Errors: UNSUPPORTED, the table is another; those of the chart. */
 JLT_CHECKED jlt_status jlt_drift_five_open(jlt_drift *self, jlt_instance **instance);
 
-/* For those two. */
+/* For those two. sizes: of the integrals at the start, shape as first, which drifts are divided by. Errors: NONFINITE, an integral. */
 void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count);
-void jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *now);
+JLT_CHECKED jlt_status jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *sizes, const double *now);
 
 #endif

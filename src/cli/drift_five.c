@@ -49,7 +49,7 @@ jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, j
                                    .max_steps = 100000, /* of one return, as on sections */
                                    .invariants = self->invariants, .project = self->project };
     rest_watch rest;
-    double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX];
+    double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX], sizes[JLT_INVARIANTS_MAX];
     jlt_orbit *orbit = NULL;
     jlt_outcome at = { .t = 0 };
     jlt_drift_row row = { .returns = 0 };
@@ -59,6 +59,7 @@ jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, j
     *count = 0;
     *end = (jlt_drift_end){ .t = 0 };
     self->invariants.values(self->start, self->invariants.p, first);
+    for (unsigned i = 0; i < self->count; i++) sizes[i] = first[i] != 0 ? fabs(first[i]) : 1;
     JLT_TRY(jlt_orbit_create(&orbit, method, &self->field, &to_orbit));
     jlt_orbit_observe(orbit, watch, &rest);
     JLT_TRY(jlt_orbit_start(orbit, 0, self->start, 1));
@@ -74,7 +75,7 @@ jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, j
         row.returns = (double)i;
         row.t = ldexp(at.t, self->time);
         row.evaluations = jlt_orbit_stepper(orbit)->evaluations;
-        jlt_drift_note(self, &row, first, now);
+        JLT_TRY(jlt_drift_note(self, &row, first, sizes, now));
         written = i == next || i == self->returns;
         if (written) jlt_drift_write(self, method, &row, rows, count);
         if (i == next) next *= 2;

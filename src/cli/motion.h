@@ -18,6 +18,7 @@ typedef struct {
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
     bool tells_contact;  /* the command has a column for `report` */
+    bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
 } jlt_motion_options;

@@ -2,6 +2,8 @@
 
 #include "kernel/descriptor.h"
 
+#include <string.h>
+
 static jlt_status make_plane(void *context, jlt_system **out, double value)
 {
     jlt_motion_family *self = context;
@@ -18,6 +20,9 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_system *system, 
 
     if (system->is_top)
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", name);
+    for (unsigned i = 0; i < d->integral_count; i++)
+        if (strcmp(d->integrals[i].name, name) == 0)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--along: the level of %s runs from a value: --level %s=VALUE, with --solve", name, name);
     fprintf(stderr, "jellett: --along: there is no '%s'; there are the parameters", name);
     for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
     fputs(d->param_count == 0 ? " (none)" : "", stderr);

@@ -163,7 +163,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     out->mirrored = options->mirror != NULL;
     if (code != JLT_EXIT_DONE) return code;
     /* Integrals that hold for these parameters alone belong to a variant, which has the same states; none for one that runs. */
-    if (options->level.count > 0) {
+    if (options->level.count > 0 || options->looks_at_integrals) {
         const bool runs = running != NULL && jlt_descriptor_param(descriptor, running, &index);
         const double value = runs ? out->params[index] : 0;
         if (runs) out->params[index] = NAN;

@@ -19,22 +19,34 @@ static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image
     return with_slope ? jlt_map_apply(map, image, u, self->period, 1) : jlt_map_point(map, image, u, self->period, 1);
 }
 
+/* A little off in the value; where the model ends before that, at u itself, and *off becomes 0. */
+static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *image, const double *u, double *off)
+{
+    double shifted[U];
+    jlt_status st;
+
+    memcpy(shifted, u, sizeof *u * (self->d + 1));
+    shifted[self->d] += *off;
+    st = image_at(self, image, shifted, false);
+    if (st != JLT_ERR_DOMAIN) return st;
+    *off = 0;
+    return image_at(self, image, u, false);
+}
+
 jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
                                           const double *u)
 {
     const unsigned d = self->d;
-    const double h = 1e-5;
-    double shifted[U], difference[JLT_CHART_DIM_MAX];
+    const double range = (self->options.high - self->options.low) / self->options.scale;
+    double up = 1e-5 * fmin(1, range > 0 ? range : 1), down = up, difference[JLT_CHART_DIM_MAX];
     jlt_image image, above, below;
     jlt_map *map;
     jlt_status st = JLT_OK;
     unsigned i, j;
 
-    memcpy(shifted, u, sizeof *u * (d + 1));
-    shifted[d] = u[d] + h;
-    JLT_TRY(image_at(self, &above, shifted, false));
-    shifted[d] = u[d] - h;
-    JLT_TRY(image_at(self, &below, shifted, false));
+    JLT_TRY(image_beside(self, &above, u, &up));
+    down = -down;
+    JLT_TRY(image_beside(self, &below, u, &down));
     JLT_TRY(image_at(self, &image, u, true));
     JLT_TRY(self->family->map_at(self->family->context, &map, u[d] * self->options.scale));
     jlt_chart_difference(jlt_map_flow(map)->chart, out->f, image.q, u);
@@ -46,7 +58,7 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
             out->jacobian[i * (d + 1) + j] = image.slope[i * d + j] - (i == j);
             out->scale = fmax(out->scale, fabs(image.slope[i * d + j]));
         }
-        out->jacobian[i * (d + 1) + d] = difference[i] / (2 * h);
+        out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
     }
 done:
     return st;

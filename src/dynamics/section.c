@@ -7,11 +7,17 @@
 
 #include "integrate/rest.h"
 
+typedef struct {
+    const jlt_observed *observed;
+    unsigned index;
+} condition;
+
 struct jlt_section {
     jlt_flow flow;
     jlt_orbit *orbit;
-    jlt_event events[JLT_CHART_EVENTS_MAX + 1];
-    unsigned crossings, event_count; /* the first are crossings of the section, one more is the loss of contact */
+    jlt_event events[JLT_ORBIT_EVENTS_MAX];
+    unsigned crossings, event_count; /* the first are crossings of the section, the others losses of the model's conditions */
+    condition conditions[JLT_ORBIT_EVENTS_MAX];
     size_t number;
     int time_direction;
     double t_start;  /* of the current return */
@@ -74,7 +80,8 @@ bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
 
 static double condition_value(void *context, const double *x)
 {
-    return jlt_observed_least(((const jlt_section *)context)->flow.observed, NULL, x);
+    const condition *self = context;
+    return jlt_observed_condition_value(self->observed, self->index, x);
 }
 
 static void note_conditions(jlt_section *self, const double *x)
@@ -89,6 +96,19 @@ static int watch(void *context, jlt_orbit *orbit)
 
     note_conditions(self, stepper->x);
     return jlt_rest_watch_step(&self->rest, stepper, self->limit);
+}
+
+/* One event each: their least value has kinks, which no polynomial follows. */
+static jlt_status add_conditions(jlt_section *self, const jlt_observed *observed)
+{
+    const unsigned count = jlt_observed_conditions(observed);
+
+    if (self->event_count + count > JLT_ORBIT_EVENTS_MAX) return JLT_ERR_UNSUPPORTED;
+    for (unsigned i = 0; i < count; i++) {
+        self->conditions[i] = (condition){ observed, i };
+        self->events[self->event_count++] = (jlt_event){ .value = condition_value, .context = &self->conditions[i], .direction = JLT_BOTH };
+    }
+    return JLT_OK;
 }
 
 jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
@@ -111,8 +131,7 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
                                              .project = flow->kept.count > 0,
                                              .interrupt = flow->interrupt }));
     self->crossings = self->event_count = jlt_chart_events(flow->chart, self->events, flow->direction);
-    if (flow->observed != NULL && jlt_observed_has_conditions(flow->observed) && flow->end_where_invalid)
-        self->events[self->event_count++] = (jlt_event){ .value = condition_value, .context = self, .direction = JLT_BOTH };
+    if (flow->observed != NULL && flow->end_where_invalid) JLT_TRY(add_conditions(self, flow->observed));
     jlt_orbit_observe(self->orbit, watch, self);
     *out = self;
     self = NULL; /* ownership moved to the caller */
@@ -241,7 +260,10 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
 {
     switch (outcome->end) {
     case JLT_END_TIME: end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET); return;
-    case JLT_END_EVENT: end(self, row, outcome->t, outcome->x, JLT_FATE_INVALID); return;
+    case JLT_END_EVENT:
+        end(self, row, outcome->t, outcome->x, JLT_FATE_INVALID);
+        row->lost = outcome->crossing.event - self->crossings;
+        return;
     case JLT_END_OBSERVER:
         if (is_pole(self)) end_at_pole(self, row, outcome);
         else end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM);

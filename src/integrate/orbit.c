@@ -9,7 +9,6 @@
 #include "integrate/locate.h"
 #include "integrate/pole.h"
 
-enum { EVENTS_MAX = 8 };
 static const double default_tolerance = 1e-12;
 static const size_t default_steps = 10000000;
 
@@ -19,9 +18,9 @@ struct jlt_orbit {
     jlt_observer observer;
     void *observer_context;
 
-    jlt_watch watch[EVENTS_MAX];
+    jlt_watch watch[JLT_ORBIT_EVENTS_MAX];
     unsigned watch_count;
-    jlt_crossing pending[EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
+    jlt_crossing pending[JLT_ORBIT_EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
     unsigned pending_count, next_pending;
     double cursor;  /* theta up to which the last step has been handed out */
     double *at, *slope; /* (stride,): the state handed out, and work */
@@ -264,7 +263,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
     const size_t spent = stepper->steps + stepper->rejected;
     bool found = false;
 
-    if (count > EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
+    if (count > JLT_ORBIT_EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
     for (unsigned e = 0; e < count; e++)
         if (events[e].value == NULL && (events[e].column >= stepper->columns || !isfinite(events[e].level))) return JLT_ERR_ARG;
     if (!isfinite(t_end)) t_end = stepper->direction * INFINITY;

@@ -59,6 +59,8 @@ void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */
 JLT_CHECKED jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction);
 void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context); /* NULL: nobody */
 
+enum { JLT_ORBIT_EVENTS_MAX = 16 };
+
 /** Go on to the next crossing of one of the events, to physical time t_end (+-INFINITY: no end), or into the pole,
  *  whichever comes first. Call again to go on: the same event list continues the same count of crossings; a changed list
  *  starts from the current point. count <= 8; levels are finite, else ARG. At JLT_END_TIME the next call starts from there

@@ -44,7 +44,7 @@ static bool serves(const jlt_descriptor *descriptor, const double *params)
     if (descriptor->param_count > PARAMS_MAX || descriptor->state_count > PARAMS_MAX) return false;
     descriptor->impose(state, params, imposed);
     for (unsigned i = 0; i < descriptor->param_count; i++)
-        if (imposed[i] != params[i]) return false;
+        if (imposed[i] != params[i] && !(isnan(imposed[i]) && isnan(params[i]))) return false;
     return true;
 }
 

@@ -48,7 +48,7 @@ unsigned jlt_observed_count(const jlt_observed *observed) { return observed->gen
 
 const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed) { return observed->general->descriptor->observes; }
 
-bool jlt_observed_has_conditions(const jlt_observed *observed) { return observed->general->descriptor->valid_count > 0; }
+unsigned jlt_observed_conditions(const jlt_observed *observed) { return observed->general->descriptor->valid_count; }
 
 const char *jlt_observed_condition(const jlt_observed *observed, unsigned condition)
 {
@@ -87,4 +87,12 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
             if (condition != NULL) *condition = i;
         }
     return least;
+}
+
+double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x)
+{
+    double values[JLT_OBSERVED_CONDITIONS_MAX], room[JLT_OBSERVED_STATES_MAX];
+
+    observed->general->descriptor->valid_values.call(in_table(observed, room, x), observed->general->block, values);
+    return values[condition];
 }

@@ -30,9 +30,12 @@ void jlt_observed_values(const jlt_observed *observed, double *values, const dou
  *  known there. *condition, unless NULL, gets the index of the one that has it, or stays. */
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
-/** Whether there are any such conditions, and what they are called: one by its index, ANY of several "valid". */
+/** The value of one of these conditions. */
+double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x);
+
+/** How many there are, and what they are called: one by its index, ANY of several "valid". */
 enum { JLT_OBSERVED_ANY = JLT_OBSERVED_CONDITIONS_MAX };
-bool jlt_observed_has_conditions(const jlt_observed *observed);
+unsigned jlt_observed_conditions(const jlt_observed *observed);
 const char *jlt_observed_condition(const jlt_observed *observed, unsigned condition);
 
 #endif

@@ -125,7 +125,7 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
     if (options->project) JLT_TRY(jlt_conserved_of(&to_orbit.invariants, &self->conserved, chosen->descriptor, &self->field));
     JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
                              &to_orbit));
-    if (jlt_observed_has_conditions(self->observed)) jlt_orbit_observe(self->orbit, watch_conditions, self);
+    if (jlt_observed_conditions(self->observed) > 0) jlt_orbit_observe(self->orbit, watch_conditions, self);
 done:
     return st;
 }
