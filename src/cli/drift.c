@@ -34,7 +34,7 @@ jlt_status jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const doubl
 /* |F|, or 1 where that is 0, or no more than rounding of the terms that make it. */
 static void set_sizes(double *sizes, const jlt_drift *self, const double *first, const double *gradients, const double *x)
 {
-    static const double rounding = 1e-14;
+    static const double rounding = 1e-14; /* of some forty terms, half a unit in the last place each */
     const unsigned states = self->system->instance->descriptor->state_count;
 
     for (unsigned k = 0; k < self->count; k++) {

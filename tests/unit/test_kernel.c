@@ -111,6 +111,8 @@ static void the_most_special_variant_is_chosen(void **unused)
         { 0.51, 0.4, 0.0, "rod" },
         { 0.51, 0.4, 0.4, "" },
         { 1e-300, 0.4, 0.4, "" },
+        { NAN, 0.4, 0.0, "rod" }, /* one that is to run: no variant of it */
+        { NAN, 0.4, 0.4, "" },
     };
     const jlt_descriptor *general = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
     size_t a3, I1, I3;
