@@ -151,8 +151,7 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
 }
 
 static const char *const ends[] = { "the range ends", "the number of points is reached",
-                                    "no shorter step converges (a pole, an empty level, an orbit that touches the section, or one of a family, "
-                                    "which levels of its integrals would tell apart)",
+                                    "no shorter step converges (a pole, an empty level, a tangency, or a family: levels may tell its orbits apart)",
                                     "interrupted", "it closes", "it ends at a period doubling" };
 
 /* One branch, from its first point to its end, which is said. */
