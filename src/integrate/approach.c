@@ -135,8 +135,10 @@ jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
     for (unsigned i = 0; i < n; i++) {
         out->left[moving[i]] = y[i];
         out->longest = fmax(out->longest, fabs(y[i]) / jlt_approach_size(stepper, moving[i]));
-        defect = fmax(defect, fabs(image[i] - f[i]));
+        const double rest = fabs(image[i] - f[i]);
+        defect = fmax(defect, rest);
         slope = fmax(slope, fabs(f[i]));
+        if ((int)moving[i] == field->root) out->root_left_out = rest / out->slowest;
     }
     out->decays = defect <= 1e-3 * slope;
     return JLT_OK;

@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "integrate/bernstein.h"
 #include "integrate/step_control.h"
@@ -50,6 +51,7 @@ void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper
     self->value = jlt_locate_value(event, stepper->x);
     const double size = event->value == NULL ? unit_of(event, stepper) : 1;
     self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
+    self->has_zero = false;
 }
 
 static void column_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
@@ -255,55 +257,6 @@ static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, con
     list[at] = (jlt_crossing){ .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
 }
 
-jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
-{
-    jlt_status st = JLT_OK;
-    double before = jlt_locate_value(&self->event, stepper->x_start), after = jlt_locate_value(&self->event, stepper->x);
-    double b[SIZE], touch[SIZE], least, most;
-    unsigned degree, touches = 0, divided = 0;
-    zeros z;
-
-    *count = z.count = z.touches = 0;
-    self->value = after;
-    if (stays_away(self, stepper, before, after)) return JLT_OK;
-    JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
-    /* In what unit another function is small nobody knows. */
-    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * unit_of(&self->event, stepper) : 0;
-    if (fabs(before) <= noise) before = 0;
-    if (fabs(after) <= noise) after = 0;
-    b[0] = before;
-    b[degree] = after;
-    bounds(&least, &most, b, degree);
-    const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
-    const double doubt = stepper->dense_error * jlt_larger(terms, 1);
-    if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt) || size <= noise) return JLT_OK;
-
-    /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */
-    const bool starts_on = self->side == 0 || before == 0;
-    for (; starts_on && degree > 1 && divided < 2; divided++) {
-        if (divided > 0 && fabs(b[0]) > near_section * size) break;
-        jlt_bernstein_deflate(b, degree--);
-    }
-    if (!starts_on) touches = jlt_bernstein_touches(touch, b, degree, doubt);
-    int side = sign_right_of_zero(b, degree);
-    /* A single crossing that nobody asked for need not be found. */
-    if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
-    else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
-    if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
-    side = drop_noise(&z, b, degree, divided, starts_on, after == 0, side, noise);
-
-    if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
-    for (unsigned i = 0; i < z.count; i++) {
-        side = -side;
-        note(list, count, self, stepper, z.roots[i], side);
-    }
-    for (unsigned i = 0; i < z.touches; i++) note(list, count, self, stepper, z.touch[i], 0);
-    /* A value of exactly 0 at the end leaves the decision to the next step. */
-    self->side = after != 0 ? sign(after) : side;
-done:
-    return st;
-}
-
 /* Follow the flow to the zero of g, a short time `move` away by the slope here, in place: the midpoint rule with the slope of g
  * in the middle, whose error is of third order. Returns the time it took. */
 static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, double *f, double g, double move)
@@ -329,9 +282,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     double *f = slope_work, *theta = &crossing->theta;
     double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
-    /* Seen at the start, it lies where the orbit was within the noise, maybe in steps before: as far back as a partial step is
-     * accurate, which by multistep methods, whose steps are short, is not their own. */
-    if (*theta == 0) lo = -(stepper->method->multistep ? 16 : 1) * jlt_larger(1, stepper->h_next / span), hi = 1;
+    if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* seen as the orbit left the noise */
     double best = *theta, least = INFINITY;
     unsigned nudged = 0;
 
@@ -372,4 +323,85 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     }
 done:
     return st;
+}
+
+/* A step that ends within the noise, past a zero that lies as near: it is kept until the orbit leaves the noise, maybe many steps
+ * later. */
+static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before, double after)
+{
+    const int turn = -self->side;
+    const double slope = jlt_locate_slope(&self->event, stepper, stepper->x, stepper->f) * stepper->h;
+    jlt_crossing at = { .theta = 1 - after / slope, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
+
+    if (sign(after) != turn || sign(before) == turn || slope * turn <= 0 || !(at.theta >= 0) || !asked_for(self, stepper, turn))
+        return JLT_OK;
+    const jlt_status st = jlt_locate_refine(&at, self->zero, self->zero + stepper->stride, &self->event, stepper);
+    if (st != JLT_OK) return st == JLT_ERR_NO_CONVERGENCE ? JLT_OK : st;
+    self->has_zero = true;
+    self->at_zero = at;
+    self->zero_tau = stepper->tau_start + at.theta * stepper->h;
+    return JLT_OK;
+}
+
+jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
+{
+    jlt_status st = JLT_OK;
+    double before = jlt_locate_value(&self->event, stepper->x_start), after = jlt_locate_value(&self->event, stepper->x);
+    double b[SIZE], touch[SIZE], least, most;
+    unsigned degree, touches = 0, divided = 0;
+    zeros z;
+
+    *count = z.count = z.touches = 0;
+    self->value = after;
+    /* In what unit another function is small nobody knows. */
+    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * unit_of(&self->event, stepper) : 0;
+    if (fabs(before) > noise) self->has_zero = false;
+    if (stays_away(self, stepper, before, after)) return JLT_OK;
+    if (self->side != 0 && fabs(after) <= noise) JLT_TRY(keep_zero(self, stepper, before, after));
+    JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
+    if (fabs(before) <= noise) before = 0;
+    if (fabs(after) <= noise) after = 0;
+    b[0] = before;
+    b[degree] = after;
+    bounds(&least, &most, b, degree);
+    const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
+    const double doubt = stepper->dense_error * jlt_larger(terms, 1);
+    if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt) || size <= noise) return JLT_OK;
+
+    /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */
+    const bool starts_on = self->side == 0 || before == 0;
+    for (; starts_on && degree > 1 && divided < 2; divided++) {
+        if (divided > 0 && fabs(b[0]) > near_section * size) break;
+        jlt_bernstein_deflate(b, degree--);
+    }
+    if (!starts_on) touches = jlt_bernstein_touches(touch, b, degree, doubt);
+    int side = sign_right_of_zero(b, degree);
+    /* A single crossing that nobody asked for need not be found. */
+    if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
+    else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
+    if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
+    side = drop_noise(&z, b, degree, divided, starts_on, after == 0, side, noise);
+
+    if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
+    for (unsigned i = 0; i < z.count; i++) {
+        side = -side;
+        note(list, count, self, stepper, z.roots[i], side);
+    }
+    for (unsigned i = 0; i < z.touches; i++) note(list, count, self, stepper, z.touch[i], 0);
+    /* A value of exactly 0 at the end leaves the decision to the next step. */
+    self->side = after != 0 ? sign(after) : side;
+done:
+    return st;
+}
+
+jlt_status jlt_locate_refine_watched(jlt_crossing *crossing, double *x, double *slope_work, const jlt_watch *self,
+                                     jlt_stepper *stepper)
+{
+    if (crossing->theta != 0 || !self->has_zero || crossing->direction != self->at_zero.direction)
+        return jlt_locate_refine(crossing, x, slope_work, &self->event, stepper);
+    memcpy(x, self->zero, stepper->stride * sizeof *x);
+    crossing->theta = (self->zero_tau - stepper->tau_start) / stepper->h;
+    crossing->residual = self->at_zero.residual;
+    crossing->slope = self->at_zero.slope;
+    return JLT_OK;
 }

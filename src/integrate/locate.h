@@ -11,6 +11,10 @@ typedef struct {
     jlt_event event;
     int side;     /* sign of g now, or what the next step begins with; 0: on the section */
     double value; /* g at the end of the last step */
+    double *zero; /* (2, stride): the state at a zero of g among steps that end within the noise, and work; lent by the user */
+    double zero_tau;
+    jlt_crossing at_zero;
+    bool has_zero;
 } jlt_watch;
 
 /** g at x; its rate in tau, where f is the field at x. */
@@ -36,5 +40,10 @@ JLT_CHECKED jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jl
  *  slope_work: (stride,). Errors: NO_CONVERGENCE, a sign change without a zero (g is not continuous). */
 JLT_CHECKED jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
                                            jlt_stepper *stepper);
+
+/** The same for a crossing of the watch's last step. One at its start is counted when the orbit leaves the noise, and lies where g
+ *  was zero within it, maybe many steps before. */
+JLT_CHECKED jlt_status jlt_locate_refine_watched(jlt_crossing *crossing, double *x, double *slope_work, const jlt_watch *self,
+                                                 jlt_stepper *stepper);
 
 #endif

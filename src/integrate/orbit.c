@@ -23,7 +23,7 @@ struct jlt_orbit {
     jlt_crossing pending[JLT_ORBIT_EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
     unsigned pending_count, next_pending;
     double cursor;  /* theta up to which the last step has been handed out */
-    double *at, *slope; /* (stride,): the state handed out, and work */
+    double *at, *slope; /* (stride,): the state handed out, and work; those of the watches follow */
 
     jlt_invariant_watch invariants;
     jlt_pole_verdict pole;
@@ -49,12 +49,13 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     if (self->options.max_step == 0) self->options.max_step = INFINITY;
     if (self->options.max_steps == 0) self->options.max_steps = default_steps;
     JLT_TRY(jlt_stepper_create(&self->stepper, method, field, self->options.tolerance, self->options.max_step));
-    self->at = jlt_memory_array(2 * (size_t)self->stepper->stride, sizeof *self->at);
+    self->at = jlt_memory_array((2 + 2 * JLT_ORBIT_EVENTS_MAX) * (size_t)self->stepper->stride, sizeof *self->at);
     if (self->at == NULL) {
         st = JLT_ERR_NOMEM;
         goto done;
     }
     self->slope = self->at + self->stepper->stride;
+    for (size_t e = 0; e < JLT_ORBIT_EVENTS_MAX; e++) self->watch[e].zero = self->at + (2 + 2 * e) * self->stepper->stride;
     *out = self;
     self = NULL;
 done:
@@ -204,7 +205,7 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
 
     if (self->next_pending < self->pending_count) {
         jlt_crossing crossing = self->pending[self->next_pending];
-        JLT_TRY(jlt_locate_refine(&crossing, self->at, self->slope, &self->watch[crossing.event].event, stepper));
+        JLT_TRY(jlt_locate_refine_watched(&crossing, self->at, self->slope, &self->watch[crossing.event], stepper));
         const double theta = fmax(crossing.theta, self->cursor < 1 ? self->cursor : 0);
         const double t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim]
                                                                 : stepper->tau_start + theta * stepper->h;

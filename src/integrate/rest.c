@@ -40,15 +40,16 @@ bool jlt_rest_is_slow(const jlt_stepper *stepper)
     return stepper_slower(stepper, jlt_rest_slow(stepper->asked));
 }
 
-/* Whether the orbit decays, to where is known; limit gets it. */
+/* Whether the orbit decays, to where is known; limit gets it. A root that goes to 0 leads to a pole, which is another end. */
 static bool decays_to(jlt_approach *approach, const jlt_stepper *stepper, double *limit)
 {
     static const double weakest = 1e-5; /* of the fastest rate: a weaker one may be none */
+    const int root = stepper->field->root;
 
     if (jlt_approach_judge(approach, stepper) != JLT_OK || !jlt_approach_is_known(approach, stepper)
         || !(approach->slowest > weakest * approach->fastest)) return false;
     for (unsigned i = 0; i < stepper->field->dim; i++) limit[i] = stepper->x[i] - approach->left[i];
-    return true;
+    return root < 0 || limit[root] - approach->root_left_out > 0.5 * stepper->x[root];
 }
 
 bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
@@ -61,14 +62,12 @@ bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
     return true;
 }
 
-/* What is left is less than a crossing is deep; a root that goes to 0 leads to a pole, which is another end. */
+/* What is left is less than a crossing is deep. */
 static bool is_near(const jlt_stepper *stepper, double *limit)
 {
-    const int root = stepper->field->root;
     jlt_approach approach;
 
-    return decays_to(&approach, stepper, limit) && approach.longest <= jlt_locate_noise(stepper->asked)
-           && (root < 0 || limit[root] > 0.5 * stepper->x[root]);
+    return decays_to(&approach, stepper, limit) && approach.longest <= jlt_locate_noise(stepper->asked);
 }
 
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit)

@@ -252,6 +252,39 @@ static void a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end(void *
         }
 }
 
+static void creep(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    (void)x;
+    (void)p;
+    f[0] = 1e-6;
+}
+
+/* An orbit that is within ten tolerances of the section, 1e-4, for 200 steps crosses it in the middle of them, either way. */
+static void a_crossing_lies_on_the_section_however_many_steps_are_within_its_noise(void **unused)
+{
+    (void)unused;
+    const jlt_field field = { .dim = 1, .call = creep, .root = -1 };
+    const jlt_event event = { .column = 0 };
+
+    for (unsigned m = 0; m < METHODS; m++)
+        for (int direction = -1; direction <= 1; direction += 2) {
+            const double x = -3e-4 * direction;
+            jlt_orbit *orbit = NULL;
+            jlt_outcome at;
+            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field, &(jlt_options){ .tolerance = 1e-5, .max_step = 1 }));
+            assert_ok(jlt_orbit_start(orbit, 0, &x, direction));
+            assert_ok(jlt_orbit_next(orbit, 1000 * direction, &event, 1, &at));
+            assert_int_equal(at.end, JLT_END_EVENT);
+            assert_int_equal(at.crossing.direction, JLT_RISING);
+            assert_near(at.x[0], 0, 1e-17);
+            assert_near(at.t, 300 * direction, 1e-10);
+            assert_near(at.tau, at.t, 1e-10);
+            assert_ok(jlt_orbit_next(orbit, 1000 * direction, &event, 1, &at));
+            assert_int_equal(at.end, JLT_END_TIME);
+            jlt_orbit_destroy(orbit);
+        }
+}
+
 /* At rest on the section until t = 1, then off it to the side of p. */
 static void leaving_late(const double *restrict x, const double *restrict p, double *restrict f)
 {
@@ -294,6 +327,7 @@ int main(void)
         cmocka_unit_test(near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance),
         cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
         cmocka_unit_test(a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end),
+        cmocka_unit_test(a_crossing_lies_on_the_section_however_many_steps_are_within_its_noise),
         cmocka_unit_test(several_events_and_times_interleave_in_order),
         cmocka_unit_test(leaving_the_section_after_a_while_on_it_is_no_crossing),
     };

@@ -9,6 +9,7 @@
 #include "kernel/batch_isa.h"
 
 enum { RETURNS_MAX = 5, STEPS = 100000 };
+static const double on_section = 1e-13; /* in scale, however slowly the orbit crosses it */
 
 static void row_of(double row[ROW_SIZE], const jlt_chart_top *chart, const double *x, double t)
 {
@@ -91,14 +92,6 @@ static void check_start(const trial *t, const jlt_system *system, const double *
     else if (fabsl(sinl((eta - t->q[0]) / 2)) > digits) trial_complain(t, "start: eta is off by %.3Lg, digits %.3Lg", eta - t->q[0], digits);
 }
 
-/* How far from the section a row may be, in scale. Where errors of ten tolerances in omega_tau put its zero anywhere, an orbit may be
- * among them for several steps, and the crossing is then where it leaves them; units are powers of two up to twice the scale. */
-static long double off_section(const family *f, int number)
-{
-    const long double noise = 10 * f->question.tolerance;
-    return noise * f->truth.lean[number] > 1e-3L ? 2 * noise : 1e-13L;
-}
-
 /* An orbit whose steps are spent is followed again with thirty times as many: they were needed when it then ends as it should. */
 static void single(trial *t, const jlt_system *system, const family *f, const char *how, int returns, size_t max_steps)
 {
@@ -116,7 +109,7 @@ static void single(trial *t, const jlt_system *system, const family *f, const ch
         st = jlt_section_next(section, &at);
         row_of(row, &system->chart.top, at.x, at.t);
         const bool known = st == JLT_OK && at.fate == JLT_FATE_ALIVE && goes_on && (int)at.number <= f->certain;
-        if (known && fabs(at.residual) > off_section(f, (int)at.number) * t->speed / t->top.R)
+        if (known && fabs(at.residual) > on_section * t->speed / t->top.R)
             trial_complain(t, "%s, row %zu: off the section by %.3g", how, at.number, at.residual);
         const bool asked = (int)at.number <= f->certain + f->ends || (int)at.number > f->truth.count;
         const bool spent = st == JLT_OK && at.fate == JLT_FATE_BUDGET && max_steps == STEPS && asked;
