@@ -122,15 +122,12 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
 
 jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
 {
-    const double h_next = self->h_next;
-
     if (!all_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
     memcpy(self->x, x, self->field->dim * sizeof *x);
     memset(self->x_low, 0, self->field->dim * sizeof *self->x_low);
     evaluate(self->field, self->x, self->f);
     self->evaluations++;
     self->dense_ready = false;
-    self->h_next = h_next;
     return self->method->start(self);
 }
 
