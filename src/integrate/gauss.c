@@ -285,6 +285,26 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     return JLT_OK;
 }
 
+/* The time in which slopes change by as much as the states do that change them, both in their sizes, in a direction of no meaning. A
+ * first step much longer than that may seem to be solved beside an unstable equilibrium, where the start stirs what grows so little
+ * that no sweep sees it. */
+static double time_of_change(gauss *self, jlt_stepper *stepper)
+{
+    static const double small = 1e-7;
+    const jlt_field *field = stepper->field;
+    double *x = self->scratch, *f = self->scratch + field->dim, change = 0;
+
+    for (unsigned c = 0; c < field->dim; c++) {
+        const double size = stepper->scale[c] < INFINITY ? jlt_larger(fabs(stepper->x[c]), stepper->scale[c]) : 0;
+        x[c] = stepper->x[c] + (c % 2 == 0 ? small : -small) * size;
+    }
+    field->call(x, field->p, f);
+    stepper->evaluations++;
+    for (unsigned c = 0; c < field->dim; c++)
+        change = jlt_larger(change, fabs(f[c] - stepper->f[c]) / jlt_larger(fabs(stepper->x[c]), stepper->scale[c]));
+    return change > 0 && change < INFINITY ? small / change : INFINITY;
+}
+
 static jlt_status start(jlt_stepper *stepper)
 {
     gauss *self = stepper->state;
@@ -298,7 +318,8 @@ static jlt_status start(jlt_stepper *stepper)
             size = jlt_larger(size, fabs(stepper->x[c]) / w);
             speed = jlt_larger(speed, fabs(stepper->f[c]) / w);
         }
-        stepper->h_next = jlt_smaller(size < 1e-5 || speed < 1e-5 ? 1e-3 : 0.1 * size / speed, stepper->max_step);
+        const double h = size < 1e-5 || speed < 1e-5 ? 1e-3 : 0.1 * size / speed;
+        stepper->h_next = jlt_smaller(jlt_smaller(h, time_of_change(self, stepper)), stepper->max_step);
     }
     return JLT_OK;
 }

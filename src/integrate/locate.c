@@ -326,15 +326,15 @@ done:
 }
 
 /* A step that ends within the noise, past a zero that lies as near: it is kept until the orbit leaves the noise, maybe many steps
- * later. */
-static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before, double after)
+ * later. A step that begins beyond the noise may have other zeros, before that: the slope at its end tells where to look. */
+static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before, double after, double noise)
 {
     const int turn = -self->side;
     const double slope = jlt_locate_slope(&self->event, stepper, stepper->x, stepper->f) * stepper->h;
-    jlt_crossing at = { .theta = 1 - after / slope, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
+    const double theta = fabs(before) <= noise ? before / (before - after) : slope * turn > 0 ? 1 - after / slope : -1;
+    jlt_crossing at = { .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
 
-    if (sign(after) != turn || sign(before) == turn || slope * turn <= 0 || !(at.theta >= 0) || !asked_for(self, stepper, turn))
-        return JLT_OK;
+    if (sign(after) != turn || sign(before) == turn || !(theta >= 0) || !asked_for(self, stepper, turn)) return JLT_OK;
     const jlt_status st = jlt_locate_refine(&at, self->zero, self->zero + stepper->stride, &self->event, stepper);
     if (st != JLT_OK) return st == JLT_ERR_NO_CONVERGENCE ? JLT_OK : st;
     self->has_zero = true;
@@ -357,7 +357,7 @@ jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *
     const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * unit_of(&self->event, stepper) : 0;
     if (fabs(before) > noise) self->has_zero = false;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
-    if (self->side != 0 && fabs(after) <= noise) JLT_TRY(keep_zero(self, stepper, before, after));
+    if (self->side != 0 && fabs(after) <= noise) JLT_TRY(keep_zero(self, stepper, before, after, noise));
     JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
     if (fabs(before) <= noise) before = 0;
     if (fabs(after) <= noise) after = 0;

@@ -257,6 +257,22 @@ done:
     return st;
 }
 
+/* The longest step that the edges among the events allow. */
+static double way_to_edges(const jlt_orbit *self)
+{
+    const jlt_stepper *stepper = self->stepper;
+    const double beyond = 1.1; /* so that the edge is passed at last */
+    double longest = INFINITY;
+
+    for (unsigned e = 0; e < self->watch_count; e++) {
+        const jlt_watch *watch = &self->watch[e];
+        if (!watch->event.edge) continue;
+        const double approach = -stepper->direction * jlt_locate_slope(&watch->event, stepper, stepper->x, stepper->f);
+        if (watch->value > 0 && approach > 0) longest = fmin(longest, beyond * watch->value / approach);
+    }
+    return longest;
+}
+
 jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count, jlt_outcome *out)
 {
     jlt_status st = JLT_OK;
@@ -287,7 +303,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
         }
         /* In its own time a step ends at t_end at the latest: there may be no field beyond. */
         const double limit = stepper->columns > stepper->field->dim ? INFINITY : fabs(t_end - stepper->tau);
-        JLT_TRY(advance(self, limit));
+        JLT_TRY(advance(self, fmin(limit, way_to_edges(self))));
         if (self->observer != NULL && self->observer(self->observer_context, self) != 0) {
             hand_out_point(self, out, JLT_END_OBSERVER);
             return JLT_OK;

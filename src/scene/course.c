@@ -255,20 +255,25 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
     const int mirror = self->view.mirror;
-    const bool has_edge = self->tier != NULL && self->tier->edge != NULL;
-    const jlt_event edge = { .value = has_edge ? self->tier->edge : NULL, .context = &self->view };
+    const jlt_tier_edge *end = self->tier != NULL ? self->tier->edge : NULL;
+    jlt_event edge = { .context = &self->view };
     jlt_outcome outcome = { 0 };
 
-    if (has_edge && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
+    if (end != NULL) {
+        edge.value = end->value;
+        edge.rate = end->rate;
+        edge.edge = end->rate != NULL;
+    }
+    if (end != NULL && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
         fill(self, row, JLT_END_TIME, 0);
-        row->edge = self->tier->edge_meaning;
+        row->edge = end->meaning;
         return JLT_ERR_DOMAIN;
     }
     if (self->direction == 0) {
         self->direction = t < 0 ? -1 : 1;
         JLT_TRY(jlt_orbit_start(self->orbit, 0, self->y, self->direction * mirror));
     }
-    st = jlt_orbit_next(self->orbit, mirror * t, &edge, has_edge, &outcome);
+    st = jlt_orbit_next(self->orbit, mirror * t, &edge, end != NULL, &outcome);
     if (outcome.x != NULL) {
         memcpy(self->y, outcome.x, self->field.dim * sizeof *self->y);
         extract(self, self->x, self->y);
@@ -277,7 +282,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
     }
     if (st == JLT_OK && outcome.end == JLT_END_EVENT) {
         row->end = JLT_END_TIME;
-        row->edge = self->tier->edge_meaning;
+        row->edge = end->meaning;
         st = JLT_ERR_DOMAIN;
     } else if (st == JLT_ERR_DOMAIN) {
         row->edge = self->has_top ? jlt_tier_near_pole : "the orbit comes to the edge of its table's domain";

@@ -36,6 +36,13 @@ typedef struct {
     } claims[JLT_TIER_CLAIMS_MAX];
 } jlt_tier_proofs;
 
+/* value > 0 where the coordinates are good. rate: its rate, where the kernel is rough near the edge; NULL: it is not. */
+typedef struct {
+    double (*value)(void *view, const double *y);
+    double (*rate)(void *view, const double *y, const double *f);
+    const char *meaning;
+} jlt_tier_edge;
+
 typedef struct {
     const char *name, *meaning;
     unsigned dimension;                 /* of the flow that is integrated, without a lifted root; 0: none is */
@@ -48,9 +55,7 @@ typedef struct {
     void (*embed)(const jlt_tier_view *view, double *y, const double *x);
     void (*extract)(const jlt_tier_view *view, double *x, const double *y);
     void (*orient)(const jlt_tier_view *view, jlt_attitude *out, const double *y); /* NULL without attitude */
-    double (*edge)(void *view, const double *y); /* > 0 where its coordinates are good, beyond what the kernel's domain tells;
-                                                    NULL: everywhere */
-    const char *edge_meaning;
+    const jlt_tier_edge *edge;          /* where its coordinates end before the kernel's domain does; NULL: nowhere */
     jlt_tier_proofs proofs;
 } jlt_tier;
 

@@ -285,6 +285,56 @@ static void a_crossing_lies_on_the_section_however_many_steps_are_within_its_noi
         }
 }
 
+/* x1' = cos(t)/b with b = 1 - x0 is rough near b = 0, and b^2 - 1e-6 an edge: steps shrink with b, and the edge is found. */
+static void toward_edge(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    (void)p;
+    f[0] = 1;
+    f[1] = 1 / (1 - x[0]);
+}
+
+static double room(void *context, const double *x)
+{
+    (void)context;
+    return (1 - x[0]) * (1 - x[0]) - 1e-6;
+}
+
+static double room_rate(void *context, const double *x, const double *f)
+{
+    (void)context;
+    return -2 * (1 - x[0]) * f[0];
+}
+
+static int note_halving(void *context, jlt_orbit *orbit)
+{
+    double *worst = context;
+    const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
+    if (room(NULL, stepper->x) > 0) *worst = fmin(*worst, (1 - stepper->x[0]) / (1 - stepper->x_start[0]));
+    return 0;
+}
+
+static void steps_shrink_toward_an_edge_and_find_it(void **unused)
+{
+    (void)unused;
+    const jlt_field field = { .dim = 2, .call = toward_edge, .root = -1 };
+    const jlt_event edge = { .value = room, .rate = room_rate, .edge = true };
+    const double start[2] = { 0, 0 };
+
+    for (unsigned m = 0; m < METHODS; m++) {
+        double least = 1;
+        jlt_orbit *orbit = NULL;
+        jlt_outcome at;
+        assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field, &(jlt_options){ .tolerance = 1e-3 }));
+        jlt_orbit_observe(orbit, note_halving, &least);
+        assert_ok(jlt_orbit_start(orbit, 0, start, +1));
+        assert_ok(jlt_orbit_next(orbit, 2, &edge, 1, &at));
+        assert_int_equal(at.end, JLT_END_EVENT);
+        assert_near(at.x[0], 1 - 1e-3, 1e-9);
+        assert_true(least >= 0.45 - 1e-9); /* 1 - 1.1/2 */
+        jlt_orbit_destroy(orbit);
+    }
+}
+
 /* At rest on the section until t = 1, then off it to the side of p. */
 static void leaving_late(const double *restrict x, const double *restrict p, double *restrict f)
 {
@@ -328,6 +378,7 @@ int main(void)
         cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
         cmocka_unit_test(a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end),
         cmocka_unit_test(a_crossing_lies_on_the_section_however_many_steps_are_within_its_noise),
+        cmocka_unit_test(steps_shrink_toward_an_edge_and_find_it),
         cmocka_unit_test(several_events_and_times_interleave_in_order),
         cmocka_unit_test(leaving_the_section_after_a_while_on_it_is_no_crossing),
     };

@@ -301,6 +301,32 @@ static void a_small_rough_part_of_a_field_is_seen(void **unused)
     }
 }
 
+/* x1' = x1 beside a state that creeps: what grows is below rounding for 20 units of time, in which steps see nothing of it. */
+static void growth(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    (void)p;
+    f[0] = 1e-4;
+    f[1] = x[1];
+}
+
+/* exp(39) from 1e-20 to 1e-3. No digits are promised of what is below the tolerance: each of ten steps may err by a factor e. */
+static void what_grows_unseen_is_not_stepped_over(void **unused)
+{
+    (void)unused;
+    const jlt_field field = { .dim = 2, .call = growth, .root = -1 };
+    const jlt_event seen = { .column = 1, .level = 1e-3, .direction = JLT_RISING };
+    const double start[2] = { 1, 1e-20 };
+    jlt_orbit *orbit = NULL;
+    jlt_outcome at;
+
+    assert_ok(jlt_orbit_create(&orbit, jlt_method_find("gauss"), &field, NULL));
+    assert_ok(jlt_orbit_start(orbit, 0, start, +1));
+    assert_ok(jlt_orbit_next(orbit, 1000, &seen, 1, &at));
+    assert_int_equal(at.end, JLT_END_EVENT);
+    assert_near(at.t, log(1e17), 10);
+    jlt_orbit_destroy(orbit);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -314,6 +340,7 @@ int main(void)
         cmocka_unit_test(all_columns_are_treated_alike),
         cmocka_unit_test(an_end_that_is_not_finite_in_one_column_is_refused),
         cmocka_unit_test(a_small_rough_part_of_a_field_is_seen),
+        cmocka_unit_test(what_grows_unseen_is_not_stepped_over),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

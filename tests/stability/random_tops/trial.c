@@ -61,7 +61,7 @@ void trial_complain(const trial *t, const char *format, ...)
     vprintf(format, arguments);
     va_end(arguments);
     printf("\n    --set m=%.17g,R=%.17g,g=%.17g,I1=%.17g,I3=%.17g,a3=%.17g --level E=%.17g,G=%.17g "
-           "--start eta=%.17g,gamma3=%.17g --tol %.3g%s\n",
+           "--start eta=%.17g,gamma3=%.17g --tol %.17g%s\n",
            v->m, v->R, v->g, v->I1, v->I3, v->a3, v->E, v->G, t->q[0], t->q[1], t->tolerance, t->options);
     fflush(stdout);
 }
