@@ -41,6 +41,21 @@ for step in 0.01 0.003; do
         fail "a3, step $step: $(cat found)"
 done
 
+# Orbits that lie on a closed curve, (r - 2)^2 + p^2 = 1, are listed once around, with its two folds.
+cat > circle.tt << 'TABLE'
+model circle
+param p
+state phi
+state r
+periodic phi = 2*pi
+eq phi = 1
+eq r = ((r - 2)^2 + p^2 - 1)/20
+TABLE
+jellett continue ./circle.tt --section phi=0 --along p=-2:2 --set p=0 --start r=2.99 --step 0.05 -o rows.csv 2> log || fail "circle: status $?"
+grep -q 'branch 0: it closes$' log || fail "circle: $(cat log)"
+awk -F, '/^0,/ && $14 == "fold" { folds++; off += ($2 - 1)*($2 - 1)*($2 + 1)*($2 + 1) } /^0,/ { rows++ }
+         END { exit !(folds == 2 && off < 1e-16 && rows > 20 && rows < 60) }' rows.csv || fail "circle: $(grep -c '^0,' rows.csv) rows, $(grep fold rows.csv)"
+
 # From the upper end of the range there is one way to go, and from it no row is outside.
 jellett continue --along E=2.1:2.15 -o rows.csv 2> /dev/null
 awk -F, '/^[0-9]/ { if ($2 < 2.1 - 1e-12 || $2 > 2.15 + 1e-12) outside++; else rows++; last = $2 } END { exit outside > 0 || rows < 3 || last > 2.1 + 1e-12 }' rows.csv ||

@@ -90,4 +90,15 @@ says '"levels":{"G":-0.56000000000000005}'
 json | grep -q '"a3"' && fail "what runs has a value: $(json)"
 expect 0 '^# {' jellett lyapunov roessler --section y=0 --direction down --start 'x=-7,z=1/50' --returns 1
 says '"levels":{},"method":"dop853","tolerance":9.9999999999999998e-13}'
+
+# A density of one state, tabulated where the state may be, with the table's own beside it.
+expect 0 '"closed_form":' jellett measure --set I3=0 --points 3 --json
+jq -e '[.table[] | (.density/.closed_form - 1) | . < 1e-12 and . > -1e-12] == [true, true, true]' out > /dev/null || fail "densities: $(cat out)"
+half() { # INTERVAL: at of three rows
+    printf '%s\n' 'model half' "state z in $1" 'state q' 'eq z = z*z' 'eq q = 1' 'measure rho = 1/z^2' > half.tt
+    jellett measure ./half.tt --points 3 --csv | awk -F, '/^[-0-9]/ { printf "%s ", $1 }'
+}
+[ "$(half '(-inf, 0)')" = "-4.05 -2.05 -0.05 " ] || fail "(-inf, 0): $(half '(-inf, 0)')"
+[ "$(half '(2, inf)')" = "2.05 4.05 6.05 " ] || fail "(2, inf): $(half '(2, inf)')"
+[ "$(half '(1, 3)')" = "1.02 2 2.98 " ] || fail "(1, 3): $(half '(1, 3)')"
 exit $status

@@ -75,6 +75,19 @@ static void faddeev_leverrier_errs_less_than_its_bound(void **unused)
     assert_true(worst > 1e-3);
 }
 
+/* A determinant that underflows beside an eigenvalue of size 1 would leave the other without a digit. */
+static void quadratic_eigenvalues_lost_in_underflow_are_refused(void **unused)
+{
+    static const double none[4] = { 0 }, lost[3][4] = { { 1, 0, 0, 1e-300 }, { 1, 1e-200, 1e-200, 1e-300 }, { 1, 1e-160, -1e-160, 1e-300 } };
+    double re[2] = { 7, 7 }, im[2] = { 7, 7 }, error[2] = { 7, 7 };
+
+    (void)unused;
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(jlt_quadratic_eigenvalues(re, im, error, lost[i], none), JLT_ERR_NONFINITE);
+        for (int k = 0; k < 2; k++) assert_true(re[k] == 7 && im[k] == 7 && error[k] == 7);
+    }
+}
+
 /* Oracle: long double closed form, the determinant by exact products. */
 static void quadratic_eigenvalues_keep_their_digits_across_scales(void **unused)
 {
@@ -338,6 +351,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faddeev_leverrier_returns_the_polynomial_of_a_companion_matrix),
         cmocka_unit_test(faddeev_leverrier_errs_less_than_its_bound),
+        cmocka_unit_test(quadratic_eigenvalues_lost_in_underflow_are_refused),
         cmocka_unit_test(quadratic_eigenvalues_keep_their_digits_across_scales),
         cmocka_unit_test(deflation_keeps_all_digits_of_a_defective_zero_where_qr_loses_half),
         cmocka_unit_test(nearly_dependent_gradients_do_not_spoil_what_stands_in_the_matrix),

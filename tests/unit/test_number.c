@@ -115,6 +115,22 @@ static void fractions_are_kept_exactly(void **unused)
     }
 }
 
+/* What stands behind the length is another's. */
+static void no_character_beyond_the_length_is_read(void **unused)
+{
+    (void)unused;
+    double value = 0;
+    assert_int_equal(jlt_number_parse(&value, "123456", 3), JLT_OK);
+    assert_true(value == 123);
+    assert_int_equal(jlt_number_parse(&value, "1.256", 3), JLT_OK);
+    assert_true(value == 1.2);
+    assert_int_equal(jlt_number_parse(&value, "1e23", 3), JLT_OK);
+    assert_true(value == 100);
+    assert_int_equal(jlt_number_parse(&value, "1/23", 3), JLT_OK);
+    assert_true(value == 0.5);
+    assert_int_equal(jlt_number_parse(&value, "1e5", 2), JLT_ERR_ARG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -123,6 +139,7 @@ int main(void)
         cmocka_unit_test(ties_go_to_even),
         cmocka_unit_test(what_is_no_finite_normal_number_is_refused),
         cmocka_unit_test(fractions_are_kept_exactly),
+        cmocka_unit_test(no_character_beyond_the_length_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
