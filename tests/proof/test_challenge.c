@@ -2,6 +2,10 @@
 #include "prove_text.h"
 
 #include "challenge/challenge.h"
+#include "challenge/sample.h"
+
+#include <math.h>
+#include <stdlib.h>
 
 enum { POINTS = 40 };
 
@@ -133,6 +137,36 @@ static void the_same_seed_gives_the_same_points(void **state)
     ttc_challenge_report_destroy(first);
 }
 
+/* Of 4000 numbers a sixteenth are 0, and 7 of 16 of either sign; tails of ten standard deviations, 32 at most each. */
+static void sampled_numbers_have_the_signs_and_ranges_that_are_said(void **state)
+{
+    (void)state;
+    enum { COUNT = 4000 };
+    for (ttc_sample_range range = TTC_SAMPLE_WIDE; range <= TTC_SAMPLE_MODERATE; range++) {
+        ttc_random random = { 1 };
+        int zeros = 0, negative = 0;
+        double least = 1, most = 1;
+        fmpq_t value;
+        fmpq_init(value);
+        for (int i = 0; i < COUNT; i++) {
+            ttc_sample_any(value, &random, range);
+            zeros += fmpq_is_zero(value);
+            negative += fmpq_sgn(value) < 0;
+            ttc_sample_positive(value, &random, range);
+            assert_true(fmpq_sgn(value) > 0);
+            const double size = fmpq_get_d(value);
+            least = fmin(least, size);
+            most = fmax(most, size);
+            ttc_sample_unit(value, &random, range);
+            assert_true(fmpq_sgn(value) > 0 && fmpq_cmp_si(value, 1) < 0);
+        }
+        assert_true(abs(zeros - COUNT / 16) < 160 && abs(negative - COUNT * 7 / 16) < 320);
+        if (range == TTC_SAMPLE_MODERATE) assert_true(least >= 1e-3 && most <= 1e3);
+        else assert_true(least < 1e-12 && least > ldexp(1e-3, -40) && most > 1e12 && most < ldexp(1e3, 40));
+        fmpq_clear(value);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -142,6 +176,7 @@ int main(void)
         cmocka_unit_test(true_identities_called_refuted_are_contradicted),
         cmocka_unit_test(false_claims_called_refuted_stand),
         cmocka_unit_test(the_same_seed_gives_the_same_points),
+        cmocka_unit_test(sampled_numbers_have_the_signs_and_ranges_that_are_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -142,6 +142,19 @@ refused 2 'no integrals' --batch --project roessler --section y=0 --start x=-7,z
 refused 3 'threads' --batch --threads 0 "${at[@]}"
 TMPDIR=/no/such/folder refused 5 TMPDIR --batch "${at[@]}" --returns 3000 --start eta=0.44,gamma3=-0.62
 
+# Without a root as well: the energy of Toda's chain, whose drift over 200 returns at --tol 1e-6 is 1e-7. Projected, it is that of a
+# return, whose share of 1e-7 would be 5e-10, and of the way back to the section.
+chain_drift() { # FILE: the largest relative change of the energy
+    awk -F, '/^0,/ { H = ($6*$6 + $7*$7 + $8*$8)/2 + exp(-$4) + exp($4 - $5) + exp($5); if (NR == 2) first = H
+                     off = H/first - 1; if (off < 0) off = -off; if (off > most) most = off; rows++ }
+             END { if (rows != 201) most = 1; print most }' "$1"
+}
+toda=(toda --batch --section q1=0 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.7 --returns 200 --tol 1e-6)
+section plain.csv "${toda[@]}"
+section projected.csv "${toda[@]}" --project
+awk -v plain="$(chain_drift plain.csv)" -v projected="$(chain_drift projected.csv)" 'BEGIN { exit !(plain < 1e-6 && 10*projected < plain) }' ||
+    fail "toda: the energy drifts by $(chain_drift plain.csv), projected by $(chain_drift projected.csv)"
+
 # An interrupt leaves whole rows, orbit after orbit without a gap, none of orbits that have no return, and says how many.
 interrupted() { # RETURNS WHEN...: of a hundred orbits, interrupted when that command is done
     local returns=$1 child code=0
