@@ -76,6 +76,24 @@ static void guards_tell_what_happened_and_nest(void **unused)
     sink = one / 3.0;
     assert_int_equal(jlt_guard_leave(&inner), JLT_OK);
     assert_int_equal(jlt_guard_leave(&outer), JLT_OK);
+
+    /* The caller's rounding and flags are back, and nothing beside them. */
+    enum { TOLD = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW };
+    feclearexcept(FE_ALL_EXCEPT);
+    feraiseexcept(FE_UNDERFLOW);
+    fesetround(FE_UPWARD);
+    jlt_guard_enter(&outer);
+    const int inside = fetestexcept(TOLD), rounding_inside = fegetround();
+    feraiseexcept(FE_DIVBYZERO);
+    const jlt_status st = jlt_guard_leave(&outer);
+    const int after = fetestexcept(TOLD), rounding_after = fegetround();
+    fesetround(FE_TONEAREST);
+    feclearexcept(FE_ALL_EXCEPT);
+    assert_int_equal(inside, 0);
+    assert_int_equal(rounding_inside, FE_TONEAREST);
+    assert_int_equal(st, JLT_ERR_DOMAIN);
+    assert_int_equal(after, FE_UNDERFLOW);
+    assert_int_equal(rounding_after, FE_UPWARD);
     (void)sink;
 }
 
