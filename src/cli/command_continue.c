@@ -10,13 +10,12 @@
 typedef struct {
     jlt_motion_options motion;
     const char *start, *along;
-    size_t period, points;
+    size_t period, points, generations; /* of branches beside the first */
     double step;
     int direction;
-    bool follow;
 } options;
 
-enum { ALONG = 2000, STEP, DOWN, FOLLOW };
+enum { ALONG = 2000, STEP, DOWN, FOLLOW, GENERATIONS };
 
 static const struct argp_option option_table[] = {
     { "along", ALONG, "NAME=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
@@ -27,6 +26,7 @@ static const struct argp_option option_table[] = {
     { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
     { "branches", FOLLOW, NULL, 0,
       "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once; on sections of two coordinates", 1 },
+    { "generations", GENERATIONS, "N", 0, "The same N times over: what begins on those branches, and so on", 1 },
     { 0 },
 };
 
@@ -42,7 +42,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'c': jlt_common_count(&o->points, value, 1, 10000000, "--count"); return 0;
     case STEP: jlt_common_positive(&o->step, value, "--step"); return 0;
     case DOWN: o->direction = -1; return 0;
-    case FOLLOW: o->follow = true; return 0;
+    case FOLLOW: o->generations = o->generations == 0 ? 1 : o->generations; return 0;
+    case GENERATIONS: jlt_common_count(&o->generations, value, 1, 64, "--generations"); return 0;
     case ARGP_KEY_END:
         if (o->along == NULL) argp_error(state, "say what runs: --along NAME=LOW:HIGH");
         return 0;
@@ -59,7 +60,7 @@ static const struct argp parser = {
     "\vColumns: branch, the running value, arc, period, the coordinates (eta, gamma3), T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
     "symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the "
     "values at the nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to "
-    "converge there. Branches that begin on branch 1 or later are not followed: their bifurcations are listed, and how many is said at the end.\n\n"
+    "converge there. How many bifurcations are listed whose branches are not followed is said at the end.\n\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv\n"
     "  jellett continue roessler --section y=0 --direction down \\\n"
@@ -72,7 +73,7 @@ typedef struct {
     FILE *file, *points;
     const jlt_chart *chart;
     unsigned shown; /* the coordinate in pictures */
-    size_t branch, rows, capacity, count;
+    size_t branch, generation, rows, capacity, count;
     struct landmark *landmarks; /* the bifurcations listed, in order */
     size_t joined;              /* the branch that a run met again; NONE while it has not */
 } sink;
@@ -80,7 +81,7 @@ typedef struct {
 /* A bifurcation listed, and whether the branches that begin there are. */
 typedef struct landmark {
     jlt_continuation_point point;
-    size_t branch;
+    size_t branch, generation; /* on which it lies */
     bool followed;
 } landmark;
 
@@ -95,7 +96,7 @@ static jlt_status keep_landmark(sink *self, const jlt_continuation_point *point)
         self->landmarks = grown;
         self->capacity = capacity;
     }
-    self->landmarks[self->count++] = (landmark){ *point, self->branch, false };
+    self->landmarks[self->count++] = (landmark){ *point, self->branch, self->generation, false };
     return JLT_OK;
 }
 
@@ -173,50 +174,47 @@ static jlt_status run_branch(sink *to, const jlt_family *family, const jlt_conti
     return JLT_OK;
 }
 
-/* Bifurcations listed after the first branch's `count`, whose branches are left alone. */
-static void tell_of_others(const sink *to, size_t count)
+/* Bifurcations of the last generation, whose branches are left alone. */
+static void tell_of_others(const sink *to, size_t generations)
 {
     size_t left = 0;
 
-    for (size_t i = count; i < to->count; i++) {
-        const jlt_bifurcation kind = to->landmarks[i].point.kind;
-        left += !to->landmarks[i].followed && (kind == JLT_BIFURCATION_BRANCH || kind == JLT_BIFURCATION_DOUBLING);
+    for (size_t i = 0; i < to->count; i++) {
+        const landmark *l = &to->landmarks[i];
+        const bool begins = l->point.kind == JLT_BIFURCATION_BRANCH || l->point.kind == JLT_BIFURCATION_DOUBLING;
+        left += l->generation == generations && !l->followed && begins;
     }
     if (left > 0)
-        fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of branches 1 to %zu; "
-                "start there with --start and --period\n", left, to->branch);
+        fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of the last branches; "
+                "ask for more with --generations %zu\n", left, generations + 1);
 }
 
-/* Branches that begin at the bifurcations of the first: both sides of a branch point, and of a period doubling one, as the
- * other is the same orbit one return later. */
-static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_continuation_options *run)
+/* Branches that begin at a bifurcation: both sides of a branch point, and of a period doubling one, as the other is the same orbit
+ * one return later. */
+static jlt_status follow_branches(sink *to, size_t from, const jlt_family *family, const jlt_continuation_options *run)
 {
-    const size_t count = to->count;
+    const jlt_continuation_point origin = to->landmarks[from].point;
+    const bool doubling = origin.kind == JLT_BIFURCATION_DOUBLING;
     jlt_continuation_point first;
     jlt_status st = JLT_OK;
 
-    for (size_t i = 0; i < count; i++) {
-        const jlt_continuation_point origin = to->landmarks[i].point;
-        const bool doubling = origin.kind == JLT_BIFURCATION_DOUBLING;
-        if (!doubling && origin.kind != JLT_BIFURCATION_BRANCH) continue;
-        if (2 * origin.orbit.period > JLT_PERIODIC_MAX) continue;
-        for (int side = 1; side >= (doubling ? 1 : -1) && !to->landmarks[i].followed; side -= 2) {
-            if (run->interrupt != NULL && *run->interrupt) return JLT_OK;
-            st = jlt_continuation_switch(&first, family, &origin, side, run->step, run);
-            if (st == JLT_ERR_NOMEM) return st;
-            if (st != JLT_OK) {
-                fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
-                        jlt_continuation_bifurcation_name(origin.kind), origin.value, side);
-                continue;
-            }
-            to->branch++;
-            if (to->points != NULL) fputs("\n", to->points);
-            st = run_branch(to, family, &first, 1, run, &origin);
-            if (st != JLT_OK) return st;
+    if ((!doubling && origin.kind != JLT_BIFURCATION_BRANCH) || 2 * origin.orbit.period > JLT_PERIODIC_MAX) return JLT_OK;
+    to->generation = to->landmarks[from].generation + 1;
+    for (int side = 1; st == JLT_OK && side >= (doubling ? 1 : -1) && !to->landmarks[from].followed; side -= 2) {
+        if (run->interrupt != NULL && *run->interrupt) return JLT_OK;
+        st = jlt_continuation_switch(&first, family, &origin, side, run->step, run);
+        if (st == JLT_ERR_NOMEM) return st;
+        if (st != JLT_OK) {
+            fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
+                    jlt_continuation_bifurcation_name(origin.kind), origin.value, side);
+            st = JLT_OK;
+            continue;
         }
+        to->branch++;
+        if (to->points != NULL) fputs("\n", to->points);
+        st = run_branch(to, family, &first, 1, run, &origin);
     }
-    tell_of_others(to, count);
-    return JLT_OK;
+    return st;
 }
 
 static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const char *shown, const char *points)
@@ -286,7 +284,9 @@ static jlt_exit run_all(sink *to, jlt_motion_family *family, const jlt_grid_axis
     to->chart = system->flow.chart;
     to->shown = system->is_top ? 1 : 0;
     st = run_branch(to, &maps, first, o->direction, &run, NULL);
-    if (st == JLT_OK && o->follow) st = follow_branches(to, &maps, &run);
+    for (size_t i = 0; st == JLT_OK && i < to->count; i++)
+        if (to->landmarks[i].generation < o->generations) st = follow_branches(to, i, &maps, &run);
+    if (st == JLT_OK && o->generations > 0) tell_of_others(to, o->generations);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
 
@@ -312,7 +312,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
     if (code == JLT_EXIT_DONE && o.start == NULL && !system->is_top)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say near which orbit to begin: --start, with all coordinates of the section");
-    if (code == JLT_EXIT_DONE && o.follow && system->flow.chart->dim != 2)
+    if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);
     if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, axis.name);

@@ -71,7 +71,8 @@ JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt
                                             void *context);
 
 /** From a located branch point or period doubling, the first point of the other branch, on the given side (+1, -1) at the
- *  distance `offset` in u; sections of two coordinates only. Its tangent points away.
+ *  distance `offset` in u, or at a half of it as often as none converges, twelve times at most; sections of two coordinates only.
+ *  Its tangent points away.
  *  Errors: ARG; NO_CONVERGENCE; those of the map. */
 JLT_CHECKED jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,
                                                const jlt_continuation_point *at, int side, double offset,

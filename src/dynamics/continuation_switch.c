@@ -5,7 +5,7 @@
 
 #include "dynamics/linear.h"
 
-enum { U = JLT_CONTINUATION_U };
+enum { U = JLT_CONTINUATION_U, HALVINGS = 12 };
 
 /* The direction of the other branch: at a period doubling the eigenvector of -1, at a branch point the null vector of the
  * rank-one Jacobian (2, 3) that is orthogonal to the tangent: the cross product of its longer row with the tangent. */
@@ -34,7 +34,7 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
 {
     jlt_continuation_runner self = { .family = family, .options = jlt_continuation_step_defaults(options),
                                      .period = at->orbit.period };
-    double u[U] = { 0 }, direction[U] = { 0 };
+    double u[U] = { 0 }, origin[U], direction[U] = { 0 };
     jlt_continuation_equation here;
     jlt_map *map;
     jlt_status st = JLT_OK;
@@ -50,11 +50,14 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
     JLT_TRY(jlt_continuation_step_evaluate(&self, &here, u));
     other_direction(direction, &here, at);
     if (at->kind == JLT_BIFURCATION_DOUBLING) self.period *= 2;
-    for (i = 0; i < 3; i++) {
-        direction[i] *= side;
-        u[i] += offset * direction[i];
+    memcpy(origin, u, sizeof origin);
+    for (i = 0; i < 3; i++) direction[i] *= side;
+    for (unsigned halving = 0; halving < HALVINGS; halving++, offset /= 2) {
+        for (i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
+        st = jlt_continuation_step_correct(&self, u, &here, direction, NULL);
+        if (st == JLT_ERR_NOMEM || st == JLT_OK) break;
     }
-    JLT_TRY(jlt_continuation_step_correct(&self, u, &here, direction, NULL));
+    JLT_TRY(st);
     JLT_TRY(jlt_continuation_step_measure(&self, out, u, direction, 0, JLT_BIFURCATION_NONE));
 done:
     return st;

@@ -41,6 +41,19 @@ for step in 0.01 0.003; do
         fail "a3, step $step: $(cat found)"
 done
 
+# Both sides of that branch point, whose branches are steep.
+jellett continue --along G=-0.56:-0.2 --generations 2 -o rows.csv 2> log || fail "generations: status $?"
+[ "$(grep -c '^jellett: branch [23], from the branch point at -0.2724346596:' log)" = 2 ] || fail "generations: $(cat log)"
+
+# Roessler's cascade, generation by generation: each branch begins where the one before it loses its stability.
+for step in 0.05 0.02; do
+    jellett continue roessler --set c=2.5 --section y=0 --direction down --start x=-4,z=0 --along c=2:4.2 --step $step --generations 3 \
+        -o rows.csv 2> log || fail "cascade: status $?"
+    awk -F, '/^[0-9]/ && /period doubling/ { printf "%s:%s:%.8f ", $1, $4, $2 }' rows.csv > found
+    [ "$(cat found)" = "0:1:2.83244503 1:2:3.83735817 2:4:4.12421473 3:8:4.18699700 " ] || fail "cascade, step $step: $(cat found)"
+    tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
+done
+
 # Orbits that lie on a closed curve, (r - 2)^2 + p^2 = 1, are listed once around, with its two folds.
 cat > circle.tt << 'TABLE'
 model circle
