@@ -69,6 +69,22 @@ grep -q 'branch 0: it closes$' log || fail "circle: $(cat log)"
 awk -F, '/^0,/ && $14 == "fold" { folds++; off += ($2 - 1)*($2 - 1)*($2 + 1)*($2 + 1) } /^0,/ { rows++ }
          END { exit !(folds == 2 && off < 1e-16 && rows > 20 && rows < 60) }' rows.csv || fail "circle: $(grep -c '^0,' rows.csv) rows, $(grep fold rows.csv)"
 
+# The orbit theta = p is followed once around, and further: its angle stays in (-pi, pi].
+cat > turning.tt << 'TABLE'
+model turning
+param p
+state phi
+state theta
+angle c s = cos(theta - p) sin(theta - p)
+periodic phi = 2*pi
+periodic theta = 2*pi
+eq phi = 1
+eq theta = s/20
+TABLE
+jellett continue ./turning.tt --section phi=0 --along p=0:7 --set p=0.1 --start theta=0.1 --step 0.1 -o rows.csv 2> log || fail "turning: status $?"
+awk -F, '/^0,/ { off = $5 - $2 + ($2 > 3.141592653589793 ? 6.283185307179586 : 0); if (off*off > 1e-20) bad++; last = $2 }
+         END { exit bad > 0 || last < 7 - 1e-12 || last > 7 + 1e-12 }' rows.csv || fail "turning: $(grep '^0,' rows.csv | cut -d, -f2,5 | tr '\n' ' ')"
+
 # From the upper end of the range there is one way to go, and from it no row is outside.
 jellett continue --along E=2.1:2.15 -o rows.csv 2> /dev/null
 awk -F, '/^[0-9]/ { if ($2 < 2.1 - 1e-12 || $2 > 2.15 + 1e-12) outside++; else rows++; last = $2 } END { exit outside > 0 || rows < 3 || last > 2.1 + 1e-12 }' rows.csv ||
