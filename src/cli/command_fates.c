@@ -32,7 +32,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
@@ -41,7 +41,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "",
@@ -336,7 +336,6 @@ static jlt_exit run(int argc, char **argv)
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    o.motion.tells_contact = true;
     code = jlt_motion_top(&system, &o.motion, "fates");
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);

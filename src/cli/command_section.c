@@ -69,7 +69,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 4, "--returns"); return 0;
@@ -89,7 +89,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -354,7 +354,6 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
-    o.motion.tells_contact = true;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);

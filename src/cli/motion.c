@@ -26,6 +26,10 @@ static const struct argp_option option_table[] = {
       "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
     { "mirror", MIRROR, "STATE,...", 0, "With --section: states whose sign another model's reversor changes", 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
+    { 0 },
+};
+
+static const struct argp_option contact_table[] = {
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do where the support stops pushing (N <= 0), so that the model no longer holds: go on and say at the end how "
       "many orbits did (default), tell the least N in a column of its own, or end the orbit as lost_contact", 11 },
@@ -55,19 +59,26 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case MODULO: o->modulo = value; return 0;
     case MIRROR: o->mirror = value; return 0;
     case 'd': parse_direction(o, value, state); return 0;
-    case CONTACT:
-        if (strcmp(value, "ignore") != 0 && strcmp(value, "report") != 0 && strcmp(value, "end") != 0)
-            argp_error(state, "--contact is ignore, report or end, not '%s'", value);
-        o->contact = value;
-        o->flow.end_where_invalid = strcmp(value, "end") == 0;
-        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
+}
+
+static error_t parse_contact(int key, char *value, struct argp_state *state)
+{
+    jlt_motion_options *o = state->input;
+
+    if (key != CONTACT) return ARGP_ERR_UNKNOWN;
+    if (strcmp(value, "ignore") != 0 && strcmp(value, "report") != 0 && strcmp(value, "end") != 0)
+        argp_error(state, "--contact is ignore, report or end, not '%s'", value);
+    o->contact = value;
+    o->flow.end_where_invalid = strcmp(value, "end") == 0;
+    return 0;
 }
 
 static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { &jlt_accuracy_argp, 0, NULL, 0 }, { 0 } };
 
 const struct argp jlt_motion_argp = { option_table, parse, NULL, NULL, children, NULL, NULL };
+const struct argp jlt_contact_argp = { contact_table, parse_contact, NULL, NULL, NULL, NULL, NULL };
 
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
 {
@@ -172,8 +183,6 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     *system = NULL;
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
-    if (strcmp(options->contact, "ignore") != 0 && !options->tells_contact)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: only section and fates look at it", options->contact);
     if (!is_top(descriptor) || options->section != NULL) return jlt_motion_plane_system(system, options, descriptor);
     code = check_levels(descriptor);
     return code == JLT_EXIT_DONE ? top_system(system, options) : code;

@@ -17,7 +17,6 @@ typedef struct {
     jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
-    bool tells_contact;  /* the command has a column for `report` */
     bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
@@ -25,6 +24,9 @@ typedef struct {
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
 extern const struct argp jlt_motion_argp;
+
+/* Beside it, with the same input, where a command looks at contact. */
+extern const struct argp jlt_contact_argp;
 
 /** To be called before argp_parse, with its argv; the options must not move after that. Installs the
  *  handler of Ctrl-C. */

@@ -59,8 +59,8 @@ refuse 4 "finds no periodic orbit from .*: try another --start or --period" jell
 refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu
 refuse 3 "--level: lorenz claims no integral .E." jellett section lorenz --start x=1,y=1 --section z=27 --level E=1 --solve x=1
 refuse 2 "lorenz has no condition to lose" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
-refuse 2 "only section and fates" jellett orbits --contact report
-refuse 2 "only section and fates" jellett lyapunov --contact end
+refuse 2 "unrecognized option '--contact" jellett orbits --contact report
+refuse 2 "unrecognized option '--contact" jellett lyapunov --contact end
 refuse 2 "nothing runs" jellett fates --sweep ""
 refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G=0:1:2097152,a3=0:1:2097152
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
