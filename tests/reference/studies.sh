@@ -91,6 +91,20 @@ json | grep -q '"a3"' && fail "what runs has a value: $(json)"
 expect 0 '^# {' jellett lyapunov roessler --section y=0 --direction down --start 'x=-7,z=1/50' --returns 1
 says '"levels":{},"method":"dop853","tolerance":9.9999999999999998e-13}'
 
+# A table is the same in a file as on standard output, but for the command line in its header.
+for command in "section --start eta=0.1,gamma3=-0.6 --returns 2" "section --batch --grid 2x2 --returns 2" "fates --grid 2x2 --returns 1" \
+    "fates --grid 2x2 --returns 1 --sweep a3=0.5:0.51:2" "orbits --period 1 --grid 0x0 --samples 9" "lyapunov --returns 2" \
+    "drift --returns 2" "rod --start $start" "simulate --start $start --times 1" "measure --set I3=0 --csv" \
+    "eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --csv" "separation --grid 2x2 --returns 1 --settle 0" \
+    "continue --along E=2.14:2.16" "manifolds --length 0.002 --seed 1e-3 --no-crossings"; do
+    # shellcheck disable=SC2086
+    jellett $command 2> /dev/null | grep -v '^#' > shown
+    # shellcheck disable=SC2086
+    jellett $command -o saved.csv > out 2> /dev/null || fail "$command -o: status $?"
+    [ ! -s out ] || fail "$command -o: standard output says $(head -1 out)"
+    grep -v '^#' saved.csv | cmp -s - shown || fail "$command: the file holds $(grep -vc '^#' saved.csv) rows, standard output $(wc -l < shown)"
+done
+
 # A density of one state, tabulated where the state may be, with the table's own beside it.
 expect 0 '"closed_form":' jellett measure --set I3=0 --points 3 --json
 jq -e '[.table[] | (.density/.closed_form - 1) | . < 1e-12 and . > -1e-12] == [true, true, true]' out > /dev/null || fail "densities: $(cat out)"
