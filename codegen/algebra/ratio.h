@@ -95,7 +95,6 @@ void ttc_ratio_add_product(ttc_ring *ring, ttc_ratio *sum, const ttc_ratio *a, c
 /* True for zero, and where it is not settled whether a is zero: the ring has then failed. */
 bool ttc_ratio_is_zero(ttc_ring *ring, const ttc_ratio *a);
 bool ttc_ratio_equal(const ttc_ring *ring, const ttc_ratio *a, const ttc_ratio *b); /* in form */
-bool ttc_ratio_get_rational(const ttc_ring *ring, fmpq_t value, const ttc_ratio *a); /* false: not a number */
 bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
 int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a); /* 1, -1 where evident from the terms; else 0 */
 char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); NULL when memory is out */

@@ -1,18 +1,9 @@
-/* What a ratio is: a number, what it uses, its sign, its text. */
+/* What a ratio is: what it uses, its sign, its text. */
 #include "algebra/ratio.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-bool ttc_ratio_get_rational(const ttc_ring *ring, fmpq_t value, const ttc_ratio *a)
-{
-    if (!fmpz_mpoly_is_fmpz(a->numerator, ring->context) || !fmpz_mpoly_is_fmpz(a->denominator, ring->context))
-        return false;
-    fmpz_mpoly_get_fmpz(fmpq_numref(value), a->numerator, ring->context);
-    fmpz_mpoly_get_fmpz(fmpq_denref(value), a->denominator, ring->context);
-    return true;
-}
 
 bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable)
 {
