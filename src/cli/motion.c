@@ -142,8 +142,9 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
                                 values.E, values.G, least_energy(&values));
     const bool allowed = values.m > 0 && values.R > 0 && values.I1 > 0 && values.g >= 0 && values.I3 >= 0;
     if (st == JLT_ERR_DOMAIN)
-        return jlt_command_fail(JLT_EXIT_INPUT, allowed ? "--set: the parameters are so far apart that products of them leave the range of doubles"
-                                                        : "--set: m, R and I1 must be positive, g >= 0 and I3 >= 0");
+        return jlt_command_fail(JLT_EXIT_INPUT, "--set: %s",
+                                allowed ? "the parameters are so far apart that products of them leave the range of doubles"
+                                        : "m, R and I1 must be positive, g >= 0 and I3 >= 0");
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of spherical_top_level in regular time are not built in");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "the spherical top");

@@ -25,7 +25,7 @@ typedef struct {
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked */
     bool edge;    /* the field is good where g > 0, and rough near g = 0: a step leads little farther than the straight way there,
-                     which for the square of a distance is half of that. Needs rate */
+                     which for the square of a distance is half the way. Needs rate */
 } jlt_event;
 
 typedef struct {

@@ -285,9 +285,9 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     return JLT_OK;
 }
 
-/* The time in which slopes change by as much as the states do that change them, both in their sizes, in a direction of no meaning. A
- * first step much longer than that may seem to be solved beside an unstable equilibrium, where the start stirs what grows so little
- * that no sweep sees it. */
+/* The time in which slopes change by as much as the states do that change them, both in their sizes, in a direction of no
+ * meaning. A first step much longer than that may seem to be solved beside an unstable equilibrium, where the start stirs what
+ * grows so little that no sweep sees it. */
 static double time_of_change(gauss *self, jlt_stepper *stepper)
 {
     static const double small = 1e-7;

@@ -38,8 +38,7 @@ double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, cons
     return event->rate != NULL ? event->rate(event->context, x, f) : difference_along(event, stepper, x, f);
 }
 
-/* What x[column] - level is measured against: its level, and what counts as small. */
-static double unit_of(const jlt_event *event, const jlt_stepper *stepper)
+double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper)
 {
     const double scale = stepper->scale[event->column];
     return jlt_larger(fabs(event->level), scale < INFINITY ? scale : 1);
@@ -49,7 +48,7 @@ void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper
 {
     self->event = *event;
     self->value = jlt_locate_value(event, stepper->x);
-    const double size = event->value == NULL ? unit_of(event, stepper) : 1;
+    const double size = event->value == NULL ? jlt_locate_unit(event, stepper) : 1;
     self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
     self->has_zero = false;
 }
@@ -105,21 +104,6 @@ static bool stays_away(const jlt_watch *self, const jlt_stepper *stepper, double
     return fabs(before) + fabs(after) > 1.5 * stepper->method->variation(stepper, self->event.column);
 }
 
-/* State and slope at theta by a partial step. */
-static jlt_status state_at(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,
-                           double *slope)
-{
-    const jlt_field *field = stepper->field;
-    const jlt_status st = stepper->method->partial(stepper, theta, x);
-    if (st != JLT_OK) return st;
-    field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
-    stepper->evaluations++;
-    *value = jlt_locate_value(event, x);
-    *slope = jlt_locate_slope(event, stepper, x, f);
-    return JLT_OK;
-}
-
 typedef struct {
     double theta, value, bend; /* an extremum: g and d2g/dtheta2 there */
     bool past;                 /* the polynomial has it on the far side of zero */
@@ -131,7 +115,7 @@ static jlt_status refine_extremum(extremum *e, const jlt_event *event, jlt_stepp
     double x[JLT_FIELD_DIM_MAX + 8], f[JLT_FIELD_DIM_MAX + 8], slope;
 
     for (unsigned i = 0; i < 3; i++) {
-        const jlt_status st = state_at(event, stepper, e->theta, x, f, &e->value, &slope);
+        const jlt_status st = jlt_locate_state(event, stepper, e->theta, x, f, &e->value, &slope);
         if (st != JLT_OK) return st;
         const double move = -slope * stepper->h / e->bend;
         if (!(fabs(move) < 0.25)) break;
@@ -257,74 +241,6 @@ static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, con
     list[at] = (jlt_crossing){ .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
 }
 
-/* Follow the flow to the zero of g, a short time `move` away by the slope here, in place: the midpoint rule with the slope of g
- * in the middle, whose error is of third order. Returns the time it took. */
-static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, double *f, double g, double move)
-{
-    const jlt_field *field = stepper->field;
-    double middle[JLT_FIELD_DIM_MAX + 8], slope[JLT_FIELD_DIM_MAX + 8];
-
-    for (unsigned i = 0; i < stepper->columns; i++) middle[i] = x[i] + 0.5 * move * f[i];
-    field->call(middle, field->p, slope);
-    if (field->time_rate != NULL) field->time_rate(middle, field->p, slope + field->dim);
-    move = -g / jlt_locate_slope(event, stepper, middle, slope);
-    for (unsigned i = 0; i < stepper->columns; i++) x[i] += move * slope[i];
-    field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
-    stepper->evaluations += 2;
-    return move;
-}
-
-jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
-                               jlt_stepper *stepper)
-{
-    jlt_status st = JLT_OK;
-    double *f = slope_work, *theta = &crossing->theta;
-    double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
-    const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
-    if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* seen as the orbit left the noise */
-    double best = *theta, least = INFINITY;
-    unsigned nudged = 0;
-
-    JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
-    if (crossing->direction == 0) goto done;
-    for (unsigned i = 0; i < 64; i++) {
-        if (fabs(crossing->residual) < least) {
-            least = fabs(crossing->residual);
-            best = *theta;
-        }
-        const double g = crossing->residual, move = -g / crossing->slope, near = fabs(move) / span;
-        const bool downhill = crossing->slope * stepper->direction * turn > 0;
-        if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
-        if (nudged == 3) goto done; /* at the rounding level of g */
-        /* What nudge leaves is below a third of the cube for steps that gauss takes. */
-        if (downhill && near * near * near <= jlt_larger(1e-3 * stepper->tolerance, 1e-18)) {
-            *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
-            crossing->residual = jlt_locate_value(event, x);
-            crossing->slope = jlt_locate_slope(event, stepper, x, f);
-            nudged++;
-            continue;
-        }
-        if (g * turn < 0) lo = *theta;
-        else hi = *theta;
-        const double newton = *theta + move / stepper->h;
-        *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
-        /* A touch within rounding has no sign change: nearest to zero is what there is. */
-        const bool closed = hi - lo <= DBL_EPSILON;
-        if (closed) *theta = best;
-        JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
-        if (closed) goto done;
-    }
-    /* Where partial steps disagree by more than the orbit moves, any point among the errors is as good. */
-    st = JLT_ERR_NO_CONVERGENCE;
-    if (event->value == NULL && least <= jlt_locate_noise(stepper->asked) * unit_of(event, stepper)) {
-        *theta = best;
-        st = state_at(event, stepper, best, x, f, &crossing->residual, &crossing->slope);
-    }
-done:
-    return st;
-}
-
 /* A step that ends within the noise, past a zero that lies as near: it is kept until the orbit leaves the noise, maybe many steps
  * later. A step that begins beyond the noise may have other zeros, before that: the slope at its end tells where to look. */
 static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before, double after, double noise)
@@ -354,7 +270,7 @@ jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *
     *count = z.count = z.touches = 0;
     self->value = after;
     /* In what unit another function is small nobody knows. */
-    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * unit_of(&self->event, stepper) : 0;
+    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * jlt_locate_unit(&self->event, stepper) : 0;
     if (fabs(before) > noise) self->has_zero = false;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
     if (self->side != 0 && fabs(after) <= noise) JLT_TRY(keep_zero(self, stepper, before, after, noise));

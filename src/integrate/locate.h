@@ -21,6 +21,13 @@ typedef struct {
 double jlt_locate_value(const jlt_event *event, const double *x);
 double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
+/** What x[column] - level is measured against: its level, and what counts as small. */
+double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper);
+
+/** The state x, the field f there, both (stride,), and g with its rate, at theta by a partial step. Errors: its own. */
+JLT_CHECKED jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f,
+                                        double *value, double *slope);
+
 /** How far off the section, in units of what counts as small, an orbit must go on both sides of a crossing: ten tolerances, since a
  *  method that steps at its limit of stability holds at some what has decayed; 1e-12 at least, and 1e-4 at most. */
 static inline double jlt_locate_noise(double tolerance)

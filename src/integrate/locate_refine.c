@@ -1,0 +1,89 @@
+/* Zeros on the flow itself: Newton's method on partial steps, between bounds, and at its end along the flow. */
+#include "integrate/locate.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "integrate/step_control.h"
+
+jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,
+                            double *slope)
+{
+    const jlt_field *field = stepper->field;
+    const jlt_status st = stepper->method->partial(stepper, theta, x);
+    if (st != JLT_OK) return st;
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    stepper->evaluations++;
+    *value = jlt_locate_value(event, x);
+    *slope = jlt_locate_slope(event, stepper, x, f);
+    return JLT_OK;
+}
+
+/* Follow the flow to the zero of g, a short time `move` away by the slope here, in place: the midpoint rule with the slope of g
+ * in the middle, whose error is of third order. Returns the time it took. */
+static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, double *f, double g, double move)
+{
+    const jlt_field *field = stepper->field;
+    double middle[JLT_FIELD_DIM_MAX + 8], slope[JLT_FIELD_DIM_MAX + 8];
+
+    for (unsigned i = 0; i < stepper->columns; i++) middle[i] = x[i] + 0.5 * move * f[i];
+    field->call(middle, field->p, slope);
+    if (field->time_rate != NULL) field->time_rate(middle, field->p, slope + field->dim);
+    move = -g / jlt_locate_slope(event, stepper, middle, slope);
+    for (unsigned i = 0; i < stepper->columns; i++) x[i] += move * slope[i];
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    stepper->evaluations += 2;
+    return move;
+}
+
+jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
+                               jlt_stepper *stepper)
+{
+    jlt_status st = JLT_OK;
+    double *f = slope_work, *theta = &crossing->theta;
+    double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
+    const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
+    if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* seen as the orbit left the noise */
+    double best = *theta, least = INFINITY;
+    unsigned nudged = 0;
+
+    JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+    if (crossing->direction == 0) goto done;
+    for (unsigned i = 0; i < 64; i++) {
+        if (fabs(crossing->residual) < least) {
+            least = fabs(crossing->residual);
+            best = *theta;
+        }
+        const double g = crossing->residual, move = -g / crossing->slope, near = fabs(move) / span;
+        const bool downhill = crossing->slope * stepper->direction * turn > 0;
+        if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
+        if (nudged == 3) goto done; /* at the rounding level of g */
+        /* What nudge leaves is below a third of the cube for steps that gauss takes. */
+        if (downhill && near * near * near <= jlt_larger(1e-3 * stepper->tolerance, 1e-18)) {
+            *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
+            crossing->residual = jlt_locate_value(event, x);
+            crossing->slope = jlt_locate_slope(event, stepper, x, f);
+            nudged++;
+            continue;
+        }
+        if (g * turn < 0) lo = *theta;
+        else hi = *theta;
+        const double newton = *theta + move / stepper->h;
+        *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
+        /* A touch within rounding has no sign change: nearest to zero is what there is. */
+        const bool closed = hi - lo <= DBL_EPSILON;
+        if (closed) *theta = best;
+        JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+        if (closed) goto done;
+    }
+    /* Where partial steps disagree by more than the orbit moves, any point among the errors is as good. */
+    st = JLT_ERR_NO_CONVERGENCE;
+    if (event->value == NULL && least <= jlt_locate_noise(stepper->asked) * jlt_locate_unit(event, stepper)) {
+        *theta = best;
+        st = jlt_locate_state(event, stepper, best, x, f, &crossing->residual, &crossing->slope);
+    }
+done:
+    return st;
+}
