@@ -27,14 +27,19 @@ struct jlt_section_batch {
     bool alone;  /* the orbit that is read goes on by itself */
 };
 
+/* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error is no
+ * power of the step: 400 at a tolerance of 1e-12, where returns take some 40, and at looser ones fewer, 100 at least. */
+static size_t most_steps(double tolerance)
+{
+    const double steps = 400 * pow(tolerance / 1e-12, -0.2);
+    return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
+}
+
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
 {
     /* Where a lane is left to the method that can end at the pole: as far from it as that judges. */
     static const double root_floor = 1e-9;
-    /* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error
-     * is no power of the step. */
-    static const size_t steps_max = 400;
     jlt_section_batch *self = NULL;
     jlt_status st = JLT_OK;
 
@@ -47,10 +52,12 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     self->flow = *flow;
     self->options = *options;
     self->columns = flow->chart->states + 1;
+    const double tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12;
+    const size_t steps_max = most_steps(tolerance);
     self->map = (jlt_batch_map){
         .kernels = kernels, .p = flow->field->p, .dim = flow->chart->states, .clock = true, .column = flow->chart->column,
         .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
-        .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
+        .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project, .interrupt = flow->interrupt,
     };
