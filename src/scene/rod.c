@@ -3,6 +3,7 @@
 #include "ext/quadrature.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 enum { NEWTON_MAX = 60 };
 
@@ -128,20 +129,27 @@ double jlt_rod_rotation(const jlt_rod *rod)
 }
 
 /* u within the period at the time `wanted` after the lower turning point, |wanted| <= period/2: Newton's method, the time
- * counted from the turning point, so that no error builds up. */
+ * counted from the turning point, so that no error builds up. The time grows with u: where a step leaves the bounds, or does not
+ * halve what is left, as beside a pole where the pace is steep, the middle between them is taken. */
 static jlt_status locate(jlt_rod *rod, double *u, double wanted)
 {
     jlt_status st = JLT_OK;
     const double pi = acos(-1);
-    double at = 2 * pi * wanted / rod->period, now, rate;
+    double at = 2 * pi * wanted / rod->period, low = -1.5 * pi, high = 1.5 * pi, last = INFINITY, now, rate;
 
     for (int i = 0; i < NEWTON_MAX; i++) {
-        double change;
         JLT_TRY(over(rod, &now, time_rate, 0, at));
         JLT_TRY(time_rate(rod, &rate, at));
-        change = (wanted - now) / rate;
-        at = fmax(-1.5 * pi, fmin(1.5 * pi, at + change));
-        if (fabs(change) <= 1e-9) goto done; /* quadratic convergence: the change just made was the last that counts */
+        const double change = (wanted - now) / rate;
+        if (fabs(change) <= 1e-9) { /* quadratic convergence: this change is the last that counts */
+            at += change;
+            goto done;
+        }
+        if (now < wanted) low = at;
+        else high = at;
+        const bool halves = fabs(wanted - now) < last / 2;
+        last = fabs(wanted - now);
+        at = halves && at + change > low && at + change < high ? at + change : low + (high - low) / 2;
     }
     st = JLT_ERR_NO_CONVERGENCE;
 done:
