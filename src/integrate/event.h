@@ -24,8 +24,8 @@ typedef struct {
     void *context;
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked */
-    bool edge;    /* the field is good where g > 0, and rough near g = 0: a step leads little farther than the straight way there,
-                     which for the square of a distance is half the way. Needs rate */
+    /* The longest step from x, where f is the field, in this direction of tau: where the field is rough near g = 0. NULL: any. */
+    double (*longest_step)(void *context, const double *x, const double *f, double direction);
 } jlt_event;
 
 typedef struct {

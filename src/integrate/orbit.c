@@ -100,8 +100,8 @@ void jlt_orbit_drift(const jlt_orbit *self, double *drift)
 
 static bool same_event(const jlt_event *a, const jlt_event *b)
 {
-    return a->value == b->value && a->context == b->context && a->rate == b->rate && a->direction == b->direction
-           && a->grazing == b->grazing && a->column == b->column && !(a->level < b->level) && !(a->level > b->level);
+    return a->value == b->value && a->context == b->context && a->rate == b->rate && a->longest_step == b->longest_step
+           && a->direction == b->direction && a->grazing == b->grazing && a->column == b->column && !(a->level < b->level) && !(a->level > b->level);
 }
 
 /* Crossings of all events on the last step, merged in order. */
@@ -257,18 +257,16 @@ done:
     return st;
 }
 
-/* The longest step that the edges among the events allow. */
-static double way_to_edges(const jlt_orbit *self)
+/* The longest step that the events allow. */
+static double longest_step(const jlt_orbit *self)
 {
     const jlt_stepper *stepper = self->stepper;
-    const double beyond = 1.1; /* so that the edge is passed at last */
     double longest = INFINITY;
 
     for (unsigned e = 0; e < self->watch_count; e++) {
-        const jlt_watch *watch = &self->watch[e];
-        if (!watch->event.edge) continue;
-        const double approach = -stepper->direction * jlt_locate_slope(&watch->event, stepper, stepper->x, stepper->f);
-        if (watch->value > 0 && approach > 0) longest = fmin(longest, beyond * watch->value / approach);
+        const jlt_event *event = &self->watch[e].event;
+        if (event->longest_step != NULL)
+            longest = fmin(longest, event->longest_step(event->context, stepper->x, stepper->f, stepper->direction));
     }
     return longest;
 }
@@ -303,7 +301,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
         }
         /* In its own time a step ends at t_end at the latest: there may be no field beyond. */
         const double limit = stepper->columns > stepper->field->dim ? INFINITY : fabs(t_end - stepper->tau);
-        JLT_TRY(advance(self, fmin(limit, way_to_edges(self))));
+        JLT_TRY(advance(self, fmin(limit, longest_step(self))));
         if (self->observer != NULL && self->observer(self->observer_context, self) != 0) {
             hand_out_point(self, out, JLT_END_OBSERVER);
             return JLT_OK;

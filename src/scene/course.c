@@ -261,8 +261,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 
     if (end != NULL) {
         edge.value = end->value;
-        edge.rate = end->rate;
-        edge.edge = end->rate != NULL;
+        edge.longest_step = end->longest_step;
     }
     if (end != NULL && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
         fill(self, row, JLT_END_TIME, 0);

@@ -241,13 +241,15 @@ static double without_omega3_room(void *view, const double *y)
     return b * b - 1e-6;
 }
 
-static double without_omega3_rate(void *view, const double *y, const double *f)
+/* Three tenths of the straight way to b = 0: b may fall faster than it begins to. */
+static double without_omega3_step(void *view, const double *y, const double *f, double direction)
 {
     const jlt_top *top = &((const jlt_tier_view *)view)->top;
-    return 2 * (top->a3 / top->R + y[JLT_TOP_GAMMA3]) * f[JLT_TOP_GAMMA3];
+    const double b = top->a3 / top->R + y[JLT_TOP_GAMMA3], approach = -direction * f[JLT_TOP_GAMMA3] * (b < 0 ? -1 : 1);
+    return approach > 0 ? 0.3 * fabs(b) / approach : INFINITY;
 }
 
-static const jlt_tier_edge without_omega3_edge = { without_omega3_room, without_omega3_rate,
+static const jlt_tier_edge without_omega3_edge = { without_omega3_room, without_omega3_step,
                                                    "b = a3 + R gamma3 is below R/1000, where G does not tell omega3" };
 
 /* ---- the table ---- */

@@ -36,10 +36,10 @@ typedef struct {
     } claims[JLT_TIER_CLAIMS_MAX];
 } jlt_tier_proofs;
 
-/* value > 0 where the coordinates are good. rate: its rate, where the kernel is rough near the edge; NULL: it is not. */
+/* value > 0 where the coordinates are good. longest_step: as in jlt_event, where the kernel is rough near the edge. */
 typedef struct {
     double (*value)(void *view, const double *y);
-    double (*rate)(void *view, const double *y, const double *f);
+    double (*longest_step)(void *view, const double *y, const double *f, double direction);
     const char *meaning;
 } jlt_tier_edge;
 
