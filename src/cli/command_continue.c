@@ -43,7 +43,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case STEP: jlt_common_positive(&o->step, value, "--step"); return 0;
     case DOWN: o->direction = -1; return 0;
     case FOLLOW: o->generations = o->generations == 0 ? 1 : o->generations; return 0;
-    case GENERATIONS: jlt_common_count(&o->generations, value, 1, 64, "--generations"); return 0;
+    case GENERATIONS: jlt_common_count(&o->generations, value, 1, 1000000, "--generations"); return 0;
     case ARGP_KEY_END:
         if (o->along == NULL) argp_error(state, "say what runs: --along NAME=LOW:HIGH");
         return 0;
@@ -174,16 +174,27 @@ static jlt_status run_branch(sink *to, const jlt_family *family, const jlt_conti
     return JLT_OK;
 }
 
-/* Bifurcations of the last generation, whose branches are left alone. */
+/* Is there another branch, and is it short enough? */
+static bool begins(const landmark *l)
+{
+    return l->point.kind == JLT_BIFURCATION_BRANCH || l->point.kind == JLT_BIFURCATION_DOUBLING;
+}
+
+static bool too_long(const landmark *l) { return begins(l) && 2 * l->point.orbit.period > JLT_PERIODIC_MAX; }
+
+/* Bifurcations whose branches are left alone. */
 static void tell_of_others(const sink *to, size_t generations)
 {
-    size_t left = 0;
+    size_t left = 0, longer = 0;
 
     for (size_t i = 0; i < to->count; i++) {
         const landmark *l = &to->landmarks[i];
-        const bool begins = l->point.kind == JLT_BIFURCATION_BRANCH || l->point.kind == JLT_BIFURCATION_DOUBLING;
-        left += l->generation == generations && !l->followed && begins;
+        longer += !l->followed && too_long(l);
+        left += l->generation == generations && !l->followed && begins(l) && !too_long(l);
     }
+    if (longer > 0)
+        fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of orbits longer than %d returns\n",
+                longer, JLT_PERIODIC_MAX / 2);
     if (left > 0)
         fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of the last branches; "
                 "ask for more with --generations %zu\n", left, generations + 1);
@@ -198,7 +209,7 @@ static jlt_status follow_branches(sink *to, size_t from, const jlt_family *famil
     jlt_continuation_point first;
     jlt_status st = JLT_OK;
 
-    if ((!doubling && origin.kind != JLT_BIFURCATION_BRANCH) || 2 * origin.orbit.period > JLT_PERIODIC_MAX) return JLT_OK;
+    if (!begins(&to->landmarks[from]) || too_long(&to->landmarks[from])) return JLT_OK;
     to->generation = to->landmarks[from].generation + 1;
     for (int side = 1; st == JLT_OK && side >= (doubling ? 1 : -1) && !to->landmarks[from].followed; side -= 2) {
         if (run->interrupt != NULL && *run->interrupt) return JLT_OK;

@@ -57,7 +57,7 @@ static double slope(const jlt_drift_row *rows, size_t count, unsigned k)
 
     for (size_t i = 0; i < count; i++) {
         if (!(rows[i].drift[k] > 0) || rows[i].returns * 16 < rows[count - 1].returns) continue;
-        const double u = log(rows[i].returns), v = log(rows[i].drift[k]);
+        const double u = log((double)rows[i].returns), v = log(rows[i].drift[k]);
         n++, x += u, y += v, xx += u * u, xy += u * v;
     }
     return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);

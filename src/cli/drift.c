@@ -5,13 +5,13 @@
 
 #include "report/csv.h"
 
-void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count)
+static void write_row(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count)
 {
     rows[(*count)++] = *row;
-    fprintf(self->file, "%s,%.0f,", method->name, row->returns);
+    fprintf(self->file, "%s,%zu,", method->name, row->returns);
     jlt_csv_value(self->file, row->t);
     fprintf(self->file, ",%zu", row->evaluations);
-    if (self->points != NULL) fprintf(self->points, "%.0f", row->returns);
+    if (self->points != NULL) fprintf(self->points, "%zu", row->returns);
     for (unsigned k = 0; k < self->count; k++) {
         fprintf(self->file, ",%.3g", row->drift[k]);
         if (self->points != NULL) fprintf(self->points, " %.4g", row->drift[k]);
@@ -20,7 +20,8 @@ void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_
     if (self->points != NULL) fputc('\n', self->points);
 }
 
-jlt_status jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *sizes, const double *now)
+jlt_status jlt_drift_note(jlt_drift *self, const jlt_method *method, jlt_drift_row *row, jlt_drift_row *rows, size_t *count,
+                          const double *first, const double *sizes, const double *now)
 {
     for (unsigned k = 0; k < self->count; k++) {
         const unsigned i = self->watched[k];
@@ -28,7 +29,16 @@ jlt_status jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const doubl
         if (!isfinite(drift)) return JLT_ERR_NONFINITE;
         row->drift[k] = fmax(row->drift[k], drift);
     }
+    if ((row->returns & (row->returns - 1)) == 0 || row->returns == self->returns) write_row(self, method, row, rows, count);
+    jlt_progress_show(&self->progress, row->returns, self->returns);
     return JLT_OK;
+}
+
+void jlt_drift_end_row(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count,
+                       const jlt_drift_end *end)
+{
+    const size_t written = *count > 0 ? rows[*count - 1].returns : 0;
+    if (end->name[0] != '\0' && row->returns > written) write_row(self, method, row, rows, count);
 }
 
 /* |F|, or 1 where that is 0, or no more than rounding of the terms that make it. */
@@ -56,7 +66,6 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count
     jlt_section *section = NULL;
     jlt_return at;
     jlt_drift_row row = { .returns = 0 };
-    bool written = true;
     jlt_status st = JLT_OK;
 
     *count = 0;
@@ -69,7 +78,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count
     integrals(at.x, block, first);
     d->integral_gradients.call(at.x, block, sizes + d->integral_count);
     set_sizes(sizes, self, first, sizes + d->integral_count, at.x);
-    for (size_t i = 1, next = 1, steps; i <= self->returns && !ferror(self->file); i++) {
+    for (size_t i = 1, steps; i <= self->returns && !ferror(self->file); i++) {
         JLT_TRY(jlt_section_next(section, &at));
         if (at.interrupted) break;
         if (jlt_section_failed(at.fate)) {
@@ -83,16 +92,12 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count
             break;
         }
         integrals(at.x, block, now);
-        row.returns = (double)i;
+        row.returns = i;
         row.t = at.t;
         jlt_section_cost(section, &steps, &row.evaluations);
-        JLT_TRY(jlt_drift_note(self, &row, first, sizes, now));
-        written = i == next || i == self->returns;
-        if (written) jlt_drift_write(self, method, &row, rows, count);
-        if (i == next) next *= 2;
-        jlt_progress_show(&self->progress, i, self->returns);
+        JLT_TRY(jlt_drift_note(self, method, &row, rows, count, first, sizes, now));
     }
-    if (!written && end->name[0] != '\0') jlt_drift_write(self, method, &row, rows, count);
+    jlt_drift_end_row(self, method, &row, rows, count, end);
 done:
     jlt_section_destroy(section);
     free(room);

@@ -11,7 +11,8 @@
 enum { JLT_DRIFT_ROWS_MAX = 64, JLT_DRIFT_STATES = JLT_TOP_STATES + 1 }; /* powers of two; the five states and s */
 
 typedef struct {
-    double returns, t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched */
+    size_t returns;
+    double t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched */
     size_t evaluations;
 } jlt_drift_row;
 
@@ -51,8 +52,13 @@ JLT_CHECKED jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size
 /** Their field, integrals and start. *instance is the caller's. Errors: UNSUPPORTED, the table is another; those of the chart. */
 JLT_CHECKED jlt_status jlt_drift_five_open(jlt_drift *self, jlt_instance **instance);
 
-/* For those two. sizes: of the integrals at the start, shape as first, which drifts are divided by. Errors: NONFINITE, an integral. */
-void jlt_drift_write(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count);
-JLT_CHECKED jlt_status jlt_drift_note(const jlt_drift *self, jlt_drift_row *row, const double *first, const double *sizes, const double *now);
+/* For those two: takes the drifts `now` after row->returns returns, and writes the row where that is a power of two or the last.
+ * sizes: of the integrals at the start, shape as first, which drifts are divided by. Errors: NONFINITE, an integral. */
+JLT_CHECKED jlt_status jlt_drift_note(jlt_drift *self, const jlt_method *method, jlt_drift_row *row, jlt_drift_row *rows, size_t *count,
+                                      const double *first, const double *sizes, const double *now);
+
+/* The last row, where the orbit ended on the way. */
+void jlt_drift_end_row(const jlt_drift *self, const jlt_method *method, const jlt_drift_row *row, jlt_drift_row *rows, size_t *count,
+                       const jlt_drift_end *end);
 
 #endif

@@ -53,7 +53,6 @@ jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, j
     jlt_orbit *orbit = NULL;
     jlt_outcome at = { .t = 0 };
     jlt_drift_row row = { .returns = 0 };
-    bool written = true;
     jlt_status st = JLT_OK;
 
     *count = 0;
@@ -63,7 +62,7 @@ jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, j
     JLT_TRY(jlt_orbit_create(&orbit, method, &self->field, &to_orbit));
     jlt_orbit_observe(orbit, watch, &rest);
     JLT_TRY(jlt_orbit_start(orbit, 0, self->start, 1));
-    for (size_t i = 1, next = 1; i <= self->returns && !ferror(self->file); i++) {
+    for (size_t i = 1; i <= self->returns && !ferror(self->file); i++) {
         rest.rest = (jlt_rest_watch){ 0 };
         JLT_TRY(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
         if (at.end == JLT_END_INTERRUPT) break;
@@ -72,16 +71,12 @@ jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, j
             break;
         }
         self->invariants.values(at.x, self->invariants.p, now);
-        row.returns = (double)i;
+        row.returns = i;
         row.t = ldexp(at.t, self->time);
         row.evaluations = jlt_orbit_stepper(orbit)->evaluations;
-        JLT_TRY(jlt_drift_note(self, &row, first, sizes, now));
-        written = i == next || i == self->returns;
-        if (written) jlt_drift_write(self, method, &row, rows, count);
-        if (i == next) next *= 2;
-        jlt_progress_show(&self->progress, i, self->returns);
+        JLT_TRY(jlt_drift_note(self, method, &row, rows, count, first, sizes, now));
     }
-    if (!written && end->name[0] != '\0') jlt_drift_write(self, method, &row, rows, count);
+    jlt_drift_end_row(self, method, &row, rows, count, end);
 done:
     jlt_orbit_destroy(orbit);
     return st;

@@ -8,7 +8,7 @@
 #include "dynamics/section_batch.h"
 #include "kernel/batch_isa.h"
 
-enum { RETURNS_MAX = 5, STEPS = 100000 };
+enum { RETURNS_MAX = 5, STEPS = 100000, MORE = 30 };
 static const double on_section = 1e-13; /* in scale, however slowly the orbit crosses it */
 
 static void row_of(double row[ROW_SIZE], const jlt_chart_top *chart, const double *x, double t)
@@ -92,7 +92,7 @@ static void check_start(const trial *t, const jlt_system *system, const double *
     else if (fabsl(sinl((eta - t->q[0]) / 2)) > digits) trial_complain(t, "start: eta is off by %.3Lg, digits %.3Lg", eta - t->q[0], digits);
 }
 
-/* An orbit whose steps are spent is followed again with thirty times as many: they were needed when it then ends as it should. */
+/* An orbit whose steps are spent is followed again with more: they were needed when it then ends as it should. */
 static void single(trial *t, const jlt_system *system, const family *f, const char *how, int returns, size_t max_steps)
 {
     jlt_flow flow = system->flow;
@@ -115,7 +115,7 @@ static void single(trial *t, const jlt_system *system, const family *f, const ch
         const bool spent = st == JLT_OK && at.fate == JLT_FATE_BUDGET && max_steps == STEPS && asked;
         if (spent) {
             sum.spent++;
-            single(t, system, f, how, returns, 30 * STEPS);
+            single(t, system, f, how, returns, MORE * STEPS);
         } else if (st == JLT_OK && goes_on) goes_on = check(t, f, how, (int)at.number, at.fate, row);
     }
     if (st == JLT_OK && f->question.time_direction > 0) {
@@ -152,6 +152,18 @@ static void batched(trial *t, const jlt_system *system, const family *f, int ret
     }
     if (st != JLT_OK) trial_complain(t, "batch: %s", jlt_status_text(st));
     jlt_section_batch_destroy(batch);
+}
+
+void section_with_more_steps(trial *t, const family *f, const jlt_method *method, const char *how, int returns)
+{
+    const jlt_flow flow = { .method = method, .tolerance = t->tolerance, .direction = (jlt_direction)f->question.crossings };
+    jlt_system *system = NULL;
+    const jlt_status st = jlt_system_top(&system, &t->top, &flow);
+
+    sum.spent++;
+    if (st == JLT_OK) single(t, system, f, how, returns, MORE * STEPS);
+    else trial_complain(t, "start: %s", jlt_status_text(st));
+    jlt_system_destroy(system);
 }
 
 void case_section(trial *t)

@@ -54,6 +54,9 @@ enum { ROW_GAMMA3, ROW_V_NU, ROW_OMEGA_TAU, ROW_OMEGA_N, ROW_OMEGA3, ROW_V_TAU, 
 /* Holds row `number` (from 1) against the orbit. False: it is wrong, and was complained of. */
 bool family_check(const family *f, const trial *t, const char *how, int number, const double row[ROW_SIZE]);
 
+/* Follows the orbit of `f` with thirty times the steps that a command has, and holds its rows. */
+void section_with_more_steps(trial *t, const family *f, const jlt_method *method, const char *how, int returns);
+
 /* The kinds of cases. */
 void case_section(trial *t);
 void case_motion(trial *t);
