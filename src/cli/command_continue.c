@@ -180,7 +180,10 @@ static bool begins(const landmark *l)
     return l->point.kind == JLT_BIFURCATION_BRANCH || l->point.kind == JLT_BIFURCATION_DOUBLING;
 }
 
-static bool too_long(const landmark *l) { return begins(l) && 2 * l->point.orbit.period > JLT_PERIODIC_MAX; }
+static bool too_long(const landmark *l)
+{
+    return l->point.kind == JLT_BIFURCATION_DOUBLING && 2 * l->point.orbit.period > JLT_PERIODIC_MAX;
+}
 
 /* Bifurcations whose branches are left alone. */
 static void tell_of_others(const sink *to, size_t generations)
@@ -193,7 +196,7 @@ static void tell_of_others(const sink *to, size_t generations)
         left += l->generation == generations && !l->followed && begins(l) && !too_long(l);
     }
     if (longer > 0)
-        fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of orbits longer than %d returns\n",
+        fprintf(stderr, "jellett: not followed: what begins at %zu period doublings of orbits longer than %d returns\n",
                 longer, JLT_PERIODIC_MAX / 2);
     if (left > 0)
         fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of the last branches; "
