@@ -4,7 +4,7 @@
 #include "kernel/descriptor.h"
 #include "report/file.h"
 #include "scene/plan.h"
-#include "scene/tier.h"
+#include "top/tier.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -38,7 +38,7 @@ void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
     const jlt_tier *tier, *other;
 
     warn_of(descriptor);
-    if (!jlt_plan_has_tiers(descriptor)) return;
+    if (!jlt_tier_has(descriptor)) return;
     /* The smaller models that may answer in its place, each once. */
     for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL; i++) {
         bool is_new = tier->model != NULL && strcmp(tier->model, descriptor->model) != 0;

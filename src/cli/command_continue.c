@@ -231,7 +231,7 @@ static jlt_status follow_branches(sink *to, size_t from, const jlt_family *famil
     return st;
 }
 
-static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const char *shown, const char *points)
+static jlt_exit draw(const options *o, const jlt_system *system, const char *name, unsigned shown, const char *points)
 {
     jlt_command_output script;
     FILE *stream;
@@ -240,10 +240,9 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
     jlt_motion_caption(stream, system, NULL);
-    fprintf(stream,
-            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"%s of the first point\"%s\n"
-            "set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name,
-            system->is_top ? "γ_3" : shown, system->is_top ? "" : " noenhanced");
+    fprintf(stream, "\" noenhanced\nset xlabel \"%s\" noenhanced\n", name);
+    jlt_motion_label(stream, system, 'y', shown, " of the first point");
+    fputs("set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", stream);
     for (int kind = 1; kind <= (int)JLT_BIFURCATION_TORUS; kind++)
         fprintf(stream, ", $POINTS using 1:($3==%d?$2:1/0) with points pt %d lc %d title '%s'", kind, kind + 4, kind + 1,
                 jlt_continuation_bifurcation_name((jlt_bifurcation)kind));
@@ -276,7 +275,7 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     jlt_exit code = jlt_motion_start(q, system, o->start);
 
     if (code != JLT_EXIT_DONE) return code;
-    *first = (jlt_continuation_point){ .value = *family->entry };
+    *first = (jlt_continuation_point){ .value = *family->entries[0] };
     if (!(first->value >= axis->low && first->value <= axis->high))
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: the run begins at %s=%.10g, outside of the range", axis->name,
                                 first->value);
@@ -296,7 +295,7 @@ static jlt_exit run_all(sink *to, jlt_motion_family *family, const jlt_grid_axis
     jlt_status st;
 
     to->chart = system->flow.chart;
-    to->shown = system->is_top ? 1 : 0;
+    while (to->shown + 1 < to->chart->dim && to->chart->period[to->shown] != 0) to->shown++;
     st = run_branch(to, &maps, first, o->direction, &run, NULL);
     for (size_t i = 0; st == JLT_OK && i < to->count; i++)
         if (to->landmarks[i].generation < o->generations) st = follow_branches(to, i, &maps, &run);
@@ -307,7 +306,7 @@ static jlt_exit run_all(sink *to, jlt_motion_family *family, const jlt_grid_axis
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
-    jlt_motion_family family = { .entry = NULL };
+    jlt_motion_family family = { .known = NULL };
     sink to = { .branch = 0 };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
@@ -324,14 +323,12 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.max_steps = 20000;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
-    if (code == JLT_EXIT_DONE && o.start == NULL && !system->is_top)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "say near which orbit to begin: --start, with all coordinates of the section");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE);
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, axis.name);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, &axis, 1, "--along");
     if (code != JLT_EXIT_DONE) goto done;
-    if (o.start == NULL) o.start = "eta=0,gamma3=-0.61";
     code = find_first(&first, &family, &axis, &o, system);
     if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* there is nowhere else to go */
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
@@ -350,7 +347,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, stream.path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, system->flow.chart->names[to.shown], points);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, to.shown, points);
 done:
     jlt_stream_discard(&stream);
     jlt_motion_family_clear(&family);

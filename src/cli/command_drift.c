@@ -99,7 +99,7 @@ static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
         if (!asked(o, method)) continue;
         if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
         jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = (r->system->is_top ? jlt_drift_five : jlt_drift_section)(r, rows, &count, &end, method);
+        const jlt_status st = (r->system->known != NULL ? jlt_drift_known : jlt_drift_section)(r, rows, &count, &end, method);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
         if (count > 0) *drawn |= 1u << m;
@@ -163,36 +163,37 @@ static jlt_exit watch_proved(jlt_drift *r)
 }
 
 /* What is watched, and from where. */
-static jlt_exit open_integrals(jlt_drift *r, jlt_instance **instance, options *o)
+static jlt_exit open_integrals(jlt_drift *r, options *o)
 {
+    const jlt_known *known = r->system->known;
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (o->start == NULL && !r->system->is_top)
-        return jlt_command_fail(JLT_EXIT_USAGE, "say where to start: --start, with all coordinates of the section");
-    if (o->start == NULL) o->start = "eta=0.44,gamma3=-0.62";
-    code = jlt_motion_start(r->q, r->system, o->start);
+    code = jlt_motion_default_start(&o->start, r->system, JLT_START_REGULAR);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->q, r->system, o->start);
     if (code != JLT_EXIT_DONE) return code;
-    if (!r->system->is_top) return watch_proved(r);
-    r->count = 2;
-    r->names[0] = "E", r->names[1] = "G";
-    r->watched[0] = 0, r->watched[1] = 1;
-    const jlt_status st = jlt_drift_five_open(r, instance);
+    if (known == NULL) return watch_proved(r);
+    r->count = known->count - known->params;
+    for (unsigned k = 0; k < r->count; k++) r->watched[k] = k, r->names[k] = known->names[known->params + k];
+    const jlt_status st = jlt_top_five_open(&r->five, r->system, r->q);
     if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of spherical_top is not the one this command knows");
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of %s is not the one this command knows", known->subject);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->system, o->start);
 }
 
-static void write_header(const jlt_drift *r, const options *o, const jlt_instance *instance)
+static void write_header(const jlt_drift *r, const options *o)
 {
+    const jlt_known *known = r->system->known;
     FILE *file = r->file;
 
-    if (r->system->is_top) {
-        const jlt_top_values *v = &r->system->values;
-        jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = instance->descriptor,
-                                                  .params = instance->params, .level_count = 2,
-                                                  .level_names = r->names, .levels = (const double[]){ v->E, v->G } });
-        fprintf(file, "# levels E=%.17g G=%.17g; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", v->E, v->G, o->start,
-                o->motion.flow.tolerance, o->project ? ", projected" : "");
+    if (known != NULL) {
+        const double *levels = r->system->values + known->params;
+        jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->five.instance->descriptor,
+                                                  .params = r->five.instance->params, .level_count = r->count,
+                                                  .level_names = r->names, .levels = levels });
+        fputs("# levels", file);
+        for (unsigned k = 0; k < r->count; k++) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
+        fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->start, o->motion.flow.tolerance,
+                o->project ? ", projected" : "");
     } else {
         jlt_motion_header(file, &o->motion, r->system);
         fprintf(file, "# start %s%s\n", o->start, o->project ? ", projected" : "");
@@ -209,7 +210,6 @@ static jlt_exit run(int argc, char **argv)
     jlt_drift r = { .count = 0 };
     unsigned drawn = 0;
     jlt_system *system = NULL;
-    jlt_instance *instance = NULL;
     char *points = NULL;
     size_t size;
     jlt_exit code;
@@ -222,13 +222,13 @@ static jlt_exit run(int argc, char **argv)
     r.system = system;
     r.returns = o.returns;
     r.project = o.project;
-    if (code == JLT_EXIT_DONE && o.project && !system->is_top) code = jlt_motion_project(system);
-    if (code == JLT_EXIT_DONE) code = open_integrals(&r, &instance, &o);
+    if (code == JLT_EXIT_DONE && o.project && system->known == NULL) code = jlt_motion_project(system);
+    if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     r.file = stream.file;
     if (o.motion.common.plot != NULL) r.points = open_memstream(&points, &size);
-    write_header(&r, &o, instance);
+    write_header(&r, &o);
     code = run_all(&r, &o, &drawn);
     if (r.points != NULL) fclose(r.points);
     {
@@ -239,7 +239,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && drawn != 0 && points != NULL) code = draw(&r, &o, drawn, points);
 done:
     jlt_stream_discard(&stream);
-    jlt_instance_destroy(instance);
+    jlt_top_five_close(&r.five);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     free(points);

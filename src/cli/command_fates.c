@@ -1,4 +1,4 @@
-#include "cli/motion.h"
+#include "cli/motion_family.h"
 #include "cli/progress.h"
 #include "dynamics/fates.h"
 #include "report/csv.h"
@@ -15,12 +15,13 @@ typedef struct {
     size_t returns;
 } options;
 
-enum { SWEEP = 2000, AXES_MAX = 3 /* of a sweep */ };
+enum { SWEEP = 2000 };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
-      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; default 60x40 when there is no --start", 1 },
+      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; for the spherical top default 60x40 when there is no "
+      "--start", 1 },
     { "returns", 'n', "N", 0, "Returns after which an orbit counts as alive; default 200", 1 },
     { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT,...", 0,
       "Shares of the fates as parameters and levels run, the last one fastest, in place of a row for every start", 1 },
@@ -44,61 +45,87 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
-    option_table, parse, "",
-    "Which pole orbits of the spherical top end at, when, or never, for starts on the section; and which share turns over."
-    "\vColumns: eta, gamma3, fate, t_end, v_nu_end, omega_tau_end, omega3_end; for orbits that are alive, the last return. Fates "
-    "are those of jellett section, and so are empty fields and the status 4 where the method failed on an orbit.\n\n"
-    "An orbit turns over when it starts with its centre of mass below the centre of the sphere (a3 gamma3 < 0) and ends at "
-    "the pole where it is above. With --sweep, columns: the values, starts, low_starts, pole+, pole-, lost_contact, "
-    "equilibrium, alive, budget, failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the "
-    "share of the low starts that turns over, its binomial standard "
-    "error, and the share that does so with N > 0 all the way; starts are even in (eta, gamma3).\n\n"
+    option_table, parse, "[MODEL]",
+    "How orbits end, and when, or that they go on, for starts on the section: of the spherical top at which pole, and which share "
+    "turns over."
+    "\vColumns: the coordinates of the start, fate, t_end, and quantities at the end: of the spherical top v_nu_end, omega_tau_end, "
+    "omega3_end, of another model all its states, NAME_end; for orbits that are alive, the last return. Fates are those of jellett "
+    "section, and so are empty fields and the status 4 where the method failed on an orbit.\n\n"
+    "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere and ends at the "
+    "pole where it is above. With --sweep, columns: the values, starts, low_starts, the fates (pole+, pole-, lost_contact, equilibrium, "
+    "alive, budget), failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the share of the low "
+    "starts that turns over, its binomial standard error, and the share that does so with the model valid all the way; starts are even "
+    "in the coordinates. Of other models columns are the values, starts, fates and failed.\n\n"
     "  jellett fates --grid 300x200 --plot fates.png > fates.csv\n"
     "  jellett fates --grid eta=-pi:pi:60,gamma3=-0.9999:-0.99:10\n"
-    "  jellett fates --sweep E=0.6:4:18 --plot share.svg",
+    "  jellett fates --sweep E=0.6:4:18 --plot share.svg\n"
+    "  jellett fates lorenz --section z=27 --grid x=-20:20:9,y=-20:20:9",
     children, NULL, NULL,
 };
 
-/* Shares over a grid, and of the starts with a low centre of mass. */
+/* Shares over a grid, and of the starts that are low, of sections that know such. */
 typedef struct {
     jlt_fates_count all, low;
-    jlt_fate high_pole;
+    jlt_fate turned;
     size_t empty;
 } shares;
 
 static void add(shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)
 {
-    const double a3 = system->values.a3;
-
-    sum->high_pole = a3 < 0 ? JLT_FATE_POLE_MINUS : JLT_FATE_POLE_PLUS;
     jlt_fates_add(&sum->all, end);
-    if (a3 * q[1] < 0) jlt_fates_add(&sum->low, end);
+    if (system->known == NULL) return;
+    sum->turned = system->known->turned_at(system);
+    if (system->known->is_low(system, q)) jlt_fates_add(&sum->low, end);
+}
+
+static bool tells_contact(const options *o) { return strcmp(o->motion.contact, "report") == 0; }
+
+static void write_names(FILE *file, const options *o, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const jlt_known *known = system->known;
+    const unsigned count = known != NULL ? known->at_end.count : chart->states;
+
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
+    fputs("fate,t_end", file);
+    for (unsigned i = 0; i < count; i++)
+        fprintf(file, ",%s_end", known != NULL ? known->at_end.names[i] : system->instance->descriptor->states[i].name);
+    if (tells_contact(o)) fprintf(file, ",%s_min", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY));
+    fputc('\n', file);
 }
 
 static void write_row(FILE *file, const options *o, const jlt_system *system, const double *q, const jlt_fates_end *end)
 {
+    const jlt_chart *chart = system->flow.chart;
+    double values[JLT_CHART_STATES_MAX + 2] = { end->t };
+    unsigned count = 1;
     char fate[JLT_FATE_TEXT_MAX];
-    double omega_n, omega3;
 
-    jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end->x);
-    const double values[] = { end->t, end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3, end->least };
-    const bool tells_contact = strcmp(o->motion.contact, "report") == 0;
-    jlt_csv_values(file, q, 2);
+    if (system->known != NULL) {
+        system->known->at_end.values(values + count, system, end->x);
+        count += system->known->at_end.count;
+    } else {
+        memcpy(values + count, end->x, chart->states * sizeof *values);
+        count += chart->states;
+    }
+    if (tells_contact(o)) values[count++] = end->least;
+    jlt_csv_values(file, q, chart->dim);
     jlt_section_fate_text(fate, system->observed, end->fate, end->lost);
     fprintf(file, ",%s,", fate);
-    jlt_csv_row(file, values, tells_contact ? 5 : 4);
+    jlt_csv_row(file, values, count);
 }
 
-static const char *grid_of(const options *o)
+/* NULL: none. */
+static const char *grid_of(const options *o, const jlt_system *system)
 {
-    return o->grid != NULL ? o->grid : o->start_count > 0 ? NULL : "60x40";
+    return o->grid != NULL ? o->grid : o->start_count > 0 || system->known == NULL ? NULL : "60x40";
 }
 
 /* All starts of one system; file NULL: only count. */
 static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
                            jlt_progress *progress, size_t before, size_t whole)
 {
-    const char *grid = grid_of(o);
+    const char *grid = grid_of(o, system);
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_section *section = NULL;
     double q[JLT_CHART_DIM_MAX];
@@ -141,6 +168,18 @@ static size_t failures(const shares *sum)
     return count;
 }
 
+/* Fates that can be of this section's orbits, or that have been. */
+static bool is_told(const shares *sum, const jlt_system *system, jlt_fate fate)
+{
+    if (sum->all.by_fate[fate] > 0) return true;
+    switch (fate) {
+    case JLT_FATE_POLE_PLUS:
+    case JLT_FATE_POLE_MINUS: return system->flow.chart->side != NULL;
+    case JLT_FATE_INVALID: return jlt_observed_conditions(system->observed) > 0;
+    default: return fate <= JLT_FATE_EQUILIBRIUM;
+    }
+}
+
 static void summary(FILE *stream, const shares *sum, const jlt_system *system)
 {
     char name[JLT_FATE_TEXT_MAX];
@@ -148,15 +187,15 @@ static void summary(FILE *stream, const shares *sum, const jlt_system *system)
 
     fprintf(stream, "%zu starts:", sum->all.starts);
     for (int fate = JLT_FATE_ALIVE; fate < (int)JLT_FATE_COUNT; fate++)
-        if (fate <= (int)JLT_FATE_EQUILIBRIUM || sum->all.by_fate[fate] > 0) {
+        if (is_told(sum, system, (jlt_fate)fate)) {
             jlt_section_fate_text(name, system->observed, (jlt_fate)fate, JLT_OBSERVED_ANY);
             fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], name);
         }
-    jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
-    jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
+    jlt_fates_share(&turned, &error, &sum->low, sum->turned, false);
+    jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (sum->low.starts > 0)
-        fprintf(stream, "; of %zu with a low centre of mass %.4g +- %.2g turn over, %.4g +- %.2g with N > 0 all the way",
-                sum->low.starts, turned, error, kept, kept_error);
+        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with N > 0 all the way", sum->low.starts, system->known->low,
+                turned, error, kept, kept_error);
     fputc('\n', stream);
 }
 
@@ -172,7 +211,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#40a040", "#a060c0", "#909090",
                                           "#c0c0c0", "#c0c0c0", "#c0c0c0" };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    const char *grid = grid_of(o);
+    const char *grid = grid_of(o, system);
     jlt_command_output script;
     char how[128] = "points pt 5 ps 0.7", name[JLT_FATE_TEXT_MAX];
     bool first = true;
@@ -182,13 +221,15 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     if (code != JLT_EXIT_DONE) return code;
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
-    const double width = half_cell(&axes[0], system->flow.chart->period[0]), height = half_cell(&axes[1], 0);
+    const double *periods = system->flow.chart->period, width = half_cell(&axes[0], periods[0]), height = half_cell(&axes[1], periods[1]);
     const bool cells = grid != NULL && width > 0 && height > 0;
     if (cells) snprintf(how, sizeof how, "boxxyerror fill solid noborder");
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Fates of orbits by their start, ", points);
     jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\nset tics out\n", stream);
-    if (grid != NULL && strchr(grid, '=') == NULL) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
+    fputs("\" noenhanced\n", stream);
+    jlt_motion_labels(stream, system);
+    fputs("set key tmargin center horizontal\nset tics out\n", stream);
+    if (grid != NULL && strchr(grid, '=') == NULL) jlt_motion_frame(stream, system);
     fputs("plot ", stream);
     for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) {
         if (sum->all.by_fate[fate] == 0) continue;
@@ -212,8 +253,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     jlt_exit code;
 
     jlt_motion_header(stream->file, &o->motion, system);
-    fprintf(stream->file, "eta,gamma3,fate,t_end,v_nu_end,omega_tau_end,omega3_end%s\n",
-            strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "");
+    write_names(stream->file, o, system);
     jlt_progress_start(&progress, "starts");
     code = follow_all(&sum, stream->file, copy, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
@@ -232,6 +272,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     return code;
 }
 
+/* The last column of $SHARES is what is left when orbits that turn over in contact are counted; of other sections those alive. */
 static jlt_exit draw_sweep(const options *o, const jlt_system *system, const char *name, const char *points)
 {
     jlt_command_output script;
@@ -239,79 +280,110 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
 
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
-    fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that turn over as %s runs; otherwise ",
-            points, name);
+    fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that %s as %s runs; otherwise ",
+            points, system->known != NULL ? "turn over" : "go on", name);
     jlt_motion_caption(stream, system, name);
-    fprintf(stream,
-            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts with a low centre of mass\"\n"
-            "set yrange [0:1]\nset key tmargin center horizontal\n"
-            "plot $SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
-            "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over with N > 0 all the way'\n", name);
+    fprintf(stream, "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts%s%s\"\n"
+            "set yrange [0:1]\nset key tmargin center horizontal\nplot ", name, system->known != NULL ? " " : "",
+            system->known != NULL ? system->known->low : "");
+    if (system->known != NULL)
+        fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
+              "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over with N > 0 all the way'\n", stream);
+    else fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'alive'\n", stream);
     return jlt_common_draw(&o->motion.common, &script);
 }
 
-/* A row of the sweep, and its point of the picture when there is one. */
-static void write_shares(FILE *file, FILE *points, const double *values, size_t count, const shares *sum)
-{
-    double turned, error, kept, kept_error;
+/* Columns of a sweep, in this order. */
+static const jlt_fate told[] = { JLT_FATE_POLE_PLUS, JLT_FATE_POLE_MINUS, JLT_FATE_INVALID, JLT_FATE_EQUILIBRIUM, JLT_FATE_LEFT_DOMAIN,
+                                 JLT_FATE_ALIVE, JLT_FATE_BUDGET };
+enum { TOLD = sizeof told / sizeof *told };
 
-    jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
-    jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
-    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], turned, error, kept);
+static bool is_column(const jlt_system *system, jlt_fate fate)
+{
+    static const shares none = { .empty = 0 };
+    return is_told(&none, system, fate) || fate == JLT_FATE_BUDGET || (fate == JLT_FATE_LEFT_DOMAIN && system->known == NULL);
+}
+
+static void write_share_names(FILE *file, const jlt_system *system, const jlt_grid_axis *axes, size_t count)
+{
+    char name[JLT_FATE_TEXT_MAX];
+
+    for (size_t k = 0; k < count; k++) fprintf(file, "%s,", axes[k].name);
+    fprintf(file, "starts%s", system->known != NULL ? ",low_starts" : "");
+    for (size_t i = 0; i < TOLD; i++) {
+        jlt_section_fate_text(name, system->observed, told[i], JLT_OBSERVED_ANY);
+        if (is_column(system, told[i])) fprintf(file, ",%s", name);
+    }
+    fprintf(file, ",failed%s\n", system->known != NULL ? ",turned,turned_error,turned_in_contact" : "");
+}
+
+/* A row of the sweep, and its point of the picture when there is one. base: a system of the sweep. */
+static void write_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count, const shares *sum)
+{
+    double share, error, kept, kept_error;
+
     jlt_csv_values(file, values, count);
-    fprintf(file, ",%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", sum->all.starts, sum->low.starts,
-            sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
-            sum->all.by_fate[JLT_FATE_INVALID], sum->all.by_fate[JLT_FATE_EQUILIBRIUM], sum->all.by_fate[JLT_FATE_ALIVE],
-            sum->all.by_fate[JLT_FATE_BUDGET], failures(sum));
-    if (sum->low.starts > 0) fprintf(file, "%.9g,%.3g,%.9g\n", turned, error, kept);
-    else fputs(",,\n", file);
+    fprintf(file, ",%zu", sum->all.starts);
+    if (base->known != NULL) fprintf(file, ",%zu", sum->low.starts);
+    for (size_t i = 0; i < TOLD; i++)
+        if (is_column(base, told[i])) fprintf(file, ",%zu", sum->all.by_fate[told[i]]);
+    fprintf(file, ",%zu", failures(sum));
+    jlt_fates_share(&share, &error, base->known != NULL ? &sum->low : &sum->all, base->known != NULL ? sum->turned : JLT_FATE_ALIVE, false);
+    jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
+    if (base->known != NULL && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g,%.9g", share, error, kept);
+    else if (base->known != NULL) fputs(",,,", file);
+    fputc('\n', file);
+    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], share, error, kept);
+}
+
+static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, const options *o)
+{
+    const jlt_exit code = jlt_grid_parse(axes, count, JLT_FAMILY_AXES_MAX, o->sweep, "--sweep");
+
+    if (code != JLT_EXIT_DONE) return code;
+    if (*count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
+    *all = 1;
+    for (size_t k = 0; k < *count; k++)
+        if (__builtin_mul_overflow(*all, axes[k].count, all))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: '%s' has more points than can be counted", o->sweep);
+    if (o->motion.common.plot != NULL && *count != 1)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
+    return JLT_EXIT_DONE;
 }
 
 static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *base)
 {
-    jlt_top_values values = base->values;
-    jlt_grid_axis axes[AXES_MAX];
+    jlt_motion_family family = { .known = NULL };
+    jlt_grid_axis axes[JLT_FAMILY_AXES_MAX];
     jlt_progress progress;
     char *points = NULL;
-    size_t size, done = 0, failed = 0, starts = 0, all = 1, axis_count = 0;
-    FILE *copy;
-    jlt_exit code = jlt_grid_parse(axes, &axis_count, AXES_MAX, o->sweep, "--sweep");
+    size_t size, done = 0, failed = 0, starts = 0, all = 1, count = 0;
+    jlt_exit code = read_sweep(axes, &count, &all, o);
 
-    if (code != JLT_EXIT_DONE) return code;
-    if (axis_count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
-    for (size_t k = 0; k < axis_count; k++) {
-        if (jlt_system_value(&values, axes[k].name) == NULL)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axes[k].name);
-        if (__builtin_mul_overflow(all, axes[k].count, &all))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: '%s' has more points than can be counted", o->sweep);
-    }
-    if (o->motion.common.plot != NULL && axis_count != 1)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, base, &o->motion, axes, count, "--sweep");
+    if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_options motion = o->motion;
     motion.swept = axes;
-    motion.swept_count = axis_count;
-    copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
+    motion.swept_count = count;
+    FILE *copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
     jlt_motion_header(stream->file, &motion, base);
-    for (size_t k = 0; k < axis_count; k++) fprintf(stream->file, "%s,", axes[k].name);
-    fprintf(stream->file,
-            "starts,low_starts,pole+,pole-,lost_contact,equilibrium,alive,budget,failed,turned,turned_error,turned_in_contact\n");
+    write_share_names(stream->file, base, axes, count);
     jlt_progress_start(&progress, "starts");
     for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
         shares sum = { .empty = 0 };
         jlt_system *system = NULL;
-        jlt_status st;
-        double at[AXES_MAX];
-        jlt_grid_point(at, axes, axis_count, i);
-        for (size_t k = 0; k < axis_count; k++) *jlt_system_value(&values, axes[k].name) = at[k];
-        st = jlt_system_top(&system, &values, &o->motion.flow);
-        if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_fail(st, NULL, o->sweep);
+        double at[JLT_FAMILY_AXES_MAX];
+        jlt_grid_point(at, axes, count, i);
+        for (size_t k = 0; k < count; k++) *family.entries[k] = at[k];
+        const jlt_status st = jlt_motion_family_make(&family, &system);
+        if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_family_fail(&family, st, o->sweep);
         else if (st == JLT_OK) code = follow_all(&sum, NULL, NULL, o, system, &progress, done, all);
         jlt_system_destroy(system);
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;
         starts += sum.all.starts;
         failed += failures(&sum);
-        write_shares(stream->file, copy, at, axis_count, &sum);
+        write_shares(stream->file, copy, base, at, count, &sum);
     }
     jlt_progress_end(&progress);
     if (copy != NULL) fclose(copy);
@@ -320,6 +392,8 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
     if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axes[0].name, points);
     if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
+done:
+    jlt_motion_family_clear(&family);
     free(points);
     return code;
 }
@@ -336,7 +410,12 @@ static jlt_exit run(int argc, char **argv)
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    code = jlt_motion_top(&system, &o.motion, "fates");
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && grid_of(&o, system) == NULL && o.start_count == 0)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL && system->flow.chart->dim != 2)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: fates are drawn over two coordinates, and the section has %u",
+                                system->flow.chart->dim);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
@@ -349,5 +428,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_fates = {
-    "fates", "[OPTION...]", "Which pole orbits end at, when, or never; the share that turns over", run
+    "fates", "[MODEL] [OPTION...]", "How orbits end, when, or that they go on; the share that turns over", run
 };

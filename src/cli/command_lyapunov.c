@@ -165,9 +165,9 @@ static jlt_exit draw_chart(const options *o, const jlt_system *system, const cha
     fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
             o->returns);
     jlt_motion_caption(stream, system, NULL);
-    fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
-            "plot $CHART using 1:2:3 with image\n", system->is_top ? "η [rad]" : system->flow.chart->names[0],
-            system->is_top ? "γ_3" : system->flow.chart->names[1]);
+    fputs("\" noenhanced\n", stream);
+    jlt_motion_labels(stream, system);
+    fputs("set cblabel \"exponent [1/time]\"\nunset key\nplot $CHART using 1:2:3 with image\n", stream);
     return jlt_common_draw(&o->motion.common, &script);
 }
 
@@ -221,10 +221,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && o.start == NULL && o.grid == NULL) {
-        if (system->is_top) o.start = "eta=0.1,gamma3=-0.6";
-        else code = jlt_command_fail(JLT_EXIT_USAGE, "say where to start: --start or --grid");
-    }
+    if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, system, JLT_START_CHAOTIC);
     if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;

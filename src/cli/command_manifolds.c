@@ -205,8 +205,8 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
                 fprintf(stream, "%.9g %.9g\n", p->crossings[u][s][i].q[0], p->crossings[u][s][i].q[1]);
     fprintf(stream, "%.9g %.9g\nEND\nset title \"Separatrices of the saddle, ", saddle->points[0], saddle->points[1]);
     jlt_motion_caption(stream, system, NULL);
-    fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : p->chart->names[0],
-            system->is_top ? "γ_3" : p->chart->names[1]);
+    fputs("\" noenhanced\n", stream);
+    jlt_motion_labels(stream, system);
     fputs("set key tmargin center horizontal\n"
           "plot $UNSTABLE with lines lc rgb '#c02020' title 'unstable', "
           "$STABLE with lines lc rgb '#2040c0' title 'stable', "
@@ -236,7 +236,7 @@ static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .start = "eta=0,gamma3=-0.61", .period = 1, .seed = 1e-4 };
+    options o = { .period = 1, .seed = 1e-4 };
     portrait p = { .count = { { 0 } } };
     jlt_stream stream = { 0 }, crossings = { 0 };
     jlt_system *system = NULL;
@@ -253,6 +253,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE);
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.start);
     if (code != JLT_EXIT_DONE) goto done;
     if (system->flow.chart->dim != 2) {

@@ -160,7 +160,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_status st;
     jlt_exit code;
 
-    if (!system->is_top && o->grid == NULL)
+    if (system->known == NULL && o->grid == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
     code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : "40x40", "--grid");
 
@@ -170,10 +170,10 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
         search.high[k] = axes[k].high;
         search.counts[k] = no_grid ? 0 : axes[k].count;
     }
-    if (system->is_top && o->samples >= 2 && jlt_system_interval(&system->chart.top, &lines[0].low, &lines[0].high)) {
+    if (system->known != NULL && o->samples >= 2 && system->known->interval(system, lines[0].free, &lines[0].low, &lines[0].high)) {
         lines[0].samples = o->samples;
         lines[1] = lines[0];
-        lines[1].base[0] = 3.14159265358979323846;
+        lines[1].base[0] = chart->period[0] / 2;
         search.line_count = 2;
     }
     jlt_progress_start(&progress, "starts");
@@ -203,9 +203,9 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
                     chart->dim > 1 ? list->orbits[i].points[k * chart->dim + 1] : 0, (int)list->orbits[i].type);
     fputs("-10 -10 0\nEND\nset title \"Periodic points, ", stream);
     jlt_motion_caption(stream, system, NULL);
-    fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : chart->names[0],
-            system->is_top ? "γ_3" : chart->names[1]);
-    if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
+    fputs("\" noenhanced\n", stream);
+    jlt_motion_labels(stream, system);
+    jlt_motion_frame(stream, system);
     fputs("set key tmargin center horizontal\nplot ", stream);
     for (int type = 0; type <= (int)JLT_ORBIT_DEGENERATE; type++)
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt %d ps 0.8 lc %d title \"%s\"", type == 0 ? "" : ", ",

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/session.h"
+#include "cli/table.h"
 #include "scene/scene.h"
 
 static error_t parse(int key, char *value, struct argp_state *state)
@@ -117,7 +118,8 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
     code = bind(&session, job);
     if (code != JLT_EXIT_DONE) goto done;
     const jlt_question question = { session.descriptor, session.params, session.x, has_flag(job, "track"), !whole,
-                                    jlt_scene_value(job, "tier") };
+                                    jlt_tier_has(session.descriptor) && jlt_scene_value(job, "section") != NULL ? "model"
+                                                                                                               : jlt_scene_value(job, "tier") };
     st = jlt_plan_make(&plan, &question);
     if (st == JLT_ERR_ARG)
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: there is no tier '%s'", scene->file, job->line, question.tier);
@@ -145,7 +147,7 @@ static jlt_exit run(int argc, char **argv)
         print_tiers();
         return JLT_EXIT_DONE;
     }
-    st = jlt_scene_read(&scene, message, path);
+    st = jlt_scene_read(&scene, message, path, jlt_table_of);
     if (st != JLT_OK) {
         fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;

@@ -8,6 +8,7 @@
 
 #include "cli/common.h"
 #include "cli/interrupt.h"
+#include "cli/table.h"
 #include "report/file.h"
 #include "scene/scene.h"
 
@@ -200,7 +201,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    st = jlt_scene_read(&scene, message, o.scene);
+    st = jlt_scene_read(&scene, message, o.scene, jlt_table_of);
     if (st != JLT_OK) {
         fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;

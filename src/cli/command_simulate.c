@@ -117,10 +117,10 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 
-    if (options.project && !jlt_plan_has_tiers(s->descriptor))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: projection is onto the integrals of spherical_top");
-    if (question.attitude && (!jlt_plan_has_tiers(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of spherical_top");
+    if (options.project && !jlt_tier_has(s->descriptor))
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: projection is onto the integrals of " JLT_DEFAULT_MODEL);
+    if (question.attitude && (!jlt_tier_has(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
+        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of " JLT_DEFAULT_MODEL);
     st = jlt_plan_make(plan, &question);
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
@@ -249,7 +249,7 @@ static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row
 {
     if (st == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "at t = %.10g %s%s", row->t, row->edge,
-                                jlt_plan_has_tiers(r->session.descriptor) ? ": leave out --tier" : "");
+                                jlt_tier_has(r->session.descriptor) ? ": leave out --tier" : "");
     return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
                             jlt_status_text(st));
 }
@@ -285,13 +285,10 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
     if (jlt_session_interrupted(&r->session))
         fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count, stream->path);
     else if (row->end == JLT_END_POLE) {
-        fprintf(stderr,
-                "jellett: the orbit reaches the pole gamma3 = %+d at t = %.17g and ends there, with the limits v_nu = %.10g, "
-                "omega_tau = %.10g",
-                row->side, row->t, row->x[JLT_TOP_V_NU], row->x[JLT_TOP_OMEGA_TAU]);
-        if (isfinite(row->x[JLT_TOP_OMEGA3])) fprintf(stderr, ", omega3 = %.10g; ", row->x[JLT_TOP_OMEGA3]);
-        else fputs(" (there I3 b = 0, and G and v_tau do not tell omega3); ", stderr);
-        fprintf(stderr, "of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
+        char pole[JLT_TIER_TEXT_MAX], limits[JLT_TIER_TEXT_MAX];
+        jlt_tier_pole_text(pole, limits, row->x);
+        fprintf(stderr, "jellett: the orbit reaches the pole %s at t = %.17g and ends there, with the limits %s; of %zu times %zu lie "
+                "before it\n", pole, row->t, limits, r->time_count, r->rows - 1);
     }
     if (!isnan(row->lost_at))
         fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "

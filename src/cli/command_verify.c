@@ -2,6 +2,7 @@
 #include "cli/interrupt.h"
 #include "cli/table.h"
 #include "cli/verify.h"
+#include "top/top.h"
 
 
 #include <stdlib.h>
@@ -76,7 +77,7 @@ done:
 
 static jlt_exit run_command(int argc, char **argv)
 {
-    jlt_verify_run run = { .model = "spherical_top", .seed = 1, .samples = SAMPLES_DEFAULT };
+    jlt_verify_run run = { .model = JLT_DEFAULT_MODEL, .seed = 1, .samples = SAMPLES_DEFAULT };
     jlt_command_output output = { 0 };
     jlt_exit code;
     jlt_status st;

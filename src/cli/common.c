@@ -7,6 +7,7 @@
 #include "cli/grid.h"
 #include "cli/table.h"
 #include "report/picture.h"
+#include "top/top.h"
 
 enum { METHOD = 1000, KEEP };
 
@@ -102,7 +103,7 @@ void jlt_common_end(jlt_common *self)
 
 jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor)
 {
-    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : "spherical_top");
+    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : JLT_DEFAULT_MODEL);
 
     if (code == JLT_EXIT_DONE) jlt_command_warn_unproved(*descriptor);
     return code;

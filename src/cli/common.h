@@ -8,7 +8,7 @@
 #include "integrate/method.h"
 
 typedef struct {
-    const char *model; /* NULL: none was named, which means the spherical top */
+    const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
     jlt_assign_list set;
     const char *output, *plot, *keep;
     char *command;     /* as typed, owned */

@@ -5,10 +5,9 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "integrate/invariant.h"
-#include "scene/conserved.h"
-#include "scene/top.h"
+#include "top/top_five.h"
 
-enum { JLT_DRIFT_ROWS_MAX = 64, JLT_DRIFT_STATES = JLT_TOP_STATES + 1 }; /* powers of two; the five states and s */
+enum { JLT_DRIFT_ROWS_MAX = 64 }; /* powers of two */
 
 typedef struct {
     size_t returns;
@@ -33,11 +32,7 @@ typedef struct {
     const char *names[JLT_INVARIANTS_MAX];
     double q[JLT_CHART_DIM_MAX]; /* the start on the section */
     jlt_progress progress;
-    jlt_field field;             /* from here on of the spherical top alone */
-    jlt_conserved conserved;
-    jlt_invariants invariants;
-    double start[JLT_DRIFT_STATES];
-    int time; /* binary exponent of its unit */
+    jlt_top_five five;           /* of a known section: all states, in which what levels fix are integrals */
 } jlt_drift;
 
 /** One method over all returns of the section, or to the orbit's end; rows at powers of two and at the end, *count of them in
@@ -45,12 +40,9 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
                                          const jlt_method *method);
 
-/** The same of the spherical top in the five states of (3.2), with s, once they are opened. Errors: those of the orbit. */
-JLT_CHECKED jlt_status jlt_drift_five(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
-                                      const jlt_method *method);
-
-/** Their field, integrals and start. *instance is the caller's. Errors: UNSUPPORTED, the table is another; those of the chart. */
-JLT_CHECKED jlt_status jlt_drift_five_open(jlt_drift *self, jlt_instance **instance);
+/** The same of a known section, in the states of `five`. Errors: those of the orbit. */
+JLT_CHECKED jlt_status jlt_drift_known(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
+                                       const jlt_method *method);
 
 /* For those two: takes the drifts `now` after row->returns returns, and writes the row where that is a power of two or the last.
  * sizes: of the integrals at the start, shape as first, which drifts are divided by. Errors: NONFINITE, an integral. */

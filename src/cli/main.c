@@ -1,6 +1,7 @@
 #include "base/exhaustion.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "top/top.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -67,7 +68,7 @@ static void print_help(FILE *stream)
           stream);
     for (size_t i = 0; i < COMMANDS; i++)
         fprintf(stream, "  %s %s\n        %s\n", commands[i]->name, commands[i]->arguments, commands[i]->summary);
-    fputs("\nMODEL is spherical_top when none is named. Values are exact: 1/3, 0.51, 1e-3.\n\n"
+    fputs("\nMODEL is " JLT_DEFAULT_MODEL " when none is named. Values are exact: 1/3, 0.51, 1e-3.\n\n"
           "  jellett COMMAND --help    options of a command, with examples\n"
           "  jellett --help            this page\n"
           "  jellett --version         the version\n\n"

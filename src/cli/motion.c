@@ -7,7 +7,7 @@
 #include "cli/interrupt.h"
 #include "cli/motion_plane.h"
 #include "kernel/descriptor.h"
-#include "scene/link.h"
+#include "kernel/link.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 
@@ -102,78 +102,71 @@ bool jlt_motion_interrupted(const jlt_motion_options *options)
     return options->flow.interrupt != NULL && *options->flow.interrupt;
 }
 
-/* The least energy of a state with omega_tau = 0 on the level of G, over gamma3. */
-static double least_energy(const jlt_top_values *v)
+/* The names from `first` on, which parameters and levels have; and: what stands before the last of them. */
+static void list_names(char *text, size_t size, const jlt_known *known, unsigned first, unsigned end, const char *and)
 {
-    jlt_chart_top chart;
-    double least = INFINITY;
+    size_t used = 0;
 
-    jlt_chart_top_init(&chart, v->m, v->R, v->g, v->I1, v->I3, v->a3, 0, v->G);
-    for (int i = 0; i < 4096; i++)
-        least = fmin(least, -v->m * jlt_chart_top_speed2(&chart, -1 + 2 * (i + 0.5) / 4096) / 2);
-    return least;
+    *text = '\0';
+    for (unsigned i = first; i < end && used < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", i == first ? "" : i + 1 == end ? and : ", ", known->names[i]);
 }
 
-static jlt_exit top_system(jlt_system **system, const jlt_motion_options *options)
+jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status)
 {
-    jlt_top_values values = jlt_system_defaults();
-    const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
-    jlt_status st;
+    char text[512];
 
-    if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section: what there is to know of levels of E and G is known",
-                                options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo");
-    for (size_t k = 0; k < 2; k++)
+    known->refuse(text, sizeof text, values, status);
+    return jlt_command_fail(jlt_command_exit(status), "%s", text);
+}
+
+static jlt_exit known_system(jlt_system **system, const jlt_motion_options *options, const jlt_known *known)
+{
+    const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
+    double values[JLT_KNOWN_VALUES_MAX];
+    char text[512];
+
+    if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL) {
+        list_names(text, sizeof text, known, known->params, known->count, " and ");
+        return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section: what there is to know of levels of %s is known",
+                                options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo", text);
+    }
+    memcpy(values, known->defaults, known->count * sizeof *values);
+    for (unsigned k = 0; k < 2; k++)
         for (size_t i = 0; i < lists[k]->count; i++) {
             const jlt_assignment *item = &lists[k]->items[i];
-            const bool is_level = strcmp(item->name, "E") == 0 || strcmp(item->name, "G") == 0;
-            double *entry = jlt_system_value(&values, item->name);
-            if (entry == NULL || is_level != (k == 1))
-                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s",
-                                        k == 0 ? "--set" : "--level", k == 0 ? "parameter" : "level", item->name,
-                                        k == 0 ? "m, R, g, I1, I3, a3" : "E, G");
-            *entry = item->value;
+            const unsigned index = jlt_known_value(known, item->name);
+            if (index == known->count || (index >= known->params) != (k == 1)) {
+                list_names(text, sizeof text, known, k == 0 ? 0 : known->params, k == 0 ? known->params : known->count, ", ");
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
+                                        k == 0 ? "parameter" : "level", item->name, text);
+            }
+            values[index] = item->value;
         }
-    st = jlt_system_top(system, &values, &options->flow);
-    if (st == JLT_ERR_EMPTY)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "no state with omega_tau = 0 has E = %.10g and G = %.10g: raise E above %.10g, or take G "
-                                "nearer to 0",
-                                values.E, values.G, least_energy(&values));
-    const bool allowed = values.m > 0 && values.R > 0 && values.I1 > 0 && values.g >= 0 && values.I3 >= 0;
-    if (st == JLT_ERR_DOMAIN)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--set: %s",
-                                allowed ? "the parameters are so far apart that products of them leave the range of doubles"
-                                        : "m, R and I1 must be positive, g >= 0 and I3 >= 0");
-    if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of spherical_top_level in regular time are not built in");
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "the spherical top");
+    const jlt_status st = known->make(system, values, &options->flow);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(known, values, st);
 }
 
-static bool is_top(const jlt_descriptor *d)
+/* A known section is one of motion while what its levels fix are integrals, and its model stands for the asked one. */
+static jlt_exit check_known(const jlt_known *known, const jlt_descriptor *d)
 {
-    return strcmp(d->model, "spherical_top") == 0 || strcmp(d->model, "spherical_top_level") == 0;
-}
-
-/* Levels of E and G are sections of motion while both are integrals, and the model on a level of G stands for the asked one. */
-static jlt_exit check_levels(const jlt_descriptor *d)
-{
-    static const char *const integrals[] = { "E", "G" };
-    const jlt_descriptor *level = jlt_descriptor_find("spherical_top_level", NULL, NULL, NULL);
+    const jlt_descriptor *table = jlt_descriptor_find(known->table, NULL, NULL, NULL);
     const jlt_claim *broken = NULL, *claim;
+    char levels[256];
 
-    if (level != NULL && jlt_link_holds(&broken, d, level)) return JLT_EXIT_DONE;
-    for (size_t i = 0; i < 2; i++) {
-        claim = jlt_descriptor_claim(d, "integral", integrals[i]);
+    if (table != NULL && jlt_link_holds(&broken, d, table)) return JLT_EXIT_DONE;
+    for (unsigned i = known->params; i < known->count; i++) {
+        claim = jlt_descriptor_claim(d, "integral", known->names[i]);
         if (claim == NULL || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
         broken = claim;
     }
-    if (broken == NULL) jlt_command_fail(JLT_EXIT_INPUT, "nothing that is proved leads from this table to spherical_top_level");
+    if (broken == NULL) jlt_command_fail(JLT_EXIT_INPUT, "nothing that is proved leads from this table to %s", known->table);
     else if (strcmp(broken->kind, "integral") != 0)
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
-    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section on levels of E and G, then: ask for one of the table itself, "
-                            "--section omega_tau=0, with all other states as coordinates");
+    list_names(levels, sizeof levels, known, known->params, known->count, " and ");
+    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section on levels of %s, then: ask for one of the table itself, --section %s, "
+                            "with all other states as coordinates", levels, known->plane);
 }
 
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
@@ -184,42 +177,34 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     *system = NULL;
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
-    if (!is_top(descriptor) || options->section != NULL) return jlt_motion_plane_system(system, options, descriptor);
-    code = check_levels(descriptor);
-    return code == JLT_EXIT_DONE ? top_system(system, options) : code;
+    const jlt_known *known = jlt_known_of(descriptor);
+    if (known == NULL || options->section != NULL) return jlt_motion_plane_system(system, options, descriptor);
+    code = check_known(known, descriptor);
+    return code == JLT_EXIT_DONE ? known_system(system, options, known) : code;
 }
 
-jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what)
+/* Where the section has points in one of its coordinates; false: nothing is known of that. */
+static bool interval(const jlt_system *system, unsigned coordinate, double *low, double *high)
 {
-    const jlt_descriptor *descriptor;
-    jlt_exit code;
-
-    *system = NULL;
-    code = jlt_common_model(&options->common, &descriptor);
-    if (code != JLT_EXIT_DONE) return code;
-    if (!is_top(descriptor))
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s are those of the spherical top, not of %s", what, descriptor->model);
-    if (options->section != NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--section: %s go by the section omega_tau=0 alone", what);
-    code = check_levels(descriptor);
-    return code == JLT_EXIT_DONE ? top_system(system, options) : code;
+    return system->known != NULL && system->known->interval(system, coordinate, low, high);
 }
 
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
 {
     double low, high;
 
-    if (status == JLT_ERR_EMPTY && system != NULL && system->is_top && jlt_system_interval(&system->chart.top, &low, &high))
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; gamma3 may lie in (%.10g, %.10g)",
-                                what, low, high);
+    for (unsigned k = 0; status == JLT_ERR_EMPTY && system != NULL && k < system->flow.chart->dim; k++)
+        if (interval(system, k, &low, &high))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; %s may lie in (%.10g, %.10g)", what,
+                                    system->flow.chart->names[k], low, high);
     if (status == JLT_ERR_EMPTY && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: Newton's method finds no state with these levels there: try another guess in "
                                 "--solve, or other coordinates", what);
     if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: %s, or a return left the branch of --solve: try another --direction or section",
                                 what, jlt_status_text(status));
-    if (status == JLT_ERR_DOMAIN && system != NULL && system->is_top)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1, and the orbit return before it "
-                                "ends at a pole or at rest", what);
+    if (status == JLT_ERR_DOMAIN && system != NULL && system->known != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s", what, system->known->domain);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
                                 system->instance->descriptor->model);
@@ -245,6 +230,13 @@ static unsigned coordinate(const jlt_chart *chart, const char *name)
 
     while (k < chart->dim && strcmp(chart->names[k], name) != 0) k++;
     return k;
+}
+
+jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose)
+{
+    if (*start == NULL && system->known != NULL) *start = system->known->starts[purpose];
+    if (*start != NULL) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_USAGE, "say where to start: --start, with all coordinates of the section");
 }
 
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
@@ -295,19 +287,18 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
         snprintf(axes[k].name, sizeof axes[k].name, "%s", chart->names[k]);
         if (chart->period[k] != 0) axes[k].low = -chart->period[k] / 2, axes[k].high = chart->period[k] / 2;
     }
-    if (system->is_top) {
-        double low = -1, high = 1;
-        if (jlt_system_interval(&system->chart.top, &low, &high)) {
-            /* a hundredth of the interval off its ends, where eta loses its meaning */
-            axes[1].low = low + (high - low) / 200;
-            axes[1].high = high - (high - low) / 200;
-        }
+    for (unsigned k = 0; k < chart->dim; k++) {
+        double low, high;
+        if (!interval(system, k, &low, &high)) continue;
+        /* a hundredth of the interval off its ends, where an angle beside it loses its meaning */
+        axes[k].low = low + (high - low) / 200;
+        axes[k].high = high - (high - low) / 200;
     }
     if (text == NULL) return JLT_EXIT_DONE;
     const jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
     const bool named = strchr(text, '=') != NULL;
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
-        if (axes[k].low_text == NULL && (named || (!system->is_top && chart->period[k] == 0)))
+        if (axes[k].low_text == NULL && (named || (system->known == NULL && chart->period[k] == 0)))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
                                     chart->names[k], chart->names[k], chart->names[k]);
     return code;
@@ -336,21 +327,31 @@ static bool is_swept(const jlt_motion_options *options, const char *name)
     return false;
 }
 
+/* Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,); returns how many. */
+static unsigned levels_of(const jlt_system *system, const char **names, double *values)
+{
+    const jlt_known *known = system->known;
+    const unsigned count = known != NULL ? known->count - known->params : system->flow.chart->solved_count;
+
+    for (unsigned k = 0; k < count; k++) {
+        const jlt_level *level = known == NULL ? &system->chart.level.levels[k] : NULL;
+        names[k] = known != NULL ? known->names[known->params + k] : system->instance->descriptor->integrals[level->integral].name;
+        values[k] = known != NULL ? system->values[known->params + k] : level->value;
+    }
+    return count;
+}
+
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
     const jlt_chart *chart = system->flow.chart;
 
     const jlt_descriptor *d = system->instance->descriptor;
-    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX] = { system->values.E, system->values.G };
-    const char *names[JLT_INVARIANTS_MAX] = { "E", "G" }, *method = options->flow.method != NULL ? options->flow.method->name : "each";
-    const unsigned level_count = system->is_top ? 2 : chart->solved_count;
+    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
+    const char *names[JLT_INVARIANTS_MAX], *method = options->flow.method != NULL ? options->flow.method->name : "each";
+    const unsigned level_count = levels_of(system, names, levels);
 
     if (params == NULL) return;
-    for (unsigned k = 0; k < chart->solved_count; k++) {
-        names[k] = d->integrals[system->chart.level.levels[k].integral].name;
-        levels[k] = system->chart.level.levels[k].value;
-    }
     for (unsigned k = 0; k < d->param_count; k++)
         params[k] = is_swept(options, d->params[k].name) ? NAN : system->instance->params[k];
     for (unsigned k = 0; k < level_count; k++)
@@ -381,12 +382,32 @@ static void caption_value(FILE *stream, bool *is_first, const char *name, double
 void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
 {
     const jlt_descriptor *d = system->instance->descriptor;
+    const char *names[JLT_INVARIANTS_MAX];
+    double levels[JLT_INVARIANTS_MAX];
+    const unsigned level_count = levels_of(system, names, levels);
     bool is_first = true;
 
-    for (unsigned i = 0; i < d->param_count; i++)
-        if (strcmp(d->params[i].name, "G") != 0)
-            caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
-    if (!system->is_top) return;
-    caption_value(stream, &is_first, "E", system->values.E, swept);
-    caption_value(stream, &is_first, "G", system->values.G, swept);
+    for (unsigned i = 0; i < d->param_count; i++) {
+        unsigned k = 0;
+        while (k < level_count && strcmp(names[k], d->params[i].name) != 0) k++;
+        if (k == level_count) caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
+    }
+    for (unsigned k = 0; k < level_count; k++) caption_value(stream, &is_first, names[k], levels[k], swept);
+}
+
+void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added)
+{
+    if (system->known != NULL) fprintf(stream, "set %clabel \"%s%s\"\n", axis, system->known->labels[coordinate], added);
+    else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
+}
+
+void jlt_motion_labels(FILE *stream, const jlt_system *system)
+{
+    jlt_motion_label(stream, system, 'x', 0, "");
+    jlt_motion_label(stream, system, 'y', 1, "");
+}
+
+void jlt_motion_frame(FILE *stream, const jlt_system *system)
+{
+    if (system->known != NULL) fprintf(stream, "set xrange [%s]\nset yrange [%s]\n", system->known->frame[0], system->known->frame[1]);
 }

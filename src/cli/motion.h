@@ -6,6 +6,7 @@
 #include "cli/grid.h"
 #include "cli/stream.h"
 #include "dynamics/system.h"
+#include "top/known.h"
 
 typedef struct {
     jlt_common common;
@@ -42,8 +43,15 @@ void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 /** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
 jlt_exit jlt_motion_project(jlt_system *system);
 
-/** The same for a command that knows the spherical top alone; what: its subject, in the plural. */
-jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what);
+/** A picture's axes, x and y: labels of the first two coordinates, and the frame of a section that is known as a whole. */
+void jlt_motion_labels(FILE *stream, const jlt_system *system);
+void jlt_motion_frame(FILE *stream, const jlt_system *system);
+
+/** One label: set xlabel "NAME", with what is added to it. */
+void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added);
+
+/** The start that a known section has for the purpose, where none was given. Says that one is wanted. */
+jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose);
 
 /** One start, NAME=VALUE,... for all coordinates of the section. */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
@@ -51,8 +59,8 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 /** Whether an orbit can begin at each of these starts, before anything is written. Says what is wrong. */
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
-/** Axes of a grid over the section: as in `text`, by default angles over their period, gamma3 over the interval of the
- *  levels. Of the spherical top; of other models every coordinate has to be named, or be an angle where only counts are typed. */
+/** Axes of a grid over the section: as in `text`, by default angles over their period, and coordinates of a known section over the
+ *  interval of its levels. Of other sections every coordinate has to be named, or be an angle where only counts are typed. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Grid point number `index` (the first coordinate runs fastest), or the number of points. */
@@ -67,6 +75,9 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swep
 
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
+
+/** The same for a known section that could not be made from these values. */
+jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status);
 
 /** The same for Newton's method, which finds no periodic orbit from `start`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);

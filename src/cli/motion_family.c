@@ -4,26 +4,39 @@
 
 #include <string.h>
 
-static jlt_status make_plane(void *context, jlt_system **out, double value)
+jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
 {
-    jlt_motion_family *self = context;
     unsigned no_angle;
 
-    *self->entry = value;
-    return jlt_motion_plane_make(&self->plane, out, &no_angle);
+    return self->known != NULL ? self->known->make(out, self->values, &self->flow) : jlt_motion_plane_make(&self->plane, out, &no_angle);
+}
+
+static jlt_status make_at(void *context, jlt_system **out, double value)
+{
+    jlt_motion_family *self = context;
+
+    *self->entries[0] = value;
+    return jlt_motion_family_make(self, out);
+}
+
+jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status, const char *what)
+{
+    return self->known != NULL ? jlt_motion_refuse(self->known, self->values, status) : jlt_motion_fail(status, NULL, what);
 }
 
 /* Names of what may run. */
-static jlt_exit refuse(const jlt_motion_family *self, const jlt_system *system, const char *name)
+static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, const char *name, const char *option)
 {
-    const jlt_descriptor *d = system->instance->descriptor;
-
-    if (system->is_top)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--along: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", name);
+    if (self->known != NULL) {
+        fprintf(stderr, "jellett: %s: there is no '%s'; there are", option, name);
+        for (unsigned i = 0; i < self->known->count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", self->known->names[i]);
+        fputc('\n', stderr);
+        return JLT_EXIT_INPUT;
+    }
     for (unsigned i = 0; i < d->integral_count; i++)
         if (strcmp(d->integrals[i].name, name) == 0)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--along: the level of %s runs from a value: --level %s=VALUE, with --solve", name, name);
-    fprintf(stderr, "jellett: --along: there is no '%s'; there are the parameters", name);
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: the level of %s runs from a value: --level %s=VALUE, with --solve", option, name, name);
+    fprintf(stderr, "jellett: %s: there is no '%s'; there are the parameters", option, name);
     for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
     fputs(d->param_count == 0 ? " (none)" : "", stderr);
     for (unsigned i = 0; i < self->plane.level_count; i++)
@@ -32,24 +45,29 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_system *system, 
     return JLT_EXIT_INPUT;
 }
 
+static double *entry_of(jlt_motion_family *self, const char *name)
+{
+    const unsigned index = self->known != NULL ? jlt_known_value(self->known, name) : 0;
+
+    if (self->known == NULL) return jlt_motion_plane_value(&self->plane, name);
+    return index < self->known->count ? &self->values[index] : NULL;
+}
+
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
-                                const char *name)
+                                const jlt_grid_axis *axes, size_t count, const char *option)
 {
     const jlt_descriptor *d = system->instance->descriptor;
     jlt_exit code = JLT_EXIT_DONE;
 
-    *out = (jlt_motion_family){ .entry = NULL };
-    if (system->is_top) {
-        out->top = (jlt_top_family){ .values = system->values, .name = name, .options = options->flow };
-        out->entry = jlt_system_value(&out->top.values, name);
-        out->systems = (jlt_system_family){ .make = jlt_system_top_at, .context = &out->top };
-    } else {
-        code = jlt_motion_plane_read(&out->plane, options, jlt_descriptor_sibling(d, NULL, d->time, NULL), name);
-        if (code == JLT_EXIT_DONE) out->entry = jlt_motion_plane_value(&out->plane, name);
-        out->systems = (jlt_system_family){ .make = make_plane, .context = out };
+    *out = (jlt_motion_family){ .known = system->known, .flow = options->flow };
+    out->systems = (jlt_system_family){ .make = make_at, .context = out };
+    if (out->known != NULL) memcpy(out->values, system->values, out->known->count * sizeof *out->values);
+    else code = jlt_motion_plane_read(&out->plane, options, jlt_descriptor_sibling(d, NULL, d->time, NULL), axes, count);
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
+        out->entries[i] = entry_of(out, axes[i].name);
+        if (out->entries[i] == NULL) code = refuse(out, d, axes[i].name, option);
     }
-    if (code != JLT_EXIT_DONE) return code;
-    return out->entry != NULL ? JLT_EXIT_DONE : refuse(out, system, name);
+    return code;
 }
 
 void jlt_motion_family_clear(jlt_motion_family *family)

@@ -1,20 +1,30 @@
-/** The systems of a command line as one of its parameters or levels runs. */
+/** The systems of a command line as some of its parameters and levels run. */
 #ifndef JLT_CLI_MOTION_FAMILY_H
 #define JLT_CLI_MOTION_FAMILY_H
 
 #include "cli/motion_plane.h"
 
+enum { JLT_FAMILY_AXES_MAX = 3 };
+
 typedef struct {
     jlt_motion_plane plane;
-    jlt_top_family top; /* of the spherical top instead */
-    double *entry;      /* the value; at first that of the options */
-    jlt_system_family systems;
+    const jlt_known *known; /* of a known section instead: its values, and the flow */
+    double values[JLT_KNOWN_VALUES_MAX];
+    jlt_flow flow;
+    double *entries[JLT_FAMILY_AXES_MAX]; /* the values that run, in the order of the axes; at first those of the options */
+    jlt_system_family systems;            /* as the first of them runs */
 } jlt_motion_family;
 
-/** system: the one that the options describe; they must stay. *out must not move, and is cleared after, whatever is returned. Says
- *  what is wrong. */
+/** system: the one that the options describe; they must stay. axes: what runs, shape (count,), of which names are read; option: for
+ *  messages. *out must not move, and is cleared after, whatever is returned. Says what is wrong. */
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
-                                const char *name);
+                                const jlt_grid_axis *axes, size_t count, const char *option);
 void jlt_motion_family_clear(jlt_motion_family *family);
+
+/** The system at the entries as they stand, for jlt_system_destroy. Errors: as jlt_motion_plane_make and the known section's. */
+JLT_CHECKED jlt_status jlt_motion_family_make(jlt_motion_family *family, jlt_system **out);
+
+/** Why that failed. */
+jlt_exit jlt_motion_family_fail(const jlt_motion_family *family, jlt_status status, const char *what);
 
 #endif

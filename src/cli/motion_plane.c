@@ -152,10 +152,24 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     return JLT_EXIT_DONE;
 }
 
-jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *descriptor,
-                               const char *running)
+/* The most special field for these parameters, whatever those that run come to. */
+static jlt_exit choose(jlt_motion_plane *out, const jlt_descriptor *d, const jlt_grid_axis *running, size_t count)
 {
+    double *params = malloc((d->param_count + 1) * sizeof *params);
     size_t index;
+
+    if (params == NULL) return jlt_command_no_memory();
+    memcpy(params, out->params, d->param_count * sizeof *params);
+    for (size_t i = 0; i < count; i++)
+        if (jlt_descriptor_param(d, running[i].name, &index)) params[index] = NAN;
+    out->descriptor = jlt_descriptor_choose(d, NULL, NULL, params);
+    free(params);
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *descriptor,
+                               const jlt_grid_axis *running, size_t count)
+{
     jlt_exit code = jlt_assign_params(&out->params, descriptor, &options->common.set);
 
     out->descriptor = descriptor;
@@ -163,14 +177,8 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     out->mirrored = options->mirror != NULL;
     if (code != JLT_EXIT_DONE) return code;
     /* Integrals that hold for these parameters alone belong to a variant, which has the same states; none for one that runs. */
-    if (options->level.count > 0 || options->looks_at_integrals) {
-        const bool runs = running != NULL && jlt_descriptor_param(descriptor, running, &index);
-        const double value = runs ? out->params[index] : 0;
-        if (runs) out->params[index] = NAN;
-        out->descriptor = jlt_descriptor_choose(descriptor, NULL, NULL, out->params);
-        if (runs) out->params[index] = value;
-    }
-    if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
+    if (options->level.count > 0 || options->looks_at_integrals) code = choose(out, descriptor, running, count);
+    if (code == JLT_EXIT_DONE && strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
                                 options->contact, descriptor->model);
     if (code == JLT_EXIT_DONE) code = read_section(out, options, out->descriptor);
@@ -225,7 +233,7 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
 {
     jlt_motion_plane plane = { .params = NULL };
     unsigned no_angle;
-    jlt_exit code = jlt_motion_plane_read(&plane, options, descriptor, NULL);
+    jlt_exit code = jlt_motion_plane_read(&plane, options, descriptor, NULL, 0);
 
     if (code == JLT_EXIT_DONE) {
         const jlt_status st = jlt_motion_plane_make(&plane, system, &no_angle);

@@ -17,9 +17,10 @@ typedef struct {
     unsigned level_count;
 } jlt_motion_plane;
 
-/** Says what is wrong. running: a parameter or level whose value will change, or NULL. Zero *out before, clear it after. */
+/** Says what is wrong. running: parameters and levels whose values will change, shape (count,), of which names are read. Zero *out
+ *  before, clear it after. */
 jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *descriptor,
-                               const char *running);
+                               const jlt_grid_axis *running, size_t count);
 void jlt_motion_plane_clear(jlt_motion_plane *plane);
 
 /** Where the value of a parameter or level stands; NULL: there is none of this name. */

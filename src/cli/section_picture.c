@@ -53,7 +53,7 @@ static void frame(FILE *stream, const jlt_system *system, const char *grid, cons
 {
     if (grid == NULL) return;
     if (strchr(grid, '=') == NULL) {
-        if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
+        jlt_motion_frame(stream, system);
         return;
     }
     for (unsigned k = 0; k < 2; k++) {
@@ -82,10 +82,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     fputs("END\nset title \"Poincaré map on the section, ", stream);
     jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\\n%zu orbits of up to %zu returns\" noenhanced\n", self->orbits, returns);
-    if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\n", stream);
-    else
-        fprintf(stream, "set xlabel \"%s\" noenhanced\nset ylabel \"%s\" noenhanced\n", system->flow.chart->names[0],
-                system->flow.chart->names[1]);
+    jlt_motion_labels(stream, system);
     frame(stream, system, grid, axes);
     fputs("set key tmargin center horizontal textcolor variable\nplot ", stream);
     for (int fate = JLT_FATE_COUNT - 1; fate >= (int)JLT_FATE_ALIVE; fate--) {

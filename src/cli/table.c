@@ -112,3 +112,11 @@ jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model)
     *descriptor = jlt_descriptor_find(model, NULL, NULL, NULL);
     return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
 }
+
+const jlt_descriptor *jlt_table_of(const char *model)
+{
+    const jlt_descriptor *descriptor = NULL;
+
+    if (!jlt_table_is_file(model)) return jlt_descriptor_find(model, NULL, NULL, NULL);
+    return jlt_table_open(&descriptor, model) == JLT_EXIT_DONE ? descriptor : NULL;
+}

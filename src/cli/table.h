@@ -12,4 +12,7 @@ bool jlt_table_is_file(const char *model);
  *  wrong; ttc has said what is wrong with a table. */
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model);
 
+/** The same for those who are told in other words; NULL: there is none. */
+const jlt_descriptor *jlt_table_of(const char *model);
+
 #endif

@@ -38,7 +38,7 @@ typedef struct {
 /* Section (b), certificate at one rational point. */
 typedef struct {
     const jlt_equilibria *family;
-    char *point;       /* "m = 1, gamma3 = 3/5, ..." */
+    char *point;       /* "a = 1, x = 3/5, ..." */
     bool exact;        /* every component of f is exactly zero, in rational arithmetic */
     bool excludes_zero;
     char *trace, *enclosure; /* exact fraction (NULL when irrational); 256-bit ball */

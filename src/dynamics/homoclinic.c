@@ -95,7 +95,7 @@ static int compare(const void *left, const void *right)
     return a->sigma_unstable < b->sigma_unstable ? -1 : a->sigma_unstable > b->sigma_unstable;
 }
 
-/* Integral of (q0 dq1 - q1 dq0)/2 along a polygon from one parameter to another, relative to `origin`. */
+/* Integral of (x dy - y dx)/2 along a polygon from one parameter to another, relative to `origin`. */
 static double swept(const jlt_manifold *curve, const jlt_chart *chart, const double *origin, const double *start,
                     double sigma_start, const double *end, double sigma_end)
 {

@@ -26,7 +26,7 @@ typedef struct {
     size_t points_max; /* default 20000 */
 } jlt_manifold_options;
 
-/** A polygon, owned: (eta, gamma3), sigma and arc length of each point. Zeroed is empty. */
+/** A polygon, owned: two coordinates, sigma and arc length of each point. Zeroed is empty. */
 typedef struct {
     double *points; /* shape (count, 2) */
     double *sigma;  /* shape (count,), increasing */

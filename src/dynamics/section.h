@@ -31,8 +31,8 @@ typedef struct {
 
 typedef enum {
     JLT_FATE_ALIVE,
-    JLT_FATE_POLE_PLUS,    /* ended at gamma3 = +1 */
-    JLT_FATE_POLE_MINUS,   /* ended at gamma3 = -1 */
+    JLT_FATE_POLE_PLUS,    /* ended at the pole of side +1, see chart.h */
+    JLT_FATE_POLE_MINUS,   /* ended at that of side -1 */
     JLT_FATE_INVALID,      /* ended where a condition of the model breaks */
     JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
     JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, in the model's own time */

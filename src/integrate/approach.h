@@ -1,7 +1,7 @@
 /** How an orbit decays onto an equilibrium, judged by the field's Jacobian where the orbit is now.
  *
  *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to second
- *  order. States that rest exactly and that no moving state pushes (omega_n = 0 in planar motion) are left out: an orbit on such
+ *  order. States that rest exactly and that no moving state pushes (as those across a plane in which the motion stays) are left out: an orbit on such
  *  an invariant plane decays or grows in it alone. */
 #ifndef JLT_INTEGRATE_APPROACH_H
 #define JLT_INTEGRATE_APPROACH_H

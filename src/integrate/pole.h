@@ -2,11 +2,9 @@
  *
  *  With dt = s dtau and the root s lifted to a state, the pole s = 0 is an invariant set, reached as tau -> infinity, and on
  *  it lie equilibria. An orbit that ends there decays onto one of them: s as exp(-mu tau) with mu = -s'/s, the other
- *  transverse states (omega_n for the spherical top) at rates of their own. The Jacobian at the equilibrium has the
+ *  transverse states at rates of their own. The Jacobian at the equilibrium has the
  *  eigenvalue 0 along the set of equilibria and the rates across it; orbits nearby end there exactly when all the latter
- *  are negative. For (3.2) of Kilin & Ivanova (2023), with sigma = gamma3 = +-1, they are
- *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),
- *  hence the condition sigma omega_tau > 0, I1 sigma omega_tau < m b v_nu. A near miss has a positive one and leaves.
+ *  are negative. A near miss has a positive one and leaves.
  *
  *  t_end - t = integral of s dtau = s/mu up to the order that jlt_approach neglects, and the orbit is at its end when that is
  *  below the tolerance. To wait until the way left itself vanishes would be to wait in vain: where the rates differ much, an

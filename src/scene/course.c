@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "kernel/observed.h"
-#include "scene/conserved.h"
-#include "scene/rod.h"
+#include "top/conserved.h"
+#include "top/rod.h"
 
 enum { INTEGRALS_MAX = 8 };
 
@@ -15,7 +15,7 @@ struct jlt_course {
     jlt_tier_view view; /* in the course's units, as everything below is that is integrated or watched */
     jlt_units units;
     const jlt_quantity *quantities; /* (states,): of the asked model */
-    bool has_top;
+    bool has_tiers;
     unsigned states;
     int direction; /* of time so far: 0, +1, -1 */
     double t;
@@ -130,32 +130,6 @@ done:
     return st;
 }
 
-/* What the tier knows of the orbit, as told and in units of its own. */
-static jlt_status look(jlt_course *self, jlt_tier_view *told, const jlt_candidate *chosen, const jlt_question *question)
-{
-    const jlt_descriptor *model = question->model;
-    double start[JLT_TOP_STATES];
-    jlt_top top;
-    jlt_status st = jlt_top_read(&top, model, question->params);
-
-    bool scales = false;
-
-    if (st != JLT_OK) return st;
-    jlt_tier_look(told, chosen->tier, chosen->descriptor, &top, question->start);
-    self->units = jlt_chart_top_units(&told->chart);
-    st = jlt_instance_scales(&scales, model, question->params, &self->units);
-    if (st != JLT_OK) return st;
-    if (!scales) self->units = (jlt_units){ 0 };
-    jlt_units_count(self->params, question->params, model->params, model->param_count, &self->units);
-    jlt_units_count(start, question->start, model->states, JLT_TOP_STATES, &self->units);
-    st = jlt_top_read(&top, model, self->params);
-    if (st == JLT_OK) jlt_tier_look(&self->view, chosen->tier, chosen->descriptor, &top, start);
-    told->asked = self->view.asked = model;
-    told->asked_params = question->params;
-    self->view.asked_params = self->params;
-    return st;
-}
-
 jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                              const jlt_course_options *options)
 {
@@ -176,8 +150,10 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     self->lost_at = NAN;
     self->tier = chosen->tier;
     self->quantities = model->states;
-    self->has_top = jlt_plan_has_tiers(model);
-    if (self->has_top) JLT_TRY(look(self, &told, chosen, question));
+    self->has_tiers = jlt_tier_has(model);
+    if (self->has_tiers)
+        JLT_TRY(jlt_tier_open(&told, &self->view, &self->units, self->params, chosen->tier, chosen->descriptor, model, question->params,
+                              question->start));
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
@@ -188,10 +164,7 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     if (self->seen == NULL) goto done;
     st = JLT_OK;
     note_conditions(self, 0, self->start);
-    if (self->has_top) {
-        if (chosen->tier != NULL && chosen->tier->model == NULL)
-            JLT_TRY(jlt_rod_open(&self->rod, &self->view.top, self->start));
-    }
+    if (chosen->tier != NULL && chosen->tier->model == NULL) JLT_TRY(jlt_rod_open(&self->rod, &self->view.top, self->start));
     if (chosen->descriptor != NULL) JLT_TRY(open_orbit(self, chosen, &told, question, options));
     *out = self;
     self = NULL;
@@ -231,11 +204,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     double now[INTEGRALS_MAX];
 
     *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift, .observed = self->seen };
-    if (self->has_top) { /* an integrated gamma3 may pass 1 by a rounding error */
-        double *gamma3 = &self->x[JLT_TOP_GAMMA3];
-        row->side = end == JLT_END_POLE ? (*gamma3 > 0 ? 1 : -1) : 0;
-        *gamma3 = row->side != 0 ? row->side : fmax(-1, fmin(1, *gamma3));
-    }
+    if (self->has_tiers) row->side = jlt_tier_settle(self->x, end == JLT_END_POLE);
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
@@ -284,7 +253,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
         row->edge = end->meaning;
         st = JLT_ERR_DOMAIN;
     } else if (st == JLT_ERR_DOMAIN) {
-        row->edge = self->has_top ? jlt_tier_near_pole : "the orbit comes to the edge of its table's domain";
+        row->edge = self->has_tiers ? jlt_tier_near_pole : "the orbit comes to the edge of its table's domain";
     }
 done:
     return st;

@@ -30,7 +30,7 @@ typedef struct {
     const char *lost;         /* the condition that then was broken; NULL: none */
     bool has_attitude;
     jlt_attitude attitude;
-    int side;                 /* POLE: sign of gamma3 there */
+    int side;                 /* POLE: which one, +1 or -1 */
     const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message */
 } jlt_course_row;
 

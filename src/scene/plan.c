@@ -4,19 +4,7 @@
 #include <string.h>
 
 #include "kernel/descriptor.h"
-#include "scene/link.h"
-
-static const char tiered_model[] = "spherical_top";
-
-bool jlt_plan_has_tiers(const jlt_descriptor *model)
-{
-    static const char *const states[JLT_TOP_STATES] = { "gamma3", "v_nu", "omega_tau", "omega_n", "omega3" };
-
-    if (strcmp(model->model, tiered_model) != 0 || model->state_count != JLT_TOP_STATES) return false;
-    for (unsigned i = 0; i < JLT_TOP_STATES; i++)
-        if (strcmp(model->states[i].name, states[i]) != 0) return false;
-    return true;
-}
+#include "kernel/link.h"
 
 /* The table whose kernels a tier takes: the one that was asked about where it has the tier's name. */
 static const jlt_descriptor *table_of(const char *name, const jlt_descriptor *asked)
@@ -76,12 +64,12 @@ void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
 
 static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, const jlt_top *top)
 {
-    static const double anywhere[JLT_TOP_STATES] = { 0 };
+    static const double anywhere[JLT_PLAN_STATES_MAX] = { 0 };
     const double *start = question->start != NULL ? question->start : anywhere;
     jlt_candidate candidate = { .tier = tier };
 
     if (question->section && !tier->section)
-        candidate.refusal = "it has no chart (eta, gamma3) of the section on levels of E and G";
+        candidate.refusal = "it has no chart of the section on levels";
     else if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, start);
     if (candidate.refusal == NULL && question->attitude && !tier->attitude)
         candidate.refusal = "attitude and track are asked for";
@@ -103,12 +91,12 @@ static const jlt_descriptor *own_kernel(const jlt_question *question)
 jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
 {
     jlt_plan plan = { .forced = question->tier != NULL };
-    const bool own = !jlt_plan_has_tiers(question->model) || (plan.forced && strcmp(question->tier, "model") == 0);
+    const bool own = !jlt_tier_has(question->model) || (plan.forced && strcmp(question->tier, "model") == 0);
     jlt_top top;
     bool found = false;
 
     if (plan.forced && !own && jlt_tier_find(question->tier) == NULL) return JLT_ERR_ARG;
-    if (plan.forced && !jlt_plan_has_tiers(question->model) && strcmp(question->tier, "model") != 0) return JLT_ERR_ARG;
+    if (plan.forced && !jlt_tier_has(question->model) && strcmp(question->tier, "model") != 0) return JLT_ERR_ARG;
     plan.reduced = own_kernel(question);
     if (plan.reduced == NULL) return JLT_ERR_UNSUPPORTED;
     if (own) {

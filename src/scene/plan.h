@@ -1,12 +1,12 @@
 /** The choice of the smallest model that can answer.
  *
- *  A question is about a model, its parameters, a start, and whether attitude and track are wanted. For the spherical top the
- *  tiers are asked from the smallest up, and the first that serves is taken, with the most special kernel for the parameters.
+ *  A question is about a model, its parameters, a start, and whether attitude and track are wanted. For models that
+ *  tiers speak of (top/tier.h) they are asked from the smallest up, and the first that serves is taken, with the most special kernel for the parameters.
  *  For any other model its own kernel is taken, in a time in which roots are lifted when it has one. */
 #ifndef JLT_SCENE_PLAN_H
 #define JLT_SCENE_PLAN_H
 
-#include "scene/tier.h"
+#include "top/tier.h"
 
 enum { JLT_PLAN_CANDIDATES_MAX = 16, JLT_PLAN_PARAMS_MAX = 64, JLT_PLAN_STATES_MAX = 128 };
 
@@ -15,7 +15,7 @@ typedef struct {
     const double *params;        /* shape (model->param_count,), checked */
     const double *start;         /* shape (model->state_count,), checked; NULL: any */
     bool attitude;
-    bool section;                /* a chart of the section omega_tau = 0 on levels of E and G is needed */
+    bool section;                /* a chart of the known section is needed */
     const char *tier;            /* override by name; NULL: the planner's choice. "model": the asked model's own kernel */
 } jlt_question;
 
@@ -33,13 +33,10 @@ typedef struct {
     const jlt_descriptor *reduced;    /* the asked model's most special kernel in t: its integrals are watched */
 } jlt_plan;
 
-/** True for models that tiers speak of: the spherical top's reduced system, in its five states. */
-bool jlt_plan_has_tiers(const jlt_descriptor *model);
-
 /** Why a candidate does not serve, with the claim that is not proved: "...: reduction on_level: dG/dt = ...". */
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
 
-/** A tier serves only where claims that are proved link its table to the one that was asked about (scene/link.h).
+/** A tier serves only where claims that are proved link its table to the one that was asked about (kernel/link.h).
  *  Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that tier, and
  *  its refusal says why). */
 JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);

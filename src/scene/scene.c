@@ -6,6 +6,7 @@
 
 #include "kernel/descriptor.h"
 #include "scene/source.h"
+#include "top/top.h"
 
 enum { NAMES_MAX = 256 };
 
@@ -55,7 +56,7 @@ done:
     return st;
 }
 
-static jlt_status read_job(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
+static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
                            const config_setting_t *root)
 {
     jlt_status st = JLT_OK;
@@ -76,10 +77,11 @@ static jlt_status read_job(const jlt_value_reader *r, jlt_scene_job *job, const 
     }
     job->what = strdup(what);
     if (job->what == NULL) return JLT_ERR_NOMEM;
-    if (schema->model && config_setting_lookup_string(root, "model", &model) == CONFIG_TRUE) {
+    if (config_setting_lookup_string(root, "model", &model) == CONFIG_TRUE && (schema->model || strcmp(model, JLT_DEFAULT_MODEL) != 0)) {
         job->model = strdup(model);
         if (job->model == NULL) return JLT_ERR_NOMEM;
     }
+    r->plane = config_setting_get_member(entry, "section") != NULL;
     JLT_TRY(share(r, job, schema, root));
     for (int i = 0; i < config_setting_length(entry); i++) {
         const config_setting_t *member = config_setting_get_elem(entry, (unsigned)i);
@@ -133,7 +135,7 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
 {
     jlt_status st = JLT_OK;
     const config_setting_t *compute;
-    const char *title = "", *model = "spherical_top";
+    const char *title = "", *model = JLT_DEFAULT_MODEL;
     int count;
 
     JLT_TRY(check_root(r, root));
@@ -142,10 +144,10 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
     if (count == 0) return jlt_value_complain(r, jlt_value_line(compute), "'compute' is empty");
     (void)config_setting_lookup_string(root, "title", &title);
     (void)config_setting_lookup_string(root, "model", &model);
-    r->model = jlt_descriptor_find(model, NULL, NULL, NULL);
+    r->model = r->open != NULL ? r->open(model) : jlt_descriptor_find(model, NULL, NULL, NULL);
     if (r->model == NULL)
         return jlt_value_complain(r, jlt_value_line(config_setting_get_member(root, "model")),
-                        "there is no model '%s' built in ('jellett models' lists them)", model);
+                        "there is no model '%s' ('jellett models' lists those that are built in)", model);
     scene->model = r->model;
     scene->file = strdup(r->file);
     scene->title = strdup(title);
@@ -159,10 +161,10 @@ done:
     return st;
 }
 
-jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path)
+jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, jlt_scene_open open)
 {
     jlt_status st = JLT_OK;
-    jlt_value_reader r = { path, message, NULL };
+    jlt_value_reader r = { .file = path, .message = message, .open = open };
     jlt_scene *scene = NULL;
     config_t config;
     char *text = NULL;

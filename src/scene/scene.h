@@ -1,11 +1,11 @@
 /** Scene files: what a run asks for, in libconfig's syntax, checked to the last key.
  *
  *      title = "Poincare map of (5.1)";
- *      model = "spherical_top";
- *      parameters = { m = 1; R = 1; g = 1; a3 = 0.51; I1 = "1/3"; I3 = "1/3"; };
- *      levels = { E = 2.15; G = -0.56; };
+ *      model = "pendulum";
+ *      parameters = { g = 9.81; l = "1/3"; };
+ *      levels = { energy = 2.15; };
  *      accuracy = { tolerance = 1e-12; };
- *      compute = ( { what = "section"; returns = 300; grid = { eta = (-3, 3, 25); gamma3 = (-0.9, 0.9, 19); };
+ *      compute = ( { what = "section"; returns = 300; grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
  *                    output = "fig3a.csv"; plot = "fig3a.svg"; } );
  *
  *  Each entry of `compute` asks for one command with options; a key means the option of the same name. `parameters`,
@@ -44,9 +44,13 @@ typedef struct {
     size_t count;
 } jlt_scene;
 
-/** Read and check. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
+/** The general field of the model that a scene names; NULL: there is none. */
+typedef const struct jlt_descriptor *(*jlt_scene_open)(const char *model);
+
+/** Read and check. open: where models come from; NULL: those that are built in. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
  *  newline. Errors: IO (a file that cannot be read), ARG (a bad scene), NOMEM. */
-JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path);
+JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path,
+                                      jlt_scene_open open);
 void jlt_scene_destroy(jlt_scene *scene); /* NULL is legal */
 
 /** Give a parameter another value, as it is typed on a command line, in all jobs that the scene's parameters apply to.

@@ -8,10 +8,10 @@
 #define LAST { NULL, NULL, JLT_KEY_TEXT, NULL }
 /* Where results go. */
 #define OUTPUT KEY("output", FILE, NULL), KEY("plot", FILE, NULL), KEY("keep", FILE, NULL)
-#define SECTION_COORDINATES "eta|gamma3"
-#define LEVELS_AND_PARAMETERS "m|R|g|I1|I3|a3|E|G"
-#define SECTION_OPTIONS                                                                                \
-    KEY("direction", TEXT, "up|down|both"), KEY("contact", TEXT, "ignore|report|end"), OUTPUT
+/* Which section: that which is known of the model, or one of its table's states. */
+#define SECTION_OPTIONS                                                                                                  \
+    KEY("section", GROUP, JLT_KEY_STATES), KEY("solve", GROUP, JLT_KEY_STATES), KEY("modulo", TEXT, NULL),               \
+        KEY("mirror", TEXT, NULL), KEY("direction", TEXT, "up|down|both"), KEY("contact", TEXT, "ignore|report|end"), OUTPUT
 
 static const jlt_key simulate_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("times", NUMBERS, NULL), KEY("until", NUMBER, NULL),
@@ -26,34 +26,34 @@ static const jlt_key rod_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("check", FLAG, NULL), OUTPUT, LAST,
 };
 static const jlt_key section_keys[] = {
-    KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
     KEY("skip", SEED, NULL), KEY("backward", FLAG, NULL), KEY("check", FLAG, NULL), KEY("batch", FLAG, NULL), KEY("threads", COUNT, NULL),
     KEY("project", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key orbits_keys[] = {
-    KEY("period", COUNT, NULL), KEY("grid", RANGES, SECTION_COORDINATES), KEY("near", NUMBER, NULL),
-    KEY("settle", SEED, NULL), KEY("samples", SEED, NULL), KEY("start", GROUP, SECTION_COORDINATES), SECTION_OPTIONS, LAST,
+    KEY("period", COUNT, NULL), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("near", NUMBER, NULL),
+    KEY("settle", SEED, NULL), KEY("samples", SEED, NULL), KEY("start", GROUP, JLT_KEY_COORDINATES), SECTION_OPTIONS, LAST,
 };
 static const jlt_key manifolds_keys[] = {
-    KEY("start", GROUP, SECTION_COORDINATES), KEY("period", COUNT, NULL), KEY("length", NUMBER, NULL),
+    KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("period", COUNT, NULL), KEY("length", NUMBER, NULL),
     KEY("spacing", NUMBER, NULL), KEY("turn", NUMBER, NULL), KEY("count", COUNT, NULL), KEY("seed", NUMBER, NULL),
     KEY("crossings", FILE, NULL), KEY("no-crossings", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key fates_keys[] = {
-    KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
-    KEY("sweep", RANGES, LEVELS_AND_PARAMETERS), SECTION_OPTIONS, LAST,
+    KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("sweep", RANGES, JLT_KEY_VALUES), SECTION_OPTIONS, LAST,
 };
 static const jlt_key continue_keys[] = {
-    KEY("along", INTERVAL, LEVELS_AND_PARAMETERS), KEY("start", GROUP, SECTION_COORDINATES), KEY("period", COUNT, NULL),
+    KEY("along", INTERVAL, JLT_KEY_VALUES), KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("period", COUNT, NULL),
     KEY("step", NUMBER, NULL), KEY("count", COUNT, NULL), KEY("decreasing", FLAG, NULL), KEY("branches", FLAG, NULL),
     SECTION_OPTIONS, LAST,
 };
 static const jlt_key lyapunov_keys[] = {
-    KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
     KEY("skip", SEED, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key separation_keys[] = {
-    KEY("grid", RANGES, SECTION_COORDINATES), KEY("cells", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("cells", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
     KEY("settle", SEED, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key verify_keys[] = { KEY("seed", SEED, NULL), KEY("samples", COUNT, NULL), LAST };
@@ -64,15 +64,15 @@ static const jlt_key eigen_keys[] = {
 
 static const jlt_schema schemas[] = {
     { "simulate", simulate_keys, true, NULL, "tolerance|method|tier", true },
-    { "portrait", portrait_keys, true, "E|G|F0", "tolerance|method", false },
+    { "portrait", portrait_keys, true, JLT_KEY_INTEGRALS, "tolerance|method", false },
     { "rod", rod_keys, true, NULL, "", false },
-    { "section", section_keys, true, "E|G", "tolerance|method", false },
-    { "orbits", orbits_keys, true, "E|G", "tolerance|method", false },
-    { "manifolds", manifolds_keys, true, "E|G", "tolerance|method", false },
-    { "fates", fates_keys, true, "E|G", "tolerance|method", false },
-    { "continue", continue_keys, true, "E|G", "tolerance|method", false },
-    { "lyapunov", lyapunov_keys, true, "E|G", "tolerance|method", false },
-    { "separation", separation_keys, true, "E|G", "tolerance|method", false },
+    { "section", section_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
+    { "orbits", orbits_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
+    { "manifolds", manifolds_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
+    { "fates", fates_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
+    { "continue", continue_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
+    { "lyapunov", lyapunov_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
+    { "separation", separation_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
     { "verify", verify_keys, false, NULL, "", true },
     { "eigen", eigen_keys, true, NULL, "", true },
 };

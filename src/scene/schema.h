@@ -23,6 +23,10 @@ typedef enum {
 #define JLT_KEY_PARAMS "@params"
 #define JLT_KEY_QUANTITIES "@quantities"   /* either */
 #define JLT_KEY_METHODS "@methods"         /* of integration */
+#define JLT_KEY_COORDINATES "@coordinates" /* of a section: of the known one, or the states */
+#define JLT_KEY_INTEGRALS "@integrals"     /* that the model claims */
+#define JLT_KEY_LEVELS "@levels"           /* of the known section, or integrals */
+#define JLT_KEY_VALUES "@values"           /* parameters and levels */
 
 typedef struct {
     const char *key;    /* in the scene */
@@ -37,7 +41,7 @@ typedef struct {
     bool parameters;         /* the scene's parameters apply */
     const char *levels;      /* names of the scene's levels that it knows, as `allowed`; NULL: none apply */
     const char *accuracy;    /* keys of the scene's accuracy that apply, separated by '|' */
-    bool model;              /* takes the model as operand */
+    bool model;              /* takes the model as operand even where it is the default */
 } jlt_schema;
 
 /** NULL when no command of that name can be asked for. */

@@ -8,8 +8,8 @@
 #include "core/digits.h"
 #include "ext/number.h"
 #include "integrate/method.h"
-#include "kernel/descriptor.h"
 #include "scene/scene.h"
+#include "top/known.h"
 
 jlt_status jlt_value_complain(const jlt_value_reader *r, int line, const char *format, ...)
 {
@@ -31,48 +31,72 @@ int jlt_value_line(const config_setting_t *setting)
 
 /* ---- words that must be known ---- */
 
-static bool is_allowed(const jlt_value_reader *r, const char *allowed, const char *word)
-{
-    size_t index;
+/* Calls for every name that may stand there; true when one is `word`, or none is looked for. */
+typedef struct {
+    const char *word; /* NULL: all are listed */
+    char *list;
+    size_t size;
+    bool found;
+} names;
 
-    if (strcmp(allowed, JLT_KEY_STATES) == 0) return jlt_descriptor_state(r->model, word, &index);
-    if (strcmp(allowed, JLT_KEY_PARAMS) == 0) return jlt_descriptor_param(r->model, word, &index);
-    if (strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
-        return jlt_descriptor_state(r->model, word, &index) || jlt_descriptor_param(r->model, word, &index);
-    if (strcmp(allowed, JLT_KEY_METHODS) == 0) return jlt_method_find(word) != NULL;
-    return jlt_schema_listed(allowed, word);
+static void meet(names *self, const char *name)
+{
+    const size_t used = self->list != NULL ? strlen(self->list) : 0;
+
+    if (self->word != NULL) self->found |= strcmp(self->word, name) == 0;
+    else snprintf(self->list + used, self->size - used, "%s%s", used > 0 ? ", " : "", name);
 }
 
-static void list_name(char *out, size_t size, const char *name)
+static void meet_quantities(names *self, const jlt_quantity *quantities, unsigned count)
 {
-    const size_t used = strlen(out);
-
-    snprintf(out + used, size - used, "%s%s", used > 0 ? ", " : "", name);
+    for (unsigned i = 0; i < count; i++) meet(self, quantities[i].name);
 }
 
-static void list_quantities(char *out, size_t size, const jlt_quantity *quantities, unsigned count)
+static void meet_integrals(names *self, const jlt_descriptor *model)
 {
-    for (unsigned i = 0; i < count; i++) list_name(out, size, quantities[i].name);
+    for (const jlt_claim *claim = model->claims; claim->kind != NULL; claim++)
+        if (strcmp(claim->kind, "integral") == 0) meet(self, claim->name);
+}
+
+static void meet_words(names *self, const char *words)
+{
+    char word[64];
+
+    for (size_t length; *words != '\0'; words += length + (words[length] != '\0')) {
+        length = strcspn(words, "|");
+        snprintf(word, sizeof word, "%.*s", (int)length, words);
+        meet(self, word);
+    }
+}
+
+static void meet_all(names *self, const jlt_value_reader *r, const char *allowed)
+{
+    const jlt_descriptor *model = r->model;
+    const jlt_known *known = r->plane ? NULL : jlt_known_of(model);
+    const bool quantities = strcmp(allowed, JLT_KEY_QUANTITIES) == 0, values = strcmp(allowed, JLT_KEY_VALUES) == 0;
+    const bool coordinates = strcmp(allowed, JLT_KEY_COORDINATES) == 0, levels = values || strcmp(allowed, JLT_KEY_LEVELS) == 0;
+
+    if (allowed[0] != '@') meet_words(self, allowed);
+    for (size_t i = 0; strcmp(allowed, JLT_KEY_METHODS) == 0 && jlt_method_at(i) != NULL; i++) meet(self, jlt_method_at(i)->name);
+    for (unsigned i = 0; coordinates && known != NULL && i < known->coordinate_count; i++) meet(self, known->coordinates[i]);
+    if (quantities || strcmp(allowed, JLT_KEY_STATES) == 0 || (coordinates && known == NULL))
+        meet_quantities(self, model->states, model->state_count);
+    if (quantities || values || strcmp(allowed, JLT_KEY_PARAMS) == 0) meet_quantities(self, model->params, model->param_count);
+    for (unsigned i = known != NULL ? known->params : 0; levels && known != NULL && i < known->count; i++) meet(self, known->names[i]);
+    if (strcmp(allowed, JLT_KEY_INTEGRALS) == 0 || (levels && known == NULL)) meet_integrals(self, model);
 }
 
 static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const char *allowed, const char *name,
                              const char *word)
 {
-    char known[256] = "";
+    char text[256] = "";
+    names sought = { .word = word }, known = { .list = text, .size = sizeof text };
 
-    if (allowed == NULL || is_allowed(r, allowed, word)) return JLT_OK;
-    if (strcmp(allowed, JLT_KEY_STATES) == 0 || strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
-        list_quantities(known, sizeof known, r->model->states, r->model->state_count);
-    if (strcmp(allowed, JLT_KEY_PARAMS) == 0 || strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
-        list_quantities(known, sizeof known, r->model->params, r->model->param_count);
-    for (size_t i = 0; strcmp(allowed, JLT_KEY_METHODS) == 0 && jlt_method_at(i) != NULL; i++)
-        list_name(known, sizeof known, jlt_method_at(i)->name);
-    if (known[0] == '\0') {
-        snprintf(known, sizeof known, "%s", allowed);
-        for (char *c = known; *c != '\0'; c++)
-            if (*c == '|') *c = ' ';
-    }
-    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", name, word, known);
+    if (allowed == NULL) return JLT_OK;
+    meet_all(&sought, r, allowed);
+    if (sought.found) return JLT_OK;
+    meet_all(&known, r, allowed);
+    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", name, word, text);
 }
 
 /* ---- values as a command line has them ---- */

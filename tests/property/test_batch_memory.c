@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "dynamics/section_batch.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 
@@ -105,7 +105,7 @@ static void a_hundred_times_the_rows_ask_for_the_same_memory(void **unused)
  * no state, so that none is followed. */
 static void rows_of_many_orbits_ask_for_bounded_memory(void **unused)
 {
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     const size_t orbits = 1024 * 256;
     double *q = malloc(2 * orbits * sizeof *q);
     jlt_section_batch *batch;

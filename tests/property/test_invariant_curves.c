@@ -7,13 +7,13 @@
 #include "dynamics/homoclinic.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/separation.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 #include "kernel/descriptor.h"
 
 static jlt_system *top(double tolerance)
 {
     const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING };
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     jlt_system *system;
 
     assert_ok(jlt_system_top(&system, &values, &options));
@@ -155,7 +155,7 @@ static jlt_status record(void *context, const jlt_continuation_point *point)
  * trace of orbits found at fixed energies on both sides, without continuation. */
 static void bifurcations_lie_where_multipliers_say(void **unused)
 {
-    jlt_top_family tops = { .values = jlt_system_defaults(), .name = "E", .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
+    jlt_top_family tops = { .values = jlt_system_top_defaults(), .name = "E", .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
     jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
     const jlt_family maps = { jlt_system_map_at, &family };
     const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
@@ -267,7 +267,7 @@ static void orbits_come_to_rest_on_attracting_equilibria(void **unused)
 {
     const double q[2] = { 1.0471975511965974, 0.3 };
     const jlt_flow options = { .tolerance = 1e-12, .direction = JLT_RISING };
-    jlt_top_values values = jlt_system_defaults();
+    jlt_top_values values = jlt_system_top_defaults();
     jlt_section *section;
     jlt_system *system;
     jlt_fates_end end;
@@ -280,7 +280,7 @@ static void orbits_come_to_rest_on_attracting_equilibria(void **unused)
     assert_ok(jlt_fates_follow(section, &end, q, 100000));
     assert_int_equal(end.fate, JLT_FATE_EQUILIBRIUM);
     assert_true(end.returns < 1000);
-    jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end.x);
+    jlt_chart_top_rotation(jlt_system_top_chart(system), &omega_n, &omega3, end.x);
     assert_near(omega_n, 0, 1e-11);
     assert_near(end.x[JLT_CHART_TOP_OMEGA_TAU], 0, 1e-11);
     /* (4.6): tr A = -m R I3 gamma3 v_nu/(s Theta) < 0 */

@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "dynamics/map.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 #include "kernel/descriptor.h"
 
 enum { SYSTEMS = 40 };
@@ -23,7 +23,7 @@ static jlt_system *random_system(double q[2], jlt_random *random)
         v.E = jlt_random_between(random, 0, 20);
         v.G = jlt_random_between(random, -2, 2);
         if (jlt_system_top(&system, &v, &options) != JLT_OK) continue;
-        assert_true(jlt_system_interval(&system->chart.top, &low, &high));
+        assert_true(jlt_system_top_interval(jlt_system_top_chart(system), &low, &high));
         q[0] = jlt_random_between(random, -3.1, 3.1);
         q[1] = low + (high - low) * jlt_random_between(random, 0.1, 0.9);
         return system;
@@ -40,9 +40,9 @@ static void chart_lies_on_its_levels_and_agrees_with_the_paper(void **unused)
     jlt_random_seed(&random, 1);
     for (int i = 0; i < SYSTEMS; i++) {
         jlt_system *system = random_system(q, &random);
-        const jlt_chart *chart = &system->chart.top.base;
+        const jlt_chart *chart = &jlt_system_top_chart(system)->base;
         const jlt_descriptor *d = system->instance->descriptor;
-        const jlt_top_values v = system->values;
+        const jlt_top_values v = jlt_system_top_values(system);
         double values[8], omega_n, omega3, s, b, Theta, eta;
         size_t energy = 0;
 
@@ -57,7 +57,7 @@ static void chart_lies_on_its_levels_and_agrees_with_the_paper(void **unused)
         jlt_instance_destroy(kernel);
         while (strcmp(d->integrals[energy].name, "E") != 0) energy++;
         assert_near(values[energy], v.E, 1e-12 * (1 + fabs(v.E)));
-        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, x);
+        jlt_chart_top_rotation(jlt_system_top_chart(system), &omega_n, &omega3, x);
         s = sqrt(1 - q[1] * q[1]);
         b = v.a3 + v.R * q[1];
         Theta = v.I1 * v.I3 + v.I1 * v.m * v.R * v.R * s * s + v.I3 * v.m * b * b;
@@ -79,15 +79,15 @@ static void contact_force_is_that_of_the_full_system(void **unused)
     jlt_random_seed(&random, 2);
     for (int i = 0; i < SYSTEMS; i++) {
         jlt_system *system = random_system(q, &random);
-        const jlt_chart *chart = &system->chart.top.base;
-        const jlt_top_values v = system->values;
+        const jlt_chart *chart = &jlt_system_top_chart(system)->base;
+        const jlt_top_values v = jlt_system_top_values(system);
         double omega_n, omega3, s, D, N;
         jlt_observed *observed;
 
         assert_ok(chart->lift(chart, x, NULL, q));
         x[JLT_CHART_TOP_OMEGA_TAU] = jlt_random_between(&random, -2, 2);
         assert_ok(jlt_observed_create(&observed, system->instance->descriptor, system->instance->params, &(jlt_units){ 0 }));
-        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, x);
+        jlt_chart_top_rotation(jlt_system_top_chart(system), &omega_n, &omega3, x);
         s = x[JLT_CHART_TOP_S];
         D = v.I1 + v.m * v.a3 * v.a3 * s * s;
         N = v.m *
@@ -210,7 +210,7 @@ static void reversor_turns_the_map_into_its_inverse(void **unused)
 static void empty_levels_and_poles_are_refused(void **unused)
 {
     const double at_pole[2] = { 0, 1 }, beyond[2] = { 0, -1.5 }, not_a_number[2] = { NAN, 0 };
-    jlt_top_values v = jlt_system_defaults();
+    jlt_top_values v = jlt_system_top_defaults();
     jlt_system *system;
     jlt_section *section;
 
@@ -232,7 +232,7 @@ static void empty_levels_and_poles_are_refused(void **unused)
 static void time_runs_forwards_or_backwards_and_at_no_other_rate(void **unused)
 {
     const double q[2] = { 0.1, -0.6 };
-    const jlt_top_values v = jlt_system_defaults();
+    const jlt_top_values v = jlt_system_top_defaults();
     jlt_system *system;
     jlt_section *section;
 
@@ -255,8 +255,8 @@ static void the_interval_ends_where_the_levels_do(void **unused)
     for (int k = 0; k < 10 * SYSTEMS; k++) {
         double q[2], low, high;
         jlt_system *system = random_system(q, &random);
-        const jlt_chart_top *chart = &system->chart.top;
-        assert_true(jlt_system_interval(chart, &low, &high) && low < high);
+        const jlt_chart_top *chart = jlt_system_top_chart(system);
+        assert_true(jlt_system_top_interval(chart, &low, &high) && low < high);
         assert_true(jlt_chart_top_speed2(chart, low) > 0 && jlt_chart_top_speed2(chart, high) > 0);
         assert_true(low == -1 + 1e-9 || !(jlt_chart_top_speed2(chart, nextafter(low, -2)) > 0));
         assert_true(high == 1 - 1e-9 || !(jlt_chart_top_speed2(chart, nextafter(high, 2)) > 0));

@@ -12,7 +12,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "scene/course.h"
-#include "scene/rod.h"
+#include "top/rod.h"
 
 enum { STATES = JLT_TOP_STATES, TRIALS = 40 };
 

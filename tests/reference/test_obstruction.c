@@ -4,7 +4,7 @@
 #include "unit/check.h"
 
 #include "dynamics/orbits.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 
 typedef struct {
     jlt_top_values values;

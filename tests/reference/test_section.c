@@ -1,7 +1,7 @@
 /* Section maps of the spherical top against quadruple precision (tests/reference/data). */
 #include "dynamics/fates.h"
 #include "dynamics/periodic.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -41,7 +41,7 @@ static int next_row(FILE *file, double *values, int count)
 static jlt_system *open_system(double tolerance, const char *method)
 {
     const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING, .method = jlt_method_find(method) };
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     jlt_system *system;
 
     assert_int_equal(jlt_system_top(&system, &values, &options), JLT_OK);
@@ -68,7 +68,7 @@ static double worst_return(double tolerance, const char *method)
         got[1] = row.q[1];
         got[2] = row.t;
         got[3] = row.x[JLT_CHART_TOP_V_NU];
-        jlt_chart_top_rotation(&system->chart.top, &got[4], &got[5], row.x);
+        jlt_chart_top_rotation(jlt_system_top_chart(system), &got[4], &got[5], row.x);
         for (int i = 0; i < 6; i++) worst = fmax(worst, fabs(got[i] - want[i + 2]));
     }
     fclose(file);
@@ -120,7 +120,7 @@ static void poles_match_quadruple_precision(void **unused)
         assert_true(fabs(end.t - want[3]) < 1e-11);
         assert_true(fabs(end.x[JLT_CHART_TOP_V_NU] - want[4]) < 1e-10);
         assert_true(fabs(end.x[JLT_CHART_TOP_OMEGA_TAU] - want[5]) < 1e-10);
-        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end.x);
+        jlt_chart_top_rotation(jlt_system_top_chart(system), &omega_n, &omega3, end.x);
         assert_true(fabs(omega3 - want[6]) < 1e-10);
         assert_true(fabs(omega_n) < 1e-10);
         rows++;

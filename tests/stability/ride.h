@@ -7,7 +7,7 @@
 #include "integrate/orbit.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
-#include "scene/tier.h"
+#include "top/tier.h"
 
 /* (5.1) of Kilin and Ivanova (2023). */
 static const jlt_top top_51 = { 1, 1, 1, 0.51, 1.0 / 3, 1.0 / 3 };

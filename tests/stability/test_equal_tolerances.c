@@ -4,7 +4,7 @@
 #include "unit/check.h"
 
 #include "dynamics/section_batch.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 #include "reference/csv.h"
 
 enum { ORBITS = 64, RETURNS = 10, ROWS = ORBITS * (RETURNS + 1), COLUMNS = 7 };
@@ -15,14 +15,14 @@ static double error_of(const jlt_system *system, const jlt_return *row, const do
 {
     double omega_n, omega3;
 
-    jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, row->x);
+    jlt_chart_top_rotation(jlt_system_top_chart(system), &omega_n, &omega3, row->x);
     return fmax(fmax(fabs(row->x[0] - want[3]), fabs(row->x[1] - want[4])), fabs(omega3 - want[6]));
 }
 
 static double worst_error(const jlt_method *method, double tolerance)
 {
     const jlt_flow flow = { .method = method, .tolerance = tolerance, .direction = JLT_RISING };
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     static double q[ORBITS][2];
     jlt_section_batch *batch = NULL;
     jlt_section *section = NULL;
@@ -33,8 +33,8 @@ static double worst_error(const jlt_method *method, double tolerance)
     for (size_t i = 0; i < ORBITS; i++) {
         double x[5];
         const double *row = rows[i * (RETURNS + 1)];
-        jlt_chart_top_state(&system->chart.top, x, row[3], row[4], 0, row[5], row[6]);
-        system->chart.top.base.lower(&system->chart.top.base, q[i], NULL, x);
+        jlt_chart_top_state(jlt_system_top_chart(system), x, row[3], row[4], 0, row[5], row[6]);
+        jlt_system_top_chart(system)->base.lower(&jlt_system_top_chart(system)->base, q[i], NULL, x);
     }
     if (method == NULL) {
         assert_ok(jlt_section_batch_create(&batch, &system->flow, system->field.batch, &(jlt_section_batch_options){ 0 }));

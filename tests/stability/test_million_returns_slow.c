@@ -8,14 +8,14 @@
 #include <stdio.h>
 
 #include "dynamics/section.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 
 enum { RETURNS = 1000000 };
 
 static void crossings_alternate_in_direction_and_side(void **unused)
 {
     const jlt_flow options = { .tolerance = 1e-12, .direction = JLT_BOTH };
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     const double q[2] = { 0.43, -0.62 };
     double last_t = 0, shortest = 1e9, longest = 0, energy = 0;
     int last_direction = 0, last_side = 0;
@@ -44,7 +44,7 @@ static void crossings_alternate_in_direction_and_side(void **unused)
         shortest = fmin(shortest, row.t - last_t);
         longest = fmax(longest, row.t - last_t);
         last_t = row.t;
-        energy = fmax(energy, fabs(jlt_chart_top_energy(&system->chart.top, row.x) - values.E) / values.E);
+        energy = fmax(energy, fabs(jlt_chart_top_energy(jlt_system_top_chart(system), row.x) - values.E) / values.E);
     }
     printf("%d returns, t = %.10g; times between crossings %.6g .. %.6g; relative drift of E %.2g\n", RETURNS, last_t,
            shortest, longest, energy);

@@ -5,11 +5,11 @@
 #include "dynamics/branch.h"
 #include "dynamics/fates.h"
 #include "dynamics/lyapunov.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 #include "integrate/batch.h"
 #include "kernel/batch_isa.h"
 #include "scene/course.h"
-#include "scene/rod.h"
+#include "top/rod.h"
 
 static const double bad[] = { NAN, INFINITY, -INFINITY };
 static const double start[JLT_TOP_STATES] = { 0.2, 0.6, 0.4, 1.3, -0.8 }, point[2] = { 0.44, -0.62 };
@@ -88,7 +88,7 @@ static void kernels_and_quadratures_refuse_them(void **unused)
 
 static void sections_and_maps_refuse_them(void **unused)
 {
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     jlt_system *system = NULL, *changed_system = NULL;
     jlt_section *section = NULL;
     jlt_map *map = NULL;
@@ -108,7 +108,7 @@ static void sections_and_maps_refuse_them(void **unused)
         static const char *const names[] = { "m", "R", "g", "I1", "I3", "a3", "E", "G" };
         for (int i = 0; i < 8; i++) {
             jlt_top_values changed = values;
-            *jlt_system_value(&changed, names[i]) = *value;
+            *jlt_system_top_value(&changed, names[i]) = *value;
             assert_refused(jlt_system_top(&changed_system, &changed, NULL));
             assert_null(changed_system);
         }

@@ -5,7 +5,7 @@
 #include "table.h"
 
 #include "dynamics/map.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 
 enum { RETURNS = 1000, STEPS = 150 };
 static const size_t lengths[] = { 1, 3, 10, 30, 100, 300, 1000 };
@@ -19,7 +19,7 @@ static const struct {
 /* Sum over the returns k = 1 .. N of |DP^-k|, which carries an error made then back to the start; sums: (LENGTHS,). */
 static void transport(double *sums, const double *q)
 {
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     double sum = 0, here[2] = { q[0], q[1] }, m[4] = { 1, 0, 0, 1 }, root = 1;
     jlt_system *system = NULL;
     jlt_map *map = NULL;
@@ -57,7 +57,7 @@ static void walk(jlt_section *section, jlt_return *row, size_t returns)
 
 static defects measure(const char *method, double tolerance, const double *q)
 {
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     const jlt_flow options = { .tolerance = tolerance, .method = jlt_method_find(method) };
     jlt_system *system = NULL;
     jlt_section *there = NULL, *back = NULL;

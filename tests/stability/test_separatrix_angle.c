@@ -5,7 +5,7 @@
 #include "table.h"
 
 #include "dynamics/homoclinic.h"
-#include "dynamics/system.h"
+#include "top/system_top.h"
 
 enum { SIDES = 9 };
 
@@ -34,7 +34,7 @@ typedef struct {
 
 static crossing cross(int place, double tolerance, const char *method, double seed)
 {
-    const jlt_top_values values = jlt_system_defaults();
+    const jlt_top_values values = jlt_system_top_defaults();
     const jlt_flow fine = { .tolerance = tolerance, .direction = JLT_RISING, .method = jlt_method_find(method) };
     jlt_system *system = NULL;
     jlt_map *map = NULL, *coarse_map = NULL;

@@ -1,11 +1,11 @@
 /* I3 -> 0. No kernel, section or eigenvalue divides by I3 alone, and the motion tends to that of I3 = 0 as I3 itself.
- * Oracle: the quadratures of section 4.2 (scene/rod.h), exact for I3 = 0, which share nothing with an integrator. */
+ * Oracle: the quadratures of section 4.2 (top/rod.h), exact for I3 = 0, which share nothing with an integrator. */
 #include "ride.h"
 #include "table.h"
 
 #include "dynamics/section.h"
-#include "dynamics/system.h"
-#include "scene/rod.h"
+#include "top/system_top.h"
+#include "top/rod.h"
 
 static const double start[JLT_TOP_STATES] = { 0.2, 0.6, 0.4, 1.3, -0.8 };
 static const double times[] = { 1, 3, 10 };

@@ -24,7 +24,7 @@ accuracy='-O''fast|-f''fast-math|-funsafe-math|-fassociative-math|-ffinite-math|
 accuracy+='|pragma[[:space:]]+STDC[[:space:]]+FP_CONTRACT[[:space:]]+ON|__attribute__.*optimize'
 refuse "the compiler never decides accuracy" "$accuracy" "${build[@]}" "${sources[@]}"
 
-mapfile -t library < <(list src generated \( -name '*.c' -o -name '*.h' \) ! -path 'src/cli/*')
+mapfile -t library < <(list src generated \( -name '*.c' -o -name '*.h' \) ! -path 'src/cli/*' ! -path 'src/top/command_*')
 mapfile -t compiler < <(list codegen -name '*.c' ! -name main.c ! -name 'command*.c')
 refuse "a library never ends the program" '\b(exit|_Exit|abort|quick_exit)[[:space:]]*\(' "${library[@]}" "${compiler[@]}"
 refuse "a library never prints" '(^|[^a-z_])(printf|puts|putchar|perror)[[:space:]]*\(|(^|[^/a-z_])(stdout|stderr)\b' "${library[@]}"

@@ -47,10 +47,10 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
 
 check_library "$JLT_BINARY_DIR/libjellett.a" src generated
 check_library "$JLT_BINARY_DIR/libttc_core.a" codegen
-for object in "$JLT_BINARY_DIR"/CMakeFiles/jellett.dir/src/cli/*.o; do
+for object in "$JLT_BINARY_DIR"/CMakeFiles/jellett.dir/src/{cli/*,top/command_*}.o; do
     while read -r symbol; do
         [[ $symbol == main || $symbol == jlt_* ]] && continue
-        echo "src/cli/$(basename "$object" .o): $symbol: public, but without the prefix jlt_"
+        echo "$(basename "$object" .o): $symbol: public, but without the prefix jlt_"
         status=1
     done < <(nm --defined-only -g "$object" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^(__|\.)/ { print $NF }')
 done

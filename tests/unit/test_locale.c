@@ -75,7 +75,7 @@ static void scenes_are_read(void **unused)
     assert_true(descriptor >= 0);
     assert_int_equal(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
     close(descriptor);
-    const jlt_status st = jlt_scene_read(&scene, message, path);
+    const jlt_status st = jlt_scene_read(&scene, message, path, NULL);
     unlink(path);
     assert_string_equal(message, "");
     assert_ok(st);

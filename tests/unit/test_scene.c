@@ -21,7 +21,7 @@ static jlt_status read_text(jlt_scene **scene, char *message, const char *text)
     assert_true(descriptor >= 0);
     assert_int_equal(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
     close(descriptor);
-    st = jlt_scene_read(scene, message, path);
+    st = jlt_scene_read(scene, message, path, NULL);
     unlink(path);
     /* the path in front is random: drop it */
     if (strncmp(message, path, strlen(path)) == 0) memmove(message, message + strlen(path), strlen(message + strlen(path)) + 1);
@@ -85,14 +85,22 @@ static void every_mistake_is_named_with_its_line(void **unused)
           ":1: error: unknown key 'tolerence' in 'accuracy'" },
         { "compute = ( { what = \"section\";\n grid = { eta = (1, 2); }; } );", ":2: error: 'eta' takes one number or (first" },
         { "title = 3;\ncompute = ( { what = \"section\"; } );", ":1: error: 'title' takes a text" },
-        { "model = \"top\";\ncompute = ( { what = \"simulate\"; } );", ":1: error: there is no model 'top' built in" },
+        { "model = \"top\";\ncompute = ( { what = \"simulate\"; } );", ":1: error: there is no model 'top' (" },
         { "parameters = { m = 1;\n mu = 2; };\ncompute = ( { what = \"section\"; } );",
           ":2: error: 'parameters' does not know 'mu' (it knows m, R, g, a3, I1, I3)" },
-        { "levels = { F0 = 1; };\ncompute = ( { what = \"section\"; } );", ":1: error: 'levels' does not know 'F0' (it knows E G)" },
+        { "levels = { F0 = 1; };\ncompute = ( { what = \"section\"; } );", ":1: error: 'levels' does not know 'F0' (it knows E, G)" },
+        { "levels = { F = 1; };\ncompute = ( { what = \"section\"; section = { omega_tau = 0; }; } );",
+          ":1: error: 'levels' does not know 'F' (it knows E, G, F0" },
+        { "compute = ( { what = \"section\"; start = { omega_n = 1; }; } );",
+          ":1: error: 'start' does not know 'omega_n' (it knows eta, gamma3)" },
+        { "compute = ( { what = \"section\"; section = { omega_tau = 0; }; start = { eta = 1; }; } );",
+          ":1: error: 'start' does not know 'eta' (it knows gamma3, v_nu" },
+        { "compute = ( { what = \"fates\"; sweep = { M = 1; }; } );",
+          ":1: error: 'sweep' does not know 'M' (it knows m, R, g, a3, I1, I3, E, G)" },
         { "compute = ( { what = \"simulate\"; start = { gamma = 1; }; } );",
           ":1: error: 'start' does not know 'gamma' (it knows gamma3, v_nu" },
         { "compute = ( { what = \"section\"; direction = \"left\"; } );",
-          ":1: error: 'direction' does not know 'left' (it knows up down both)" },
+          ":1: error: 'direction' does not know 'left' (it knows up, down, both)" },
         { "accuracy = { method = \"euler\"; };\ncompute = ( { what = \"section\"; } );",
           ":1: error: 'method' does not know 'euler' (it knows gauss, dop853" },
         { "parameters = { a3 = 3000000000; };\ncompute = ( { what = \"section\"; } );",
@@ -139,10 +147,10 @@ static void a_file_that_cannot_be_read_is_no_bad_scene(void **unused)
     jlt_scene *scene = NULL;
 
     (void)unused;
-    assert_int_equal(jlt_scene_read(&scene, message, "/tmp"), JLT_ERR_IO);
+    assert_int_equal(jlt_scene_read(&scene, message, "/tmp", NULL), JLT_ERR_IO);
     assert_null(scene);
     assert_string_equal(message, "/tmp: error: Is a directory");
-    assert_int_equal(jlt_scene_read(&scene, message, "/dev/zero"), JLT_ERR_ARG); /* without an end */
+    assert_int_equal(jlt_scene_read(&scene, message, "/dev/zero", NULL), JLT_ERR_ARG); /* without an end */
     assert_null(scene);
 }
 
@@ -152,7 +160,7 @@ static void a_missing_file_is_an_input_error_of_its_own(void **unused)
     jlt_scene *scene = NULL;
 
     (void)unused;
-    assert_int_equal(jlt_scene_read(&scene, message, "/nonexistent/x.scene"), JLT_ERR_IO);
+    assert_int_equal(jlt_scene_read(&scene, message, "/nonexistent/x.scene", NULL), JLT_ERR_IO);
     assert_null(scene);
     assert_string_equal(message, "/nonexistent/x.scene: error: No such file or directory");
 }

@@ -2,7 +2,7 @@
 #include "unit/check.h"
 
 #include "kernel/descriptor.h"
-#include "scene/tier.h"
+#include "top/tier.h"
 
 enum { ROOM = 32 };
 

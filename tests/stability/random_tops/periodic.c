@@ -72,7 +72,7 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
     follower *self = context;
     jlt_top_values values = self->tops->values;
 
-    *jlt_system_value(&values, self->tops->name) = point->value;
+    *jlt_system_top_value(&values, self->tops->name) = point->value;
     return check(self->t, &values, &point->orbit, "continue") && self->left-- > 1 ? JLT_OK : JLT_ERR_EMPTY;
 }
 
@@ -81,7 +81,7 @@ static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
     const char *name = (const char *[]){ "E", "G", "a3", "I3" }[jlt_random_below(&t->random, 4)];
     jlt_top_family tops = { .values = t->top, .name = name, .options = *flow };
     jlt_system_family maps = { .make = jlt_system_top_at, .context = &tops };
-    const double value = *jlt_system_value(&tops.values, name), scale = fabs(value);
+    const double value = *jlt_system_top_value(&tops.values, name), scale = fabs(value);
     const jlt_continuation_options options = { .scale = scale, .low = value - scale / 2, .high = value + scale / 2, .points_max = POINTS };
     const jlt_continuation_point start = { .value = value, .orbit = *orbit };
     follower to = { t, &tops, POINTS };

@@ -107,7 +107,7 @@ static void single(trial *t, const jlt_system *system, const family *f, const ch
     if (st == JLT_OK) st = jlt_section_start(section, &at, t->q, f->question.time_direction);
     while (st == JLT_OK && at.fate == JLT_FATE_ALIVE && (int)at.number < returns) {
         st = jlt_section_next(section, &at);
-        row_of(row, &system->chart.top, at.x, at.t);
+        row_of(row, jlt_system_top_chart(system), at.x, at.t);
         const bool known = st == JLT_OK && at.fate == JLT_FATE_ALIVE && goes_on && (int)at.number <= f->certain;
         if (known && fabs(at.residual) > on_section * t->speed / t->top.R)
             trial_complain(t, "%s, row %zu: off the section by %.3g", how, at.number, at.residual);
@@ -147,7 +147,7 @@ static void batched(trial *t, const jlt_system *system, const family *f, int ret
     if (st == JLT_OK) st = jlt_section_batch_start(batch, &at, mine);
     while (st == JLT_OK && at.fate == JLT_FATE_ALIVE && (int)at.number < returns) {
         st = jlt_section_batch_next(batch, &at);
-        row_of(row, &system->chart.top, at.x, at.t);
+        row_of(row, jlt_system_top_chart(system), at.x, at.t);
         if (st == JLT_OK && !check(t, f, project ? "batch, projected" : "batch", (int)at.number, at.fate, row)) break;
     }
     if (st != JLT_OK) trial_complain(t, "batch: %s", jlt_status_text(st));
@@ -178,7 +178,7 @@ void case_section(trial *t)
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         flow.method = jlt_method_at(m);
         jlt_status st = jlt_system_top(&system, &t->top, &flow);
-        if (st == JLT_OK) st = system->chart.top.base.lift(&system->chart.top.base, x, NULL, t->q);
+        if (st == JLT_OK) st = jlt_system_top_chart(system)->base.lift(&jlt_system_top_chart(system)->base, x, NULL, t->q);
         if (st != JLT_OK) {
             trial_complain(t, "start: %s", jlt_status_text(st));
             jlt_system_destroy(system);

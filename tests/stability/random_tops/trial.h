@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "dynamics/system.h"
+#include "top/system_top.h"
 #include "stability/random_tops/oracle.h"
 
 typedef struct {

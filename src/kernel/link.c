@@ -1,0 +1,56 @@
+#include "kernel/link.h"
+
+#include <string.h>
+
+#include "kernel/descriptor.h"
+
+enum { TABLES_MAX = 64 };
+
+/* The claim of one table that leads to the other; NULL when it makes none. */
+static const jlt_claim *leads(const jlt_descriptor *from, const jlt_descriptor *to)
+{
+    for (const jlt_claim *claim = from->claims; claim->kind != NULL; claim++)
+        if (claim->target != NULL && strcmp(claim->target, to->sha256) == 0) return claim;
+    return NULL;
+}
+
+static bool linked(const jlt_descriptor *a, const jlt_descriptor *b)
+{
+    const jlt_claim *there = leads(a, b), *back = leads(b, a);
+
+    return (there != NULL && there->verdict == JLT_PROVED) || (back != NULL && back->verdict == JLT_PROVED);
+}
+
+/* The general fields of all tables that are built in, and of `first`. */
+static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_descriptor *first)
+{
+    size_t count = 0;
+
+    tables[count++] = first;
+    for (size_t i = 0; i < jlt_descriptor_count() && count < TABLES_MAX; i++) {
+        const jlt_descriptor *d = jlt_descriptor_at(i);
+        if (d == d->family[0] && strcmp(d->sha256, first->sha256) != 0) tables[count++] = d;
+    }
+    return count;
+}
+
+bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to)
+{
+    const jlt_descriptor *tables[TABLES_MAX];
+    bool reached[TABLES_MAX] = { true }, grown = true;
+    const size_t count = list_tables(tables, from);
+    const jlt_claim *there = leads(from, to);
+
+    *broken = NULL;
+    if (strcmp(from->sha256, to->sha256) == 0) return true;
+    while (grown) {
+        grown = false;
+        for (size_t i = 0; i < count; i++)
+            for (size_t k = 1; reached[i] && k < count; k++)
+                if (!reached[k] && linked(tables[i], tables[k])) reached[k] = grown = true;
+    }
+    for (size_t k = 0; k < count; k++)
+        if (reached[k] && strcmp(tables[k]->sha256, to->sha256) == 0) return true;
+    *broken = there != NULL ? there : leads(to, from);
+    return false;
+}

@@ -1,0 +1,56 @@
+/** The balanced sphere (a3 = 0): M^2 and its fixed points in closed form.
+ *
+ *  On a level of E, G and F0 the motion is a flow on the surface M^2, with the coordinates gamma3 and psi and the sign of
+ *  v_slip (see the model spherical_top_balanced): the horizontal angular momentum about the contact point has the constant
+ *  length M,
+ *      2 E = F0/(I1 (I1 + m R^2)) + G^2/(I1 R^2) + M^2/(I1 + m R^2),
+ *  and makes the angle psi with the moving axes. Fixed points are those of the family (4.4) that lie on the levels: for
+ *  G != 0, M^2 gamma3^2 = (I3 + m R^2)^2 s^2 (G/(R I3))^2 + (m R v0 gamma3)^2 is linear in gamma3^2, so there are at most four,
+ *  one a sign of gamma3 and of v0. By (4.5) their two other eigenvalues are the roots of
+ *      lambda^2 + lambda m R I3 gamma3 v0/(s Theta) + I3^2 w0^2 (I3 + m R^2)/(I1 Theta):
+ *  no saddles; those with gamma3 v0 > 0 attract, those with gamma3 v0 < 0 repel. */
+#ifndef JLT_TOP_BALANCED_H
+#define JLT_TOP_BALANCED_H
+
+#include "top/top.h"
+
+typedef struct {
+    double E, G, F0;
+    double M; /* >= 0 */
+} jlt_balanced_levels;
+
+/** Levels of a state, shape (JLT_TOP_STATES,). */
+void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x);
+
+/** M from E, G, F0 (already in *levels). Errors: EMPTY, no state has these levels of E, G and F0. */
+JLT_CHECKED jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top);
+
+/** v_slip >= 0 at (gamma3, psi) on the levels, for I1 != I3 as for I1 = I3; NaN where M^2 has no point there. */
+double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi);
+
+/** Least of v_slip^2 over all of M^2's coordinates, sampled on a grid of `grid` by `grid` points: where it is positive v_slip
+ *  keeps its sign, and M^2 is two cylinders. */
+double jlt_balanced_least_slip2(const jlt_top *top, const jlt_balanced_levels *levels, unsigned grid);
+
+/** (gamma3, v_slip, psi) of a state, and back. s is given apart, so that it keeps its digits near a pole. */
+void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x);
+void jlt_balanced_to_state(const jlt_top *top, const jlt_balanced_levels *levels, double *x, double gamma3, double s,
+                           double v_slip, double psi);
+
+typedef enum { JLT_FIXED_REPELLING, JLT_FIXED_CENTRE, JLT_FIXED_ATTRACTING } jlt_fixed_kind;
+
+typedef struct {
+    double x[JLT_TOP_STATES];
+    double psi, v_slip;
+    double trace, determinant;     /* of the two eigenvalues that the integrals leave */
+    double re[2], im[2];           /* those eigenvalues */
+    jlt_fixed_kind kind;
+    int focus;                     /* they are a complex pair */
+} jlt_fixed_point;
+
+/** The fixed points on a level, isolated ones; *count <= 4. Errors: UNSUPPORTED, G = 0 with omega3 = 0 (they fill a
+ *  curve), or I3 = 0. */
+JLT_CHECKED jlt_status jlt_balanced_fixed_points(jlt_fixed_point out[4], unsigned *count, const jlt_top *top,
+                                                 const jlt_balanced_levels *levels);
+
+#endif

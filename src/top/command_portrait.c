@@ -1,0 +1,286 @@
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/grid.h"
+#include "top/command_portrait.h"
+#include "cli/progress.h"
+#include "kernel/descriptor.h"
+#include "report/csv.h"
+
+static const double pi = 3.14159265358979323846;
+
+enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, SAMPLES = 400, TRIES_MAX = 1000, PATIENCE = 20 };
+
+static const struct argp_option option_table[] = {
+    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "The levels; or those of --start", 1 },
+    { "orbits", ORBITS, "N", 0, "Orbits followed, both ways; default 60", 1 },
+    { "until", UNTIL, "T", 0, "How long; default 20", 1 },
+    { "trajectories", TRAJECTORIES, "FILE", 0, "Write the orbits there", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    jlt_portrait_request *r = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
+    case 'l': jlt_common_list(&r->level, value, "--level"); return 0;
+    case ORBITS: jlt_common_count(&r->orbits, value, 0, 100000, "--orbits"); return 0;
+    case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
+    case TRAJECTORIES: r->trajectories = value; return 0;
+    case ARGP_KEY_END:
+        jlt_common_check_files(&r->session.common, "--trajectories", r->trajectories);
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "",
+    "The balanced sphere (a3 = 0): the flow on the surface M^2 where E, G and F0 have given values. Its fixed points in "
+    "closed form, their stability by (4.5) of the paper, orbits, and the picture."
+    "\vColumns: gamma3, v_nu, omega3, psi, v_slip, trace, determinant, re1, im1, re2, im2 (the two eigenvalues that the "
+    "integrals leave), type. psi is the angle of the horizontal angular momentum about the contact point, which is a constant "
+    "vector in space; v_slip the velocity of the contact point along nu, whose sign tells the two halves of M^2.\n\n"
+    "  jellett portrait --set I1=2/5,I3=1/4 \\\n"
+    "    --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --plot m2.svg\n"
+    "  jellett portrait --set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15",
+    children, NULL, NULL,
+};
+
+/* ---- levels ---- */
+
+static jlt_exit read_levels(jlt_portrait_request *r)
+{
+    const struct {
+        const char *name;
+        double *value;
+    } wanted[] = { { "E", &r->levels.E }, { "G", &r->levels.G }, { "F0", &r->levels.F0 } };
+    bool given[3] = { false };
+
+    if ((r->level.count > 0) == (r->session.start.count > 0))
+        return jlt_command_fail(JLT_EXIT_USAGE, "say which surface: --level E=...,G=...,F0=..., or --start");
+    if (r->session.start.count > 0) {
+        const jlt_exit code = jlt_session_start(&r->session);
+        if (code == JLT_EXIT_DONE) jlt_balanced_levels_of(&r->levels, &r->top, r->session.x);
+        return code;
+    }
+    for (size_t i = 0; i < r->level.count; i++) {
+        size_t k = 0;
+        while (k < 3 && strcmp(wanted[k].name, r->level.items[i].name) != 0) k++;
+        if (k == 3)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--level: there is no level '%s'; there are E, G, F0", r->level.items[i].name);
+        *wanted[k].value = r->level.items[i].value;
+        given[k] = true;
+    }
+    for (size_t k = 0; k < 3; k++)
+        if (!given[k]) return jlt_command_fail(JLT_EXIT_INPUT, "--level: give %s as well", wanted[k].name);
+    if (jlt_balanced_complete(&r->levels, &r->top) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_INPUT, "no state has these levels: raise E, or take G or F0 nearer to 0");
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit open_top(jlt_portrait_request *r)
+{
+    size_t a3;
+    jlt_exit code;
+
+    if (r->session.common.model != NULL && strcmp(r->session.common.model, JLT_DEFAULT_MODEL) != 0)
+        return jlt_command_fail(JLT_EXIT_INPUT, "M^2 is a surface of " JLT_DEFAULT_MODEL ", not of %s", r->session.common.model);
+    code = jlt_session_open(&r->session);
+    if (code != JLT_EXIT_DONE) return code;
+    if (jlt_descriptor_param(r->session.descriptor, "a3", &a3)) {
+        const char *given = jlt_assign_fraction(&r->session.common.set, "a3");
+        if (given != NULL && strcmp(given, "0") != 0)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set a3=%s: M^2 exists for the balanced sphere alone, a3 = 0", given);
+        r->session.params[a3] = 0;
+    }
+    if (jlt_top_read(&r->top, r->session.descriptor, r->session.params) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
+    return JLT_EXIT_DONE;
+}
+
+/* ---- fixed points ---- */
+
+static const char *type_of(const jlt_fixed_point *point)
+{
+    static const char *const kinds[] = { "repelling", "centre of the linearization", "attracting" };
+    static const char *const foci[] = { "repelling focus", "centre of the linearization", "attracting focus" };
+    return point->focus ? foci[point->kind] : kinds[point->kind];
+}
+
+static void write_header(FILE *file, const jlt_portrait_request *r)
+{
+    jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
+                                              .params = r->session.params, .level_count = 3,
+                                              .level_names = (const char *const[]){ "E", "G", "F0" },
+                                              .levels = (const double[]){ r->levels.E, r->levels.G, r->levels.F0 },
+                                              .method = r->session.method->name, .tolerance = r->session.tolerance });
+}
+
+static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
+{
+    write_header(file, r);
+    fprintf(file, "# levels E=%.17g G=%.17g F0=%.17g, horizontal momentum %.17g; method %s, tolerance %.3g; nothing is random, so "
+                  "there is no seed\n",
+            r->levels.E, r->levels.G, r->levels.F0, r->levels.M, r->session.method->name, r->session.tolerance);
+    if (r->fixed_curve) fputs("# the fixed points of this level are not isolated: they fill a curve\n", file);
+    fputs("gamma3,v_nu,omega3,psi,v_slip,trace,determinant,re1,im1,re2,im2,type\n", file);
+    for (unsigned k = 0; k < r->fixed_count; k++) {
+        const jlt_fixed_point *p = &r->fixed[k];
+        const double row[] = { p->x[JLT_TOP_GAMMA3], p->x[JLT_TOP_V_NU], p->x[JLT_TOP_OMEGA3], p->psi, p->v_slip, p->trace,
+                               p->determinant, p->re[0], p->im[0], p->re[1], p->im[1] };
+        jlt_csv_values(file, row, sizeof row / sizeof *row);
+        fprintf(file, ",%s\n", type_of(p));
+    }
+}
+
+/* ---- orbits ---- */
+
+/* Starts spread evenly: multiples of the golden section's generalization in two dimensions (M. Roberts, 2018), the halves
+ * of M^2 in turn. False when the surface has no point there. */
+static bool start_number(const jlt_portrait_request *r, double *x, size_t number)
+{
+    const double g = 1.32471795724474602596, u = fmod(0.5 + (double)(number + 1) / g, 1),
+                 v = fmod(0.5 + (double)(number + 1) / (g * g), 1);
+    const double psi = pi * (2 * u - 1), gamma3 = 2 * v - 1, s = jlt_top_sine(gamma3);
+    const double v_slip = jlt_balanced_slip(&r->top, &r->levels, gamma3, s, psi);
+
+    if (isnan(v_slip) || !(s > 0.02)) return false;
+    jlt_balanced_to_state(&r->top, &r->levels, x, gamma3, s, number % 2 == 0 ? v_slip : -v_slip, psi);
+    return true;
+}
+
+typedef struct {
+    double psi, gamma3, v_slip;
+} point;
+
+static point point_of(const jlt_portrait_request *r, const double *x)
+{
+    point p;
+
+    jlt_balanced_from_state(&r->top, &p.gamma3, &p.v_slip, &p.psi, x);
+    return p;
+}
+
+static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course_row *row)
+{
+    if (row->end == JLT_END_POLE) return row->side > 0 ? JLT_PORTRAIT_POLE_PLUS : JLT_PORTRAIT_POLE_MINUS;
+    for (unsigned k = 0; k < r->fixed_count; k++) {
+        double worst = 0;
+        for (int i = 0; i < JLT_TOP_STATES; i++) worst = fmax(worst, fabs(row->x[i] - r->fixed[k].x[i]));
+        if (r->fixed[k].kind == JLT_FIXED_ATTRACTING && worst < 0.01) return JLT_PORTRAIT_ATTRACTED;
+    }
+    return JLT_PORTRAIT_WANDERING;
+}
+
+/* One way from a start. A line breaks where psi jumps, or where v_slip passes zero into the other half. */
+static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *start, int direction, size_t number)
+{
+    const jlt_question question = { r->session.descriptor, r->session.params, start, false, false, NULL };
+    const jlt_course_options options = { .method = r->session.method, .tolerance = r->session.tolerance,
+                                         .interrupt = r->session.interrupt };
+    jlt_plan plan;
+    jlt_course *course = NULL;
+    jlt_course_row row;
+    jlt_status st = jlt_plan_make(&plan, &question);
+    point last = point_of(r, start);
+
+    if (st != JLT_OK) return st;
+    JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
+    for (int i = 0; i <= SAMPLES; i++) {
+        JLT_TRY(jlt_course_to(course, direction * r->until * i / SAMPLES, &row));
+        if (row.end == JLT_END_INTERRUPT) break;
+        const point now = point_of(r, row.x);
+        if (r->points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0)) fputs("\n", r->points);
+        if (r->points != NULL) fprintf(r->points, "%.6g %.6g %.6g\n", now.psi, now.gamma3, now.v_slip);
+        if (file != NULL) {
+            const double values[] = { row.t, now.gamma3, now.psi, now.v_slip, row.x[JLT_TOP_V_NU], row.x[JLT_TOP_OMEGA_TAU],
+                                      row.x[JLT_TOP_OMEGA_N], row.x[JLT_TOP_OMEGA3] };
+            fprintf(file, "%zu,", number);
+            jlt_csv_row(file, values, sizeof values / sizeof *values);
+        }
+        last = now;
+        if (row.end == JLT_END_POLE) break;
+    }
+    if (r->points != NULL) fputs("\n", r->points);
+    /* on beyond what is drawn, until it is clear where the orbit goes */
+    for (int i = 5; direction > 0 && i <= 4 * PATIENCE && row.end == JLT_END_TIME && fate_of(r, &row) == JLT_PORTRAIT_WANDERING; i++)
+        JLT_TRY(jlt_course_to(course, r->until * i / 4, &row));
+    if (direction > 0 && row.end != JLT_END_INTERRUPT) r->fates[fate_of(r, &row)]++;
+done:
+    jlt_course_destroy(course);
+    return st;
+}
+
+static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
+{
+    jlt_progress progress;
+    jlt_exit code = JLT_EXIT_DONE;
+    size_t done = 0, tried = 0;
+
+    if (file != NULL) {
+        write_header(file, r);
+        fputs("orbit,t,gamma3,psi,v_slip,v_nu,omega_tau,omega_n,omega3\n", file);
+    }
+    jlt_progress_start(&progress, "orbits");
+    for (; code == JLT_EXIT_DONE && done < r->orbits && tried < r->orbits * TRIES_MAX; tried++) {
+        double start[JLT_TOP_STATES];
+        if (!start_number(r, start, tried)) continue;
+        for (int direction = -1; code == JLT_EXIT_DONE && direction <= 1; direction += 2) {
+            const jlt_status st = follow(r, file, start, direction, done);
+            if (st != JLT_OK) code = jlt_session_fail(st, "an orbit");
+        }
+        if (jlt_session_interrupted(&r->session)) break;
+        jlt_progress_show(&progress, ++done, r->orbits);
+    }
+    jlt_progress_end(&progress);
+    if (jlt_session_interrupted(&r->session))
+        fprintf(stderr, "jellett: interrupted; the fixed points and %zu of %zu orbits are saved\n", done, r->orbits);
+    r->orbits = done;
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    jlt_portrait_request r = { .orbits = 60, .until = 20 };
+    jlt_stream stream = { 0 }, trajectories = { 0 };
+    char *points = NULL;
+    size_t size = 0;
+    jlt_exit code;
+    jlt_status st;
+
+    jlt_session_begin(&r.session, argc, argv);
+    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    code = open_top(&r);
+    if (code == JLT_EXIT_DONE) code = read_levels(&r);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
+    if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_open(&trajectories, r.trajectories);
+    if (code != JLT_EXIT_DONE) goto done;
+    st = jlt_balanced_fixed_points(r.fixed, &r.fixed_count, &r.top, &r.levels);
+    r.fixed_curve = st == JLT_ERR_UNSUPPORTED;
+    write_fixed_points(stream.file, &r);
+    if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
+    if (r.points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
+    if (r.points != NULL) fclose(r.points);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_close(&trajectories);
+    if (code == JLT_EXIT_DONE && points != NULL) code = jlt_portrait_draw(&r, points);
+done:
+    jlt_stream_discard(&stream);
+    jlt_stream_discard(&trajectories);
+    jlt_assign_clear(&r.level);
+    free(points);
+    jlt_session_end(&r.session);
+    return code;
+}
+
+const jlt_command jlt_command_portrait = {
+    "portrait", "--level ...|--start ... [OPTION...]",
+    "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run
+};

@@ -1,0 +1,34 @@
+/** The command portrait: the flow on M^2 of the balanced sphere, its rows and its picture. */
+#ifndef JLT_TOP_COMMAND_PORTRAIT_H
+#define JLT_TOP_COMMAND_PORTRAIT_H
+
+#include "cli/session.h"
+
+typedef enum {
+    JLT_PORTRAIT_ATTRACTED, /* at an attracting fixed point, as far as followed */
+    JLT_PORTRAIT_POLE_PLUS,
+    JLT_PORTRAIT_POLE_MINUS,
+    JLT_PORTRAIT_WANDERING, /* none of these within the time */
+    JLT_PORTRAIT_FATES
+} jlt_portrait_fate;
+
+typedef struct {
+    jlt_session session;
+    jlt_assign_list level;
+    const char *trajectories; /* a file for the orbits */
+    size_t orbits;
+    double until;
+
+    jlt_top top;
+    jlt_balanced_levels levels;
+    jlt_fixed_point fixed[4];
+    unsigned fixed_count;
+    bool fixed_curve;         /* the fixed points are not isolated */
+    size_t fates[JLT_PORTRAIT_FATES];
+    FILE *points;             /* for the picture; NULL: none */
+} jlt_portrait_request;
+
+/** Draw the orbits collected in `points`. Says what is wrong. */
+jlt_exit jlt_portrait_draw(const jlt_portrait_request *request, const char *points);
+
+#endif

@@ -1,0 +1,256 @@
+#include <argp.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/grid.h"
+#include "cli/session.h"
+#include "kernel/descriptor.h"
+#include "report/csv.h"
+#include "report/decimal.h"
+#include "top/rod.h"
+
+enum { SWEEP = 2000, CHECK, AXES_MAX = 3 };
+
+typedef struct {
+    jlt_session session;
+    jlt_grid_axis axes[AXES_MAX];
+    double *targets[AXES_MAX]; /* what an axis runs over: an entry of the session's params or x */
+    size_t axis_count;
+    const char *sweep;
+    size_t rows;
+    bool check;
+    FILE *points;
+} request;
+
+static const struct argp_option option_table[] = {
+    { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "check", CHECK, NULL, 0, "Integrate over the period as well (--tol, here 1e-15 by default): columns with what is left", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    request *r = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
+    case SWEEP: r->sweep = value; return 0;
+    case CHECK: r->check = true; return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "",
+    "The limiting case I3 = 0 of the spherical top by quadratures: turning points and period of gamma3, and the rotation "
+    "number, the turns of (v_nu, v_tau) a period. On E1 = 0 every orbit is periodic with that period."
+    "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
+    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all five states, "
+    "which vanishes on E1 = 0 alone.\n\n"
+    "  jellett rod --set I1=0.7,a3=0.3 \\\n"
+    "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
+    "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 \\\n"
+    "    --sweep omega_n=0.2:2:181 --plot rod.svg",
+    children, NULL, NULL,
+};
+
+/* Parameters are positive or not negative by the table: what holds at both ends of an axis holds between them. */
+static jlt_exit check_end(request *r, double *target, double value)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    const double before = *target;
+    size_t index = 0;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    *target = value;
+    if (jlt_descriptor_check_params(d, r->session.params, &index) != JLT_OK) code = jlt_assign_refuse(d, index, value);
+    *target = before;
+    return code;
+}
+
+static jlt_exit bind_axes(request *r)
+{
+    jlt_session *s = &r->session;
+    size_t index;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (r->sweep != NULL) code = jlt_grid_parse(r->axes, &r->axis_count, AXES_MAX, r->sweep, "--sweep");
+    for (size_t k = 0; code == JLT_EXIT_DONE && k < r->axis_count; k++) {
+        if (strcmp(r->axes[k].name, "I3") == 0) code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: I3 is 0 here");
+        else if (jlt_descriptor_param(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->params[index];
+        else if (jlt_descriptor_state(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->x[index];
+        else code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no state or parameter '%s'", r->axes[k].name);
+        if (code == JLT_EXIT_DONE) code = check_end(r, r->targets[k], r->axes[k].low);
+        if (code == JLT_EXIT_DONE) code = check_end(r, r->targets[k], r->axes[k].high);
+    }
+    return code;
+}
+
+/* One period of the same orbit by integration. defects: gamma3, turn, all states. */
+static jlt_status integrate(double defects[3], const request *r, const jlt_rod *rod)
+{
+    const jlt_session *s = &r->session;
+    const jlt_question question = { s->descriptor, s->params, s->x, false, false, "level" };
+    const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
+    const double pi = acos(-1), *x = s->x;
+    jlt_plan plan;
+    jlt_course *course = NULL;
+    jlt_course_row row;
+    jlt_status st = jlt_plan_make(&plan, &question);
+    double turn;
+
+    if (st != JLT_OK) return st;
+    JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
+    JLT_TRY(jlt_course_to(course, rod->period, &row));
+    turn = atan2(jlt_top_v_tau(&rod->top, row.x), row.x[JLT_TOP_V_NU]) - atan2(jlt_top_v_tau(&rod->top, x), x[JLT_TOP_V_NU]);
+    defects[0] = fabs(row.x[JLT_TOP_GAMMA3] - x[JLT_TOP_GAMMA3]);
+    defects[1] = rod->E1 > 1e-24 * fabs(rod->E2) ? fabs(remainder(turn - rod->turn, 2 * pi)) : NAN;
+    defects[2] = 0;
+    for (int i = 0; i < JLT_TOP_STATES; i++) defects[2] = fmax(defects[2], fabs(row.x[i] - x[i]));
+done:
+    jlt_course_destroy(course);
+    return st;
+}
+
+static jlt_status open_rod(jlt_rod *rod, const request *r)
+{
+    jlt_top top;
+    const jlt_status st = jlt_top_read(&top, r->session.descriptor, r->session.params);
+
+    return st == JLT_OK ? jlt_rod_open(rod, &top, r->session.x) : st;
+}
+
+/* Without a sweep the one row there is must have a value. */
+static jlt_exit check_start(const request *r)
+{
+    jlt_rod rod;
+    const jlt_status st = r->axis_count > 0 ? JLT_OK : open_rod(&rod, r);
+
+    if (st == JLT_OK) return JLT_EXIT_DONE;
+    if (st != JLT_ERR_DOMAIN) return jlt_session_fail(st, "the quadrature");
+    return jlt_command_fail(JLT_EXIT_INPUT, "G = 0: the orbit runs through the poles, and there is no quadrature for it "
+                                            "(give omega_n a value other than 0)");
+}
+
+static jlt_exit write_row(FILE *file, request *r)
+{
+    double values[16];
+    size_t count = 0;
+    jlt_rod rod;
+    jlt_status st = open_rod(&rod, r);
+
+    for (size_t k = 0; k < r->axis_count; k++) {
+        jlt_csv_value(file, *r->targets[k]);
+        fputc(',', file);
+    }
+    if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: a point of the grid without a value */
+        while (count < 7 + (r->check ? 3u : 0u)) values[count++] = NAN;
+    } else {
+        if (st != JLT_OK) return jlt_session_fail(st, "the quadrature");
+        const double row[] = { rod.E1, rod.E2, rod.G, rod.below - 1, 1 - rod.above, rod.period, jlt_rod_rotation(&rod) };
+        memcpy(values + count, row, sizeof row);
+        count += sizeof row / sizeof *row;
+        if (r->check) {
+            st = integrate(values + count, r, &rod);
+            if (st != JLT_OK) return jlt_session_fail(st, "--check");
+            count += 3;
+        }
+        if (r->points != NULL && r->axis_count > 0)
+            fprintf(r->points, "%.9g %.12g %.12g\n", *r->targets[0], rod.period, jlt_rod_rotation(&rod));
+    }
+    jlt_csv_row(file, values, count);
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit write_rows(FILE *file, request *r)
+{
+    size_t all = 1;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = NAN; /* it runs over the rows */
+    jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
+                                              .params = r->session.params });
+    fputs("# start", file);
+    jlt_decimal_write_named(file, r->session.descriptor->states, r->session.x, r->session.descriptor->state_count);
+    fputs("; quadratures by adaptive Gauss-Kronrod to 2e-14; nothing is random, so there is no seed\n", file);
+    for (size_t k = 0; k < r->axis_count; k++) {
+        fprintf(file, "%s,", r->axes[k].name);
+        all *= r->axes[k].count;
+    }
+    fprintf(file, "E1,E2,G,gamma3_low,gamma3_high,period,rotation%s\n",
+            r->check ? ",defect_gamma3,defect_turn,defect_state" : "");
+    for (; code == JLT_EXIT_DONE && r->rows < all && !jlt_session_interrupted(&r->session); r->rows++) {
+        double values[AXES_MAX];
+        jlt_grid_point(values, r->axes, r->axis_count, r->rows);
+        for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = values[k];
+        code = write_row(file, r);
+    }
+    return code;
+}
+
+static jlt_exit draw(const request *r, const char *points)
+{
+    jlt_command_output script;
+    FILE *stream;
+
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
+    *r->targets[0] = NAN; /* the one axis, which is no part of the caption */
+    fprintf(stream, "set grid\n$ROWS << END\n%sEND\nset multiplot layout 2,1 title \"I3 = 0: ", points);
+    jlt_session_caption(stream, &r->session);
+    fprintf(stream,
+            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel 'period [s]'\n"
+            "plot $ROWS using 1:2 with lines lc rgb '#202060' notitle\nset ylabel 'rotation number'\n"
+            "plot $ROWS using 1:3 with lines lc rgb '#b2182b' notitle\nunset multiplot\n",
+            r->axes[0].name);
+    return jlt_common_draw(&r->session.common, &script);
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    request r = { 0 };
+    jlt_stream stream = { 0 };
+    char *points = NULL;
+    size_t size = 0, I3;
+    jlt_exit code;
+
+    jlt_session_begin(&r.session, argc, argv);
+    r.session.tolerance = 1e-15;
+    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    if (r.session.common.model != NULL && strcmp(r.session.common.model, JLT_DEFAULT_MODEL) != 0)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of " JLT_DEFAULT_MODEL ", not of %s", r.session.common.model);
+    else code = jlt_session_open(&r.session);
+    if (code == JLT_EXIT_DONE && jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
+        const char *given = jlt_assign_fraction(&r.session.common.set, "I3");
+        if (given != NULL && strcmp(given, "0") != 0)
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--set I3=%s: the quadratures are those of I3 = 0", given);
+        r.session.params[I3] = 0;
+    }
+    if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
+    if (code == JLT_EXIT_DONE) code = bind_axes(&r);
+    if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
+    if (code == JLT_EXIT_DONE) code = check_start(&r);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
+    if (code != JLT_EXIT_DONE) goto done;
+    if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
+    code = write_rows(stream.file, &r);
+    if (r.points != NULL) fclose(r.points);
+    if (code != JLT_EXIT_DONE) goto done;
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && jlt_session_interrupted(&r.session))
+        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, stream.path);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&r, points);
+done:
+    jlt_stream_discard(&stream);
+    free(points);
+    jlt_session_end(&r.session);
+    return code;
+}
+
+const jlt_command jlt_command_rod = {
+    "rod", "--start ... [OPTION...]", "I3 = 0 by quadratures: period, rotation number, checked against integration", run
+};

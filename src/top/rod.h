@@ -1,0 +1,37 @@
+/** The limiting case I3 = 0 by quadratures (section 4.2 of the paper).
+ *
+ *  With c = G^2/(I1 R^2), D = I1 + m a3^2 s^2 and P(gamma3) = 2 s^2 (E2 - m g a3 gamma3) - c, the tilt obeys
+ *  D gamma3'^2 = P. Between its turning points low and high, P = (gamma3 - low)(high - gamma3) Q with
+ *  Q = 2 E2 - 2 m g a3 (gamma3 + low + high), and gamma3 = mid - half cos u turns this into the regular
+ *      dt = sqrt(D/Q) du,      dpsi = -G/(I1 R s^2) dt,      (v_nu, v_tau) = sqrt(2 E1/m) (cos psi, sin psi):
+ *  the end points are no longer singular. The turning points are kept as their distances from the poles, so that 1/s^2 keeps
+ *  its digits where an orbit passes close to one. G = 0 runs through the poles and is refused. */
+#ifndef JLT_TOP_ROD_H
+#define JLT_TOP_ROD_H
+
+#include "top/top.h"
+
+typedef struct {
+    jlt_top top;
+    double E1, E2, G;
+    double below, above;    /* 1 + low, 1 - high: distances of the turning points from the poles */
+    double half;            /* (high - low)/2 */
+    double period;          /* of gamma3 and of all states on E1 = 0 */
+    double turn;            /* of psi over a period, in radians */
+    double speed;           /* sqrt(2 E1/m) */
+    double psi;             /* at the lower turning point */
+    double elapsed;         /* from there to the start, within half a period */
+} jlt_rod;
+
+/** Turning points, period and turn of the orbit through x, shape (JLT_TOP_STATES,).
+ *  Errors: ARG, I3 != 0; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
+JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x);
+
+/** The rotation number: turns of (v_nu, v_tau) a period of gamma3. */
+double jlt_rod_rotation(const jlt_rod *rod);
+
+/** State at time t since x, any sign. Cost: a few quadratures over the part of the period that was passed.
+ *  Errors: NONFINITE, t; NO_CONVERGENCE. */
+JLT_CHECKED jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t);
+
+#endif
