@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/grid.h"
+#include "cli/planned.h"
 #include "cli/progress.h"
 #include "dynamics/section.h"
 #include "report/csv.h"
@@ -309,6 +310,11 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
+    if (code == JLT_EXIT_DONE && r.session.common.plan) {
+        jlt_planned_show(&r.plans[0]);
+        for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
+        code = JLT_EXIT_PLANNED;
+    }
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (r.session.common.plot != NULL) r.points = open_memstream(&r.points_text, &size);

@@ -6,6 +6,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/motion_plane.h"
+#include "cli/planned.h"
 #include "kernel/descriptor.h"
 #include "kernel/link.h"
 #include "report/csv.h"
@@ -178,9 +179,12 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
     const jlt_known *known = jlt_known_of(descriptor);
-    if (known == NULL || options->section != NULL) return jlt_motion_plane_system(system, options, descriptor);
-    code = check_known(known, descriptor);
-    return code == JLT_EXIT_DONE ? known_system(system, options, known) : code;
+    if (known == NULL || options->section != NULL) code = jlt_motion_plane_system(system, options, descriptor);
+    else {
+        code = check_known(known, descriptor);
+        if (code == JLT_EXIT_DONE) code = known_system(system, options, known);
+    }
+    return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
 }
 
 /* Where the section has points in one of its coordinates; false: nothing is known of that. */
@@ -327,8 +331,7 @@ static bool is_swept(const jlt_motion_options *options, const char *name)
     return false;
 }
 
-/* Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,); returns how many. */
-static unsigned levels_of(const jlt_system *system, const char **names, double *values)
+unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values)
 {
     const jlt_known *known = system->known;
     const unsigned count = known != NULL ? known->count - known->params : system->flow.chart->solved_count;
@@ -349,7 +352,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     const jlt_descriptor *d = system->instance->descriptor;
     double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
     const char *names[JLT_INVARIANTS_MAX], *method = options->flow.method != NULL ? options->flow.method->name : "each";
-    const unsigned level_count = levels_of(system, names, levels);
+    const unsigned level_count = jlt_motion_levels(system, names, levels);
 
     if (params == NULL) return;
     for (unsigned k = 0; k < d->param_count; k++)
@@ -384,7 +387,7 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swep
     const jlt_descriptor *d = system->instance->descriptor;
     const char *names[JLT_INVARIANTS_MAX];
     double levels[JLT_INVARIANTS_MAX];
-    const unsigned level_count = levels_of(system, names, levels);
+    const unsigned level_count = jlt_motion_levels(system, names, levels);
     bool is_first = true;
 
     for (unsigned i = 0; i < d->param_count; i++) {

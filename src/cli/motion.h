@@ -34,7 +34,7 @@ extern const struct argp jlt_contact_argp;
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
-/** The system that the options describe. Says what is wrong. */
+/** The system that the options describe. Says what is wrong. Where only its plan is asked for, that is shown: JLT_EXIT_PLANNED. */
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
 
 /** What its levels are solved for, behind them in the header. */
@@ -52,6 +52,9 @@ void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigne
 
 /** The start that a known section has for the purpose, where none was given. Says that one is wanted. */
 jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose);
+
+/** Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,). Returns how many. */
+unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values);
 
 /** One start, NAME=VALUE,... for all coordinates of the section. */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
