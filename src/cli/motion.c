@@ -25,7 +25,8 @@ static const struct argp_option option_table[] = {
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
       "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is "
       "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
-    { "mirror", MIRROR, "STATE,...", 0, "With --section: states whose sign another model's reversor changes", 10 },
+    { "mirror", MIRROR, "STATE,...", 0,
+      "With --section: states whose sign a reversor changes, in place of that which the table proves; an empty list for none", 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
     { 0 },
 };
