@@ -118,8 +118,6 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 
-    if (options.project && !jlt_tier_has(s->descriptor))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: projection is onto the integrals of " JLT_DEFAULT_MODEL);
     if (question.attitude && (!jlt_tier_has(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
         return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of " JLT_DEFAULT_MODEL);
     st = jlt_plan_make(plan, &question);
@@ -130,6 +128,10 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
         char refusal[1024];
         jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
         return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, refusal);
+    }
+    if (st == JLT_OK && options.project && !jlt_tier_has(s->descriptor)) {
+        const jlt_exit code = jlt_common_project(plan->candidates[plan->chosen].descriptor);
+        if (code != JLT_EXIT_DONE) return code;
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
     if (st == JLT_ERR_UNSUPPORTED && options.project && s->method->multistep)

@@ -6,6 +6,8 @@
 
 #include "cli/grid.h"
 #include "cli/table.h"
+#include "integrate/invariant.h"
+#include "kernel/descriptor.h"
 #include "report/picture.h"
 #include "top/top.h"
 
@@ -116,6 +118,19 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     const jlt_exit code = jlt_common_model(self, descriptor);
 
     return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
+}
+
+jlt_exit jlt_common_project(const jlt_descriptor *d)
+{
+    if (d->integral_count == 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to: write 'integral NAME = ...' in its table", d->model);
+    if (d->integral_count > JLT_INVARIANTS_MAX)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; it serves up to %d", d->model, d->integral_count,
+                                JLT_INVARIANTS_MAX);
+    for (unsigned i = 0; i < d->integral_count; i++)
+        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
+    return JLT_EXIT_DONE;
 }
 
 jlt_exit jlt_common_still(void)

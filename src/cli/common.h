@@ -34,6 +34,9 @@ jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descrip
 /** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 
+/** Whether --project can go back to the integrals of this field: that there are some, not too many, and all proved. Says what is wrong. */
+jlt_exit jlt_common_project(const jlt_descriptor *field);
+
 /** The plan of a command that follows no motion. */
 jlt_exit jlt_common_still(void);
 

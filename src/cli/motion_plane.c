@@ -251,15 +251,9 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
 jlt_exit jlt_motion_project(jlt_system *system)
 {
     const jlt_descriptor *d = system->instance->descriptor;
+    const jlt_exit code = jlt_common_project(d);
 
-    if (d->integral_count == 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to", d->model);
-    if (d->integral_count > JLT_INVARIANTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; it serves up to %d", d->model, d->integral_count,
-                                JLT_INVARIANTS_MAX);
-    for (unsigned i = 0; i < d->integral_count; i++)
-        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
+    if (code != JLT_EXIT_DONE) return code;
     if (system->flow.method != NULL && system->flow.method->multistep)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method", system->flow.method->name);
     system->flow.kept = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, system->field.p };
