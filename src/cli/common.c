@@ -107,7 +107,7 @@ void jlt_common_end(jlt_common *self)
 
 jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor)
 {
-    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : JLT_DEFAULT_MODEL);
+    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : JLT_DEFAULT_MODEL, self->lanes);
 
     if (code == JLT_EXIT_DONE) jlt_command_warn_unproved(*descriptor);
     return code;

@@ -11,6 +11,7 @@ typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
     jlt_assign_list set;
     const char *output, *plot, *keep;
+    bool lanes;        /* kernels on vectors are wanted */
     bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
     char *command;     /* as typed, owned */
 } jlt_common;
