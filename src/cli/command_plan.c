@@ -103,7 +103,7 @@ static jlt_exit run(int argc, char **argv)
     }
     st = jlt_scene_read(&scene, message, path, jlt_table_of);
     if (st != JLT_OK) {
-        fprintf(stderr, "%s\n", message);
+        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
     if (scene->title[0] != '\0') printf("%s\n", scene->title);

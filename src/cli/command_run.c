@@ -106,6 +106,20 @@ static jlt_exit set_params(jlt_scene *scene, const options *o)
     return JLT_EXIT_DONE;
 }
 
+/* A table of one's own lies where the scene says from here, also when the jobs run elsewhere. */
+static jlt_exit fix_tables(jlt_scene *scene)
+{
+    for (size_t k = 0; k < scene->count; k++) {
+        jlt_scene_job *job = &scene->jobs[k];
+        if (job->model == NULL || !jlt_table_is_file(job->model)) continue;
+        char *whole = realpath(job->model, NULL);
+        if (whole == NULL) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", job->model, strerror(errno));
+        free(job->model);
+        job->model = whole;
+    }
+    return JLT_EXIT_DONE;
+}
+
 static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 {
     char *scene_path = realpath(o->scene, NULL);
@@ -153,10 +167,11 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     st = jlt_scene_read(&scene, message, o.scene, jlt_table_of);
     if (st != JLT_OK) {
-        fprintf(stderr, "%s\n", message);
+        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
     code = set_params(scene, &o);
+    if (code == JLT_EXIT_DONE && o.into != NULL) code = fix_tables(scene);
     if (code == JLT_EXIT_DONE) code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);
     jlt_assign_clear(&o.set);

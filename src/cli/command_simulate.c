@@ -119,7 +119,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     jlt_status st;
 
     if (question.attitude && (!jlt_tier_has(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of " JLT_DEFAULT_MODEL);
+        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from tiers, and %s has none", s->descriptor->model);
     st = jlt_plan_make(plan, &question);
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,

@@ -114,10 +114,17 @@ jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bo
     return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
 }
 
-const jlt_descriptor *jlt_table_of(const char *model)
+jlt_status jlt_table_of(const jlt_descriptor **out, const char *model)
 {
-    const jlt_descriptor *descriptor = NULL;
-
-    if (!jlt_table_is_file(model)) return jlt_descriptor_find(model, NULL, NULL, NULL);
-    return jlt_table_open(&descriptor, model, false) == JLT_EXIT_DONE ? descriptor : NULL;
+    *out = NULL;
+    if (!jlt_table_is_file(model)) {
+        *out = jlt_descriptor_find(model, NULL, NULL, NULL);
+        return *out != NULL ? JLT_OK : JLT_ERR_EMPTY;
+    }
+    switch (jlt_table_open(out, model, false)) {
+    case JLT_EXIT_DONE: return JLT_OK;
+    case JLT_EXIT_IO: return JLT_ERR_IO;
+    case JLT_EXIT_NUMERICAL: return JLT_ERR_NOMEM;
+    default: return JLT_ERR_ARG;
+    }
 }
