@@ -63,6 +63,7 @@ extern "C" {
 #include "top/top.h"
 
 #include "scene/course.h"
+#include "scene/handle.h"
 #include "scene/plan.h"
 
 #ifdef __cplusplus
