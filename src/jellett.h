@@ -20,6 +20,7 @@ extern "C" {
 #include "core/random.h"
 #include "core/status.h"
 
+#include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
