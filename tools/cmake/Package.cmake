@@ -1,5 +1,5 @@
 # What `cpack -G DEB` makes of an installed tree: jellett_VERSION_ARCHITECTURE.deb, one package with programs, library, headers, kernels,
-# models and man pages. Libraries that programs and library are linked with are found by dpkg-shlibdeps (dpkg-dev).
+# models and man pages. Libraries that programs and library are linked with are found by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_PACKAGE_NAME jellett)
 set(CPACK_PACKAGE_CONTACT "maintainers of jellett <maintainers@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
