@@ -17,7 +17,10 @@ if nm -D "$library" | grep -E ' U __(asan|tsan)_init' > "$scratch/sanitizer"; th
 fi
 table=$JLT_SOURCE_DIR/codegen/models/lotka_volterra.tt
 object=$(LD_PRELOAD='' ttc build "$table")
-python3 "$JLT_SOURCE_DIR/tests/unit/handles.py" "$library" "$object" "$table"
+# Another table of the name to which nothing is proved to lead.
+sed 's/^title .*/title "another table"/' "$JLT_SOURCE_DIR/codegen/models/spherical_top_level.tt" > "$scratch/spherical_top_level.tt"
+foreign=$(LD_PRELOAD='' ttc build "$scratch/spherical_top_level.tt")
+python3 "$JLT_SOURCE_DIR/tests/unit/handles.py" "$library" "$object" "$table" "$foreign"
 
 # The lines of Python in the page of the library.
 sed -n '/^    import ctypes/,/^$/s/^    //p' "$JLT_SOURCE_DIR/tools/docs/library.md" | sed "s|libjellett.so.0|$library.0|" > "$scratch/page.py"
