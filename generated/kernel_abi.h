@@ -8,23 +8,37 @@
 #ifndef JLT_KERNEL_ABI_H
 #define JLT_KERNEL_ABI_H
 
-#include <complex.h>
 #include <stddef.h>
 
-typedef void (*jlt_kernel_function)(const double *restrict x, const double *restrict p, double *restrict out);
-typedef void (*jlt_kernel_prepare)(const double *restrict params, double *restrict block);
+/* C++ includes this header as well. It has no restrict, but its compilers have a word of their own for it; and it has not C's
+ * complex numbers, which are stored as a real part and an imaginary part after it, just as std::complex<double> is. */
+#ifndef __cplusplus
+#include <complex.h>
+#define JLT_RESTRICT restrict
+typedef double complex jlt_complex;
+#else
+#if defined(__GNUC__) || defined(_MSC_VER)
+#define JLT_RESTRICT __restrict
+#else
+#define JLT_RESTRICT
+#endif
+typedef double jlt_complex[2];
+#endif
+
+typedef void (*jlt_kernel_function)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, double *JLT_RESTRICT out);
+typedef void (*jlt_kernel_prepare)(const double *JLT_RESTRICT params, double *JLT_RESTRICT block);
 
 /* The field written from the terms as they stand, unsimplified, in complex arithmetic, on unprepared parameters: for
  * differentiation by complex step, independent of the symbolic derivative. */
-typedef void (*jlt_kernel_complex)(const double complex *restrict x, const double *restrict params,
-                                   double complex *restrict out);
+typedef void (*jlt_kernel_complex)(const jlt_complex *JLT_RESTRICT x, const double *JLT_RESTRICT params,
+                                   jlt_complex *JLT_RESTRICT out);
 
 /* Taylor coefficients of the solution through x: coefficients[k*columns + i] = (d/dtau)^k x_i / k!, k = 0 .. order, with
  * columns = states in the model's own time, and states + 1 in a time of its own, where the last column is t (0 in row 0).
  * 1 <= order <= JLT_JET_ORDER_MAX. Cost: O(order^2). */
 enum { JLT_JET_ORDER_MAX = 40 };
-typedef void (*jlt_kernel_jet)(const double *restrict x, const double *restrict p, unsigned order,
-                               double *restrict coefficients);
+typedef void (*jlt_kernel_jet)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, unsigned order,
+                               double *JLT_RESTRICT coefficients);
 
 typedef enum { JLT_ANY_SIGN, JLT_POSITIVE, JLT_NONNEGATIVE, JLT_NONZERO } jlt_sign;
 
@@ -54,7 +68,8 @@ typedef struct {
 
 /* Batches are structures of arrays: entry i of lane j at x[i*stride + j] and out[i*stride + j], lane j < lanes; rows are
  * aligned to 8*lanes bytes. p is one block for all lanes. */
-typedef void (*jlt_kernel_lanes)(const double *restrict x, const double *restrict p, double *restrict out, size_t stride);
+typedef void (*jlt_kernel_lanes)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, double *JLT_RESTRICT out,
+                                 size_t stride);
 
 /* The argument of a stage, less the state and in units of the step: the sum of weight[l] * (slope number slope[l]). */
 typedef struct {
@@ -68,13 +83,13 @@ typedef struct {
  * states, row) and holds slope 0, h has (row,). z is left at the last one. stages_clock carries t as one more column after
  * the states, in x, k and z alike: its slope is dt/dtau, 1 in the model's own time; z has it for the last stage alone. */
 enum { JLT_BATCH_VECTORS = 2 };
-typedef void (*jlt_kernel_stages)(const double *restrict x, double *restrict k, const jlt_stage_sum *restrict sums,
-                                  unsigned count, const double *restrict h, const double *restrict p,
-                                  double *restrict z);
+typedef void (*jlt_kernel_stages)(const double *JLT_RESTRICT x, double *JLT_RESTRICT k, const jlt_stage_sum *JLT_RESTRICT sums,
+                                  unsigned count, const double *JLT_RESTRICT h, const double *JLT_RESTRICT p,
+                                  double *JLT_RESTRICT z);
 
 /* jlt_kernel_jet on lanes: coefficient k of column i of lane j at coefficients[(k*columns + i)*stride + j]. */
-typedef void (*jlt_kernel_lanes_jet)(const double *restrict x, const double *restrict p, unsigned order,
-                                     double *restrict coefficients, size_t stride);
+typedef void (*jlt_kernel_lanes_jet)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, unsigned order,
+                                     double *JLT_RESTRICT coefficients, size_t stride);
 
 /* The batched kernels for one instruction set: every lane does what the scalar kernel does, in the same order. */
 typedef struct {

@@ -1,7 +1,8 @@
-#define _GNU_SOURCE /* sched_getaffinity */
+#define _GNU_SOURCE /* sched_getaffinity, dladdr */
 #include "build/compile.h"
 
 #include <dirent.h>
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <sched.h>
@@ -39,13 +40,25 @@ static const char *const link_flags[] = { "-shared", "-Wl,-Bsymbolic" };
 
 enum { FLAG_COUNT = sizeof flags / sizeof *flags, LINK_FLAG_COUNT = sizeof link_flags / sizeof *link_flags };
 
+/* The library that this program has Arb from. Objects name it, so that programs can load them that have no Arb of their own, or keep
+ * it to themselves. NULL: Arb is a part of this program. */
+static const char *arb_library(void)
+{
+    void *function = dlsym(RTLD_DEFAULT, "arb_mul");
+    Dl_info where;
+    if (function == NULL || dladdr(function, &where) == 0 || strchr(where.dli_fname, '/') == NULL) return NULL;
+    return strstr(where.dli_fname, ".so") != NULL ? where.dli_fname : NULL;
+}
+
 void ttc_compiler_add_flags(ttc_text *text, bool lanes)
 {
+    const char *arb = arb_library();
     for (size_t i = 0; i < FLAG_COUNT; i++) ttc_text_format(text, "%s ", flags[i]);
     if (!lanes) ttc_text_format(text, "%s ", without_lanes);
     for (size_t i = 0; lanes && i < SET_COUNT; i++)
         for (size_t k = 0; k < SET_FLAGS && sets[i].flags[k] != NULL; k++) ttc_text_format(text, "%s ", sets[i].flags[k]);
     for (size_t i = 0; i < LINK_FLAG_COUNT; i++) ttc_text_format(text, "%s ", link_flags[i]);
+    if (arb != NULL) ttc_text_format(text, "%s ", arb);
 }
 
 char *ttc_compiler_find(void)
@@ -204,9 +217,10 @@ static bool compile_all(const char *compiler, const char *folder, bool lanes, bo
     return ok;
 }
 
-static bool link_all(const char *compiler, const file_list *objects, const char *target)
+static bool link_all(const char *compiler, const file_list *objects, bool balls, const char *target)
 {
-    const char **arguments = calloc(objects->count + LINK_FLAG_COUNT + 5, sizeof *arguments);
+    const char **arguments = calloc(objects->count + LINK_FLAG_COUNT + 6, sizeof *arguments);
+    const char *arb = balls ? arb_library() : NULL;
     size_t n = 0;
     if (arguments == NULL) return false;
     arguments[n++] = compiler;
@@ -214,6 +228,7 @@ static bool link_all(const char *compiler, const file_list *objects, const char 
     arguments[n++] = "-o";
     arguments[n++] = target;
     for (size_t i = 0; i < objects->count; i++) arguments[n++] = objects->names[i];
+    if (arb != NULL) arguments[n++] = arb;
     arguments[n++] = "-lm";
     const bool ok = start(compiler, (char *const *)arguments, false) > 0 && finish_one();
     free(arguments);
@@ -231,7 +246,7 @@ bool ttc_compile_folder(const char *compiler, const char *folder, bool lanes, co
         if (object != NULL) object[strlen(object) - 1] = 'o';
         ok = add_file(&objects, object);
     }
-    ok = ok && sources.count > 0 && compile_all(compiler, folder, lanes, balls, &sources, &objects) && link_all(compiler, &objects, target);
+    ok = ok && sources.count > 0 && compile_all(compiler, folder, lanes, balls, &sources, &objects) && link_all(compiler, &objects, balls, target);
     free_list(&objects);
     free_list(&sources);
     return ok;

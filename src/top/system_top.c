@@ -123,3 +123,14 @@ bool jlt_system_top_interval(const jlt_chart_top *chart, double *low, double *hi
     }
     return found;
 }
+
+jlt_status jlt_system_top_at(void *context, jlt_system **out, double value)
+{
+    jlt_top_family *self = context;
+    double *entry = jlt_system_top_value(&self->values, self->name);
+
+    *out = NULL;
+    if (entry == NULL) return JLT_ERR_ARG;
+    *entry = value;
+    return jlt_system_top(out, &self->values, &self->options);
+}

@@ -53,6 +53,15 @@ while IFS='|' read -r _ _ file function _; do
 done < <(grep -E '^\| [a-zA-Z]+ \| `[a-z]+/[a-z_/]+\.c` \| `[a-z_0-9]+` \|' src/README.md)
 [ $walked -ge 20 ] || fail "src/README.md: only $walked steps name a file and a function"
 
+# The page of the library: functions that it names are declared, and it names every header that jellett.h includes.
+mapfile -t headers < <(sed -n 's/^#include "\(.*\)"/\1/p' src/jellett.h)
+for function in $(grep -oE '\bjlt_[a-z_0-9]+' tools/docs/library.md | sort -u); do
+    (cd src && grep -qwE "$function" "${headers[@]}") || fail "tools/docs/library.md: no header that jellett.h includes has $function"
+done
+for header in "${headers[@]}"; do
+    grep -qF "\`$header\`" tools/docs/library.md || fail "tools/docs/library.md: $header is not mentioned"
+done
+
 [ "$(wc -l < README.md)" -le 150 ] || fail "README.md is longer than 150 lines"
 
 # From README.md every page is at most two links away.

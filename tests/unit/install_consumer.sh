@@ -11,7 +11,8 @@ status=0
 fail() { echo "$*"; status=1; }
 
 for path in bin/ttc bin/jellett share/man/man1/ttc.1 share/man/man1/jellett.1 \
-    share/jellett/generated/kernel_abi.h share/jellett/models/spherical_top.tt include/jellett/core/status.h; do
+    share/jellett/generated/kernel_abi.h share/jellett/models/spherical_top.tt include/jellett/core/status.h include/jellett/jellett.h \
+    share/jellett/examples/orbit.c share/doc/jellett/tools/docs/library.md; do
     [ -e "$tree/$path" ] || fail "not installed: $path"
 done
 "$tree/bin/ttc" --version > /dev/null || fail "the installed ttc does not start"
@@ -23,7 +24,8 @@ if nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep __asan_init > /dev/null;
 
 pc=$(find "$tree" -name jellett.pc)
 library=$(dirname "$(find "$tree" -name 'libjellett.so')")
-export PKG_CONFIG_PATH=${pc%/*}
+# No other package is looked at: a user of the shared library need not have what it is made with.
+export PKG_CONFIG_LIBDIR=${pc%/*} PKG_CONFIG_PATH=
 soname=$(readelf -d "$library/libjellett.so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 [ "$soname" = libjellett.so.0 ] || fail "soname is '$soname', not libjellett.so.0"
 
@@ -45,6 +47,7 @@ foreach(kind shared static)
   target_link_libraries(by_cmake_${kind} PRIVATE jellett::${kind} m)
 endforeach()
 CMAKE
+unset PKG_CONFIG_LIBDIR # what the static library is linked with is found by CMake
 cmake -G Ninja -S "$scratch/project" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$tree" -DCMAKE_C_COMPILER="$JLT_CC" \
     -DCMAKE_C_FLAGS="${sanitize[*]}" > "$scratch/log" && cmake --build "$scratch/build" >> "$scratch/log" ||
     { cat "$scratch/log"; exit 1; }

@@ -17,10 +17,10 @@ endforeach()
 
 # Headers keep their folders, so that #include "core/status.h" means the same here and there.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DESTINATION ${JLT_INSTALL_HEADERS}
-        FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated DESTINATION ${JLT_INSTALL_DATA})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/scenes ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
 # Man pages quote what the programs say of their commands, so that they cannot disagree.
 foreach(program ttc jellett)
   set(page ${CMAKE_BINARY_DIR}/man/${program}.1)
@@ -35,6 +35,7 @@ install(FILES ${JLT_MAN_PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}/tools OPTIONAL)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/jellett-config.cmake.in
   ${CMAKE_BINARY_DIR}/package/jellett-config.cmake INSTALL_DESTINATION ${JLT_INSTALL_PACKAGE})
@@ -45,15 +46,23 @@ install(FILES ${CMAKE_BINARY_DIR}/package/jellett-config.cmake ${CMAKE_BINARY_DI
 # The .pc file finds its prefix from where it lies, so that a tree installed elsewhere, or moved, still works.
 file(RELATIVE_PATH JLT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" JLT_PREFIX_FROM_PC "${JLT_PREFIX_FROM_PC}")
+# What only the static library must be linked with stands there by its flags: names of other .pc files would be looked for by users of
+# the shared library too.
 set(JLT_PC_LIBRARIES "")
 foreach(library ${Flint_libraries} ${OpenMP_C_LIBRARIES})
   get_filename_component(stem ${library} NAME_WE)
   get_filename_component(folder ${library} DIRECTORY)
   if(NOT folder IN_LIST CMAKE_C_IMPLICIT_LINK_DIRECTORIES)
-    string(APPEND JLT_PC_LIBRARIES " -L${folder}")
+    list(APPEND JLT_PC_LIBRARIES -L${folder})
   endif()
   string(REGEX REPLACE "^lib" "-l" flag ${stem})
-  string(APPEND JLT_PC_LIBRARIES " ${flag}")
+  list(APPEND JLT_PC_LIBRARIES ${flag})
 endforeach()
+foreach(package GSL ARPACK JANSSON LIBCONFIG)
+  list(APPEND JLT_PC_LIBRARIES ${${package}_STATIC_LDFLAGS})
+endforeach()
+list(REMOVE_DUPLICATES JLT_PC_LIBRARIES)
+list(REMOVE_ITEM JLT_PC_LIBRARIES -lm)
+string(JOIN " " JLT_PC_LIBRARIES ${JLT_PC_LIBRARIES} -lm)
 configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/jellett.pc.in ${CMAKE_BINARY_DIR}/package/jellett.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/package/jellett.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

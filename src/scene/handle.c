@@ -1,0 +1,309 @@
+#include "scene/handle.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/memory.h"
+#include "kernel/descriptor.h"
+#include "kernel/link.h"
+#include "kernel/load.h"
+#include "scene/course.h"
+#include "top/known.h"
+
+struct jlt_handle_section {
+    jlt_system *system;
+    jlt_section *section;
+    bool started;
+    jlt_return at; /* the last row */
+};
+
+struct jlt_handle_motion {
+    const jlt_descriptor *model;
+    double *params; /* (model->param_count,), owned */
+    double tolerance;
+    jlt_course *course; /* NULL: nothing is started */
+    jlt_fate fate;
+    bool ended;
+};
+
+static jlt_status find_model(const jlt_descriptor **out, const char *model)
+{
+    if (strchr(model, '/') != NULL) return jlt_load(out, model);
+    *out = jlt_descriptor_find(model, NULL, NULL, NULL);
+    return *out != NULL ? JLT_OK : JLT_ERR_ARG;
+}
+
+/* The table's parameters with what was given, checked; for free(). */
+static jlt_status read_params(double **out, const jlt_descriptor *d, const char *const *names, const double *values, size_t count)
+{
+    double *params = jlt_memory_array(d->param_count, sizeof *params);
+    jlt_status st = JLT_ERR_NOMEM;
+    size_t index;
+
+    if (params == NULL) goto done;
+    for (unsigned i = 0; i < d->param_count; i++) params[i] = d->params[i].value;
+    st = JLT_ERR_ARG;
+    for (size_t i = 0; i < count; i++) {
+        if (!jlt_descriptor_param(d, names[i], &index)) goto done;
+        params[index] = values[i];
+    }
+    JLT_TRY(jlt_descriptor_check_params(d, params, &index));
+    *out = params;
+    params = NULL;
+done:
+    free(params);
+    return st;
+}
+
+/* ---- returns to a section ---- */
+
+/* Takes the system over, also where it fails. */
+static jlt_status open_section(jlt_handle_section **out, jlt_system *system)
+{
+    jlt_handle_section *self = calloc(1, sizeof *self);
+    jlt_status st = JLT_ERR_NOMEM;
+
+    if (self == NULL) {
+        jlt_system_destroy(system);
+        return st;
+    }
+    self->system = system;
+    JLT_TRY(jlt_section_create(&self->section, &system->flow));
+    *out = self;
+    self = NULL;
+done:
+    jlt_handle_section_destroy(self);
+    return st;
+}
+
+jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model, const char *const *names, const double *values,
+                                    size_t count, double tolerance)
+{
+    const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING };
+    const jlt_descriptor *d, *table;
+    const jlt_claim *broken;
+    const jlt_known *known;
+    double all[JLT_KNOWN_VALUES_MAX];
+    jlt_system *system = NULL;
+    jlt_status st;
+
+    *out = NULL;
+    JLT_TRY(find_model(&d, model));
+    known = jlt_known_of(d);
+    if (known == NULL) return JLT_ERR_UNSUPPORTED;
+    table = jlt_descriptor_find(known->table, NULL, NULL, NULL);
+    if (table == NULL || !jlt_link_holds(&broken, d, table)) return JLT_ERR_UNSUPPORTED;
+    memcpy(all, known->defaults, known->count * sizeof *all);
+    for (size_t i = 0; i < count; i++) {
+        const unsigned index = jlt_known_value(known, names[i]);
+        if (index == known->count) return JLT_ERR_ARG;
+        all[index] = values[i];
+    }
+    JLT_TRY(known->make(&system, all, &options));
+    st = open_section(out, system);
+done:
+    return st;
+}
+
+/* Angles, as far as the table proves them. */
+static jlt_status set_angles(jlt_system *system, const jlt_descriptor *d)
+{
+    double periods[JLT_CHART_STATES_MAX];
+    bool has_angles = false;
+    unsigned state;
+
+    for (unsigned i = 0; i < d->state_count; i++) {
+        const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[i].name);
+        periods[i] = claim != NULL && claim->verdict == JLT_PROVED ? d->states[i].period : 0;
+        has_angles = has_angles || periods[i] != 0;
+    }
+    return has_angles ? jlt_system_angles(system, periods, &state) : JLT_OK;
+}
+
+jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model, const char *state, double level, int direction,
+                                    const char *const *names, const double *values, size_t count, double tolerance)
+{
+    const jlt_flow options = { .tolerance = tolerance,
+                               .direction = direction > 0 ? JLT_RISING : direction < 0 ? JLT_FALLING : JLT_BOTH };
+    const jlt_descriptor *d;
+    double *params = NULL;
+    jlt_system *system = NULL;
+    size_t column;
+    jlt_status st;
+
+    *out = NULL;
+    JLT_TRY(find_model(&d, model));
+    if (!jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
+    JLT_TRY(read_params(&params, d, names, values, count));
+    JLT_TRY(jlt_system_plane(&system, d, params, (unsigned)column, level, NULL, &options));
+    JLT_TRY(set_angles(system, d));
+    st = open_section(out, system);
+    system = NULL;
+done:
+    jlt_system_destroy(system);
+    free(params);
+    return st;
+}
+
+void jlt_handle_section_destroy(jlt_handle_section *self)
+{
+    if (self == NULL) return;
+    jlt_section_destroy(self->section);
+    jlt_system_destroy(self->system);
+    free(self);
+}
+
+unsigned jlt_handle_section_dim(const jlt_handle_section *self)
+{
+    return self->system->flow.chart->dim;
+}
+
+const char *jlt_handle_section_coordinate(const jlt_handle_section *self, unsigned index)
+{
+    return index < self->system->flow.chart->dim ? self->system->flow.chart->names[index] : NULL;
+}
+
+unsigned jlt_handle_section_columns(const jlt_handle_section *self)
+{
+    return self->system->known != NULL ? self->system->known->at_return.count : 0;
+}
+
+const char *jlt_handle_section_column(const jlt_handle_section *self, unsigned index)
+{
+    return index < jlt_handle_section_columns(self) ? self->system->known->at_return.names[index] : NULL;
+}
+
+jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, int time_direction)
+{
+    const jlt_status st = jlt_section_start(self->section, &self->at, q, time_direction);
+
+    self->started = st == JLT_OK;
+    return st;
+}
+
+/* The last row, as arrays; columns may be NULL. */
+static void tell_row(const jlt_handle_section *self, double *q, double *t, double *columns)
+{
+    const jlt_known *known = self->system->known;
+    double off[JLT_CHART_DIM_MAX];
+
+    *t = self->at.t;
+    memcpy(q, self->at.q, jlt_handle_section_dim(self) * sizeof *q);
+    if (known == NULL) return;
+    known->off_section(off, self->at.x);
+    for (unsigned k = 0; k < jlt_handle_section_dim(self); k++)
+        if (isnan(q[k])) q[k] = off[k];
+    if (columns != NULL) known->at_return.values(columns, self->system, self->at.x);
+}
+
+jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, double *t, double *columns, size_t *done, int *fate,
+                                      size_t count)
+{
+    const size_t dim = jlt_handle_section_dim(self), width = jlt_handle_section_columns(self);
+    jlt_status st = JLT_OK;
+
+    *done = 0;
+    if (!self->started) return JLT_ERR_ARG;
+    while (*done < count && self->at.fate == JLT_FATE_ALIVE) {
+        JLT_TRY(jlt_section_next(self->section, &self->at));
+        tell_row(self, q + *done * dim, t + *done, columns != NULL ? columns + *done * width : NULL);
+        ++*done;
+    }
+    *fate = (int)self->at.fate;
+done:
+    return st;
+}
+
+/* ---- states at times ---- */
+
+jlt_status jlt_handle_motion_create(jlt_handle_motion **out, const char *model, const char *const *names, const double *values,
+                                    size_t count, double tolerance)
+{
+    jlt_handle_motion *self = calloc(1, sizeof *self);
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *out = NULL;
+    if (self == NULL) return st;
+    self->tolerance = tolerance;
+    JLT_TRY(find_model(&self->model, model));
+    st = JLT_ERR_UNSUPPORTED;
+    if (self->model->state_count > JLT_PLAN_STATES_MAX || self->model->param_count > JLT_PLAN_PARAMS_MAX) goto done;
+    JLT_TRY(read_params(&self->params, self->model, names, values, count));
+    *out = self;
+    self = NULL;
+done:
+    jlt_handle_motion_destroy(self);
+    return st;
+}
+
+void jlt_handle_motion_destroy(jlt_handle_motion *self)
+{
+    if (self == NULL) return;
+    jlt_course_destroy(self->course);
+    free(self->params);
+    free(self);
+}
+
+unsigned jlt_handle_motion_dim(const jlt_handle_motion *self)
+{
+    return self->model->state_count;
+}
+
+const char *jlt_handle_motion_state(const jlt_handle_motion *self, unsigned index)
+{
+    return index < self->model->state_count ? self->model->states[index].name : NULL;
+}
+
+jlt_status jlt_handle_motion_start(jlt_handle_motion *self, const double *x)
+{
+    const jlt_question question = { .model = self->model, .params = self->params, .start = x };
+    const jlt_course_options options = { .tolerance = self->tolerance };
+    jlt_plan plan;
+    size_t index;
+    jlt_status st;
+
+    jlt_course_destroy(self->course);
+    self->course = NULL;
+    self->ended = false;
+    self->fate = JLT_FATE_ALIVE;
+    JLT_TRY(jlt_descriptor_check_state(self->model, x, &index));
+    JLT_TRY(jlt_plan_make(&plan, &question));
+    st = jlt_course_create(&self->course, &plan, &question, &options);
+done:
+    return st;
+}
+
+/* What a row tells of the orbit; st: of the call that made it. False: it is not of the orbit. */
+static bool note_fate(jlt_handle_motion *self, const jlt_course_row *row, jlt_status st)
+{
+    jlt_fate failure;
+
+    if (st != JLT_OK && (row->x == NULL || !jlt_section_fate_of(&failure, st))) return false;
+    self->ended = st != JLT_OK || row->end == JLT_END_POLE;
+    if (st != JLT_OK) self->fate = failure;
+    else if (self->ended) self->fate = row->side > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
+    else self->fate = isnan(row->lost_at) ? JLT_FATE_ALIVE : JLT_FATE_INVALID;
+    return true;
+}
+
+jlt_status jlt_handle_motion_states(jlt_handle_motion *self, double *x, double *t, size_t *done, int *fate, const double *times,
+                                    size_t count)
+{
+    const size_t dim = jlt_handle_motion_dim(self);
+    jlt_course_row row;
+    jlt_status st = JLT_OK;
+
+    *done = 0;
+    if (self->course == NULL) return JLT_ERR_ARG;
+    while (*done < count && !self->ended && st == JLT_OK) {
+        st = isfinite(times[*done]) ? jlt_course_to(self->course, times[*done], &row) : JLT_ERR_NONFINITE;
+        if (!isfinite(times[*done]) || !note_fate(self, &row, st)) break;
+        st = JLT_OK;
+        memcpy(x + *done * dim, row.x, dim * sizeof *x);
+        t[*done] = row.t;
+        ++*done;
+    }
+    *fate = (int)self->fate;
+    return st;
+}

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# `cpack -G DEB` makes a package that has the programs, the library, headers, kernels, models and man pages, and that depends on the
+# packages of all libraries that are loaded; unpacked into any folder, the programs run from there and the examples build.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+(cd "$JLT_BINARY_DIR" && umask 077 && cpack -G DEB -B "$scratch") > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+version=$(jellett --version | sed 's/^jellett //;q')
+package=$scratch/jellett_${version}_$(dpkg --print-architecture).deb
+[ -f "$package" ] || { echo "no $package among $(ls "$scratch")"; exit 1; }
+dpkg-deb -x "$package" "$scratch/root"
+tree=$scratch/root/usr
+
+for path in bin/ttc bin/jellett include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h \
+    share/jellett/models/spherical_top.tt share/jellett/examples/section.c share/man/man1/ttc.1 share/man/man1/jellett.1 \
+    share/doc/jellett/LICENSE; do
+    [ -f "$tree/$path" ] || fail "the package has no /usr/$path"
+done
+library=$(find "$tree" -name libjellett.so)
+[ -n "$library" ] && [ -n "$(find "$tree" -name libjellett.a)" ] || fail "the package has not both libraries"
+[ -z "$(find "$scratch/root" ! -type l \( -perm /022 -o ! -perm -044 \))" ] || fail "permissions are the umask's"
+! grep -rlIF -e "$JLT_BINARY_DIR" -e "$scratch" "$tree" || fail "^ these files name the folder in which they were built"
+
+# What the loader asks for is in packages that this one depends on; who calls Z3 or Arb, which package they are in, is dpkg's to say.
+depends=" $(dpkg-deb -f "$package" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "
+for file in "$tree/bin/ttc" "$tree/bin/jellett" "$library"; do
+    while read -r soname; do
+        path=$(ldd "$file" | awk -v name="$soname" '$1 == name { print $3 }')
+        owner=$(dpkg -S "*/$soname" 2>/dev/null | sed 's/:.*//' | sort -u)
+        found=no
+        for name in $owner; do [[ $depends != *" $name "* ]] || found=yes; done
+        [ $found = yes ] || fail "${file##*/} needs $soname ($path, of ${owner:-no package}), and the package does not depend on it"
+    done < <(readelf -d "$file" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -v '^ld-linux')
+done
+
+# From the folder alone; the path of the build is forgotten.
+here=$PATH
+export PATH=$tree/bin:/usr/local/bin:/usr/bin:/bin XDG_CACHE_HOME=$scratch
+ttc prove "$tree/share/jellett/models/lorenz.tt" > "$scratch/proved" || fail "ttc prove: exit status $?"
+for program in jellett ttc; do
+    [ "$(command -v $program)" = "$tree/bin/$program" ] || fail "$program is not that of the package"
+done
+simulate=(--start x=1,y=2,z=20 --times 1 --method dop853) # by kernels without lanes in both
+jellett simulate lorenz "${simulate[@]}" | grep -v '^#' > "$scratch/built_in"
+jellett simulate "$tree/share/jellett/models/lorenz.tt" "${simulate[@]}" | grep -v '^#' > "$scratch/loaded"
+[ "$(wc -l < "$scratch/built_in")" = 2 ] || fail "jellett simulate has no row"
+cmp "$scratch/built_in" "$scratch/loaded" || fail "a table compiled from there is another"
+PATH=$here jellett simulate lorenz "${simulate[@]}" | grep -v '^#' | cmp - "$scratch/built_in" || fail "the program built is another"
+
+if ! nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep -E '__[at]san_init' > /dev/null; then
+    PKG_CONFIG_LIBDIR=$(dirname "$(find "$tree" -name jellett.pc)")
+    export PKG_CONFIG_LIBDIR
+    # Word splitting is how pkg-config's answer is meant to be read.
+    # shellcheck disable=SC2046
+    "$JLT_CC" -std=c11 "$tree/share/jellett/examples/section.c" -o "$scratch/section" $(pkg-config --cflags --libs jellett) -lm
+    [ "$(LD_LIBRARY_PATH=${library%/*} "$scratch/section" | wc -l)" = 5 ] || fail "section.c does not run"
+fi
+[ $status -ne 0 ] || echo "${package##*/}, $(stat -c %s "$package") bytes; depends on$depends"
+exit $status
