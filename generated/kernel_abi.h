@@ -175,6 +175,9 @@ typedef struct jlt_descriptor {
     unsigned valid_count;
     const jlt_validity *valids;     /* conditions under which the model holds */
     jlt_kernel valid_values;        /* shape (valids,); the model holds where all are > 0 */
+    const signed char *reversed;    /* shape (states,): what a reversor that the table claims makes of each, +1 or -1; NULL where it claims
+                                       none of that kind, with a condition only, and on fields with a time or an elimination */
+    unsigned reversor;              /* which of `claims` that is */
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file

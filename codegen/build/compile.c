@@ -16,7 +16,25 @@
 #include <unistd.h>
 
 /* -O1: on straight-line code -O2 gains nothing that is worth twice the time. The bits are the same by every one of them. */
-static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off", "-DJLT_WITHOUT_LANES" };
+static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off" };
+static const char without_lanes[] = "-DJLT_WITHOUT_LANES";
+
+/* What a file of one instruction set is compiled with; which set runs is decided where the object is loaded. */
+static const struct {
+    const char *file;
+    const char *flags[6];
+} sets[] = {
+    { "batch_baseline.c", { "-O2" } },
+#if defined(__x86_64__)
+    { "batch_avx2.c", { "-O2", "-mavx2", "-mfma" } },
+    { "batch_avx512.c", { "-O2", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512" } },
+#else
+    { "batch_avx2.c", { "-O2" } },
+    { "batch_avx512.c", { "-O2" } },
+#endif
+};
+enum { SET_COUNT = sizeof sets / sizeof *sets, SET_FLAGS = 6 };
+
 /* Whoever loads the object may have kernels of the same names. */
 static const char *const link_flags[] = { "-shared", "-Wl,-Bsymbolic" };
 
@@ -32,10 +50,13 @@ static const char *arb_library(void)
     return strstr(where.dli_fname, ".so") != NULL ? where.dli_fname : NULL;
 }
 
-void ttc_compiler_add_flags(ttc_text *text)
+void ttc_compiler_add_flags(ttc_text *text, bool lanes)
 {
     const char *arb = arb_library();
     for (size_t i = 0; i < FLAG_COUNT; i++) ttc_text_format(text, "%s ", flags[i]);
+    if (!lanes) ttc_text_format(text, "%s ", without_lanes);
+    for (size_t i = 0; lanes && i < SET_COUNT; i++)
+        for (size_t k = 0; k < SET_FLAGS && sets[i].flags[k] != NULL; k++) ttc_text_format(text, "%s ", sets[i].flags[k]);
     for (size_t i = 0; i < LINK_FLAG_COUNT; i++) ttc_text_format(text, "%s ", link_flags[i]);
     if (arb != NULL) ttc_text_format(text, "%s ", arb);
 }
@@ -89,8 +110,8 @@ static char *join(const char *folder, const char *name, const char *extension)
 
 static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
-/* Every .c file but those that only hold lanes, or need Arb where it is not there. */
-static bool list_folder(file_list *list, const char *folder, bool into, bool balls)
+/* Every .c file but those that hold lanes where none are wanted, or need Arb where it is not there. */
+static bool list_folder(file_list *list, const char *folder, bool into, bool lanes, bool balls)
 {
     DIR *open = opendir(folder);
     bool ok = open != NULL;
@@ -100,9 +121,9 @@ static bool list_folder(file_list *list, const char *folder, bool into, bool bal
         if (*entry->d_name == '.') continue;
         char *path = join(folder, entry->d_name, "");
         ok = path != NULL && stat(path, &kind) == 0;
-        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, balls);
+        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, lanes, balls);
         else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
-                 && strncmp(entry->d_name, "batch_", 6) != 0 && (balls || strstr(entry->d_name, "ball") == NULL)) {
+                 && (lanes || strncmp(entry->d_name, "batch_", 6) != 0) && (balls || strstr(entry->d_name, "ball") == NULL)) {
             ok = add_file(list, path);
             path = NULL;
         }
@@ -131,11 +152,15 @@ static pid_t start(const char *compiler, char *const *arguments, bool in_silence
     _exit(127);
 }
 
-static pid_t compile_one(const char *compiler, const char *include, bool balls, char *source, char *object)
+static pid_t compile_one(const char *compiler, const char *include, bool lanes, bool balls, char *source, char *object)
 {
-    const char *arguments[FLAG_COUNT + 9] = { compiler };
+    const char *arguments[FLAG_COUNT + SET_FLAGS + 9] = { compiler }, *name = strrchr(source, '/');
     size_t n = 1;
     for (size_t i = 0; i < FLAG_COUNT; i++) arguments[n++] = flags[i];
+    if (!lanes) arguments[n++] = without_lanes;
+    for (size_t i = 0; i < SET_COUNT; i++)
+        for (size_t k = 0; name != NULL && strcmp(name + 1, sets[i].file) == 0 && k < SET_FLAGS && sets[i].flags[k] != NULL; k++)
+            arguments[n++] = sets[i].flags[k];
     if (!balls) arguments[n++] = "-DJLT_WITHOUT_BALLS";
     arguments[n++] = include;
     arguments[n++] = "-c";
@@ -171,7 +196,7 @@ static bool has_arb(const char *compiler, const char *folder)
     return found;
 }
 
-static bool compile_all(const char *compiler, const char *folder, bool balls, const file_list *sources, const file_list *objects)
+static bool compile_all(const char *compiler, const char *folder, bool lanes, bool balls, const file_list *sources, const file_list *objects)
 {
     const size_t most = processors();
     size_t running = 0;
@@ -183,7 +208,7 @@ static bool compile_all(const char *compiler, const char *folder, bool balls, co
             ok = finish_one();
             running--;
         }
-        if (ok) ok = compile_one(compiler, option.bytes, balls, sources->names[i], objects->names[i]) > 0;
+        if (ok) ok = compile_one(compiler, option.bytes, lanes, balls, sources->names[i], objects->names[i]) > 0;
         if (ok) running++;
     }
     for (; running > 0; running--) ok = finish_one() && ok;
@@ -210,18 +235,19 @@ static bool link_all(const char *compiler, const file_list *objects, bool balls,
     return ok;
 }
 
-bool ttc_compile_folder(const char *compiler, const char *folder, const char *target)
+bool ttc_compile_folder(const char *compiler, const char *folder, bool lanes, const char *target)
 {
     file_list sources = { 0 }, objects = { 0 };
     const bool balls = has_arb(compiler, folder);
-    bool ok = list_folder(&sources, folder, true, balls);
+    bool ok = list_folder(&sources, folder, true, lanes, balls);
     if (ok) qsort(sources.names, sources.count, sizeof *sources.names, by_name);
     for (size_t i = 0; ok && i < sources.count; i++) {
         char *object = strdup(sources.names[i]);
         if (object != NULL) object[strlen(object) - 1] = 'o';
         ok = add_file(&objects, object);
     }
-    ok = ok && sources.count > 0 && compile_all(compiler, folder, balls, &sources, &objects) && link_all(compiler, &objects, balls, target);
+    ok = ok && sources.count > 0 && compile_all(compiler, folder, lanes, balls, &sources, &objects)
+         && link_all(compiler, &objects, balls, target);
     free_list(&objects);
     free_list(&sources);
     return ok;

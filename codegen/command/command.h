@@ -31,6 +31,7 @@ typedef struct {
     bool seeded; /* it was given */
     bool keep;     /* tables whose kernels are there already keep them */
     bool unproved; /* write kernels that rest on claims without a proof */
+    bool lanes;    /* compile kernels on vectors as well */
     ttc_effort effort;
     ttc_plan_extent extent;
     const char *out;    /* directory */

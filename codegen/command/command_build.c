@@ -23,11 +23,11 @@ static void add_identity(ttc_text *key, const char *path)
 }
 
 /* Everything that decides on the object: ttc, compiler, flags, the table, and those that its claims lead to. */
-static void make_key(char digest[65], const ttc_model *model, const char *compiler)
+static void make_key(char digest[65], const ttc_model *model, const char *compiler, bool lanes)
 {
     ttc_text key = { 0 };
     ttc_text_format(&key, "ttc %s\n%s\n", JLT_VERSION, model->sha256);
-    ttc_compiler_add_flags(&key);
+    ttc_compiler_add_flags(&key, lanes);
     add_identity(&key, "/proc/self/exe");
     add_identity(&key, compiler);
     for (size_t i = 0; i < model->claim_count; i++) {
@@ -71,7 +71,7 @@ static int make(ttc_cache *cache, const char *key, const char *path, const char 
     generate.unproved = true;
     generate.extent = TTC_WITHOUT_ELIMINATIONS;
     int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate(&generate);
-    if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, object.bytes))
+    if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, options->lanes, object.bytes))
         status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
     if (status == TTC_EXIT_DONE && (chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
         status = fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
@@ -85,7 +85,7 @@ static int make(ttc_cache *cache, const char *key, const char *path, const char 
 static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *compiler, const ttc_options *options, char **path)
 {
     char key[65];
-    make_key(key, model, compiler);
+    make_key(key, model, compiler, options->lanes);
     *path = ttc_cache_path(cache, key);
     if (*path == NULL) return TTC_EXIT_MEMORY;
     if (ttc_cache_has(*path)) return TTC_EXIT_DONE;

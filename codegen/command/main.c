@@ -13,7 +13,8 @@
 
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
        OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
-       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K' };
+       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K',
+       OPTION_LANES = 'l' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
@@ -44,6 +45,10 @@ static const struct argp_option generate_options[] = {
     { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
     END_OF_OPTIONS
 };
+static const struct argp_option build_options[] = {
+    { "lanes", OPTION_LANES, NULL, 0, "Kernels on vectors as well, which follow many orbits at once", 0 },
+    END_OF_OPTIONS
+};
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
@@ -68,7 +73,7 @@ static const command commands[] = {
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
       "operation counts. Claims are proved first: kernels that rest on one which is refuted or not settled are not "
       "written. Output is a pure function of the tables and options; on any error no file is touched." },
-    { "build", "compile a table to a shared object, and print its path", ttc_command_build, NULL,
+    { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
       "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
       "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, so that the next time it is "
       "there; jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
@@ -122,6 +127,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_UNPROVED:
         options->unproved = true;
+        return 0;
+    case OPTION_LANES:
+        options->lanes = true;
         return 0;
     case OPTION_OUT:
         options->out = argument;

@@ -296,6 +296,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
         ttc_text_format(text, "    .observe_count = %zu, .observes = observes,\n", model->observed_count);
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0)
         ttc_text_format(text, "    .valid_count = %zu, .valids = valids,\n", model->validity_count);
+    ttc_emit_reversor_member(text, field);
     ttc_text_format(text, "    .integral_count = %zu, .measure_count = %zu, .equilibria_count = %zu,\n", k->integral_count,
                     k->measure_count, k->family_count);
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
@@ -349,6 +350,7 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->kernels[TTC_KERNEL_OBSERVE_VALUES].count > 0)
         add_quantities(text, "observes", field, field->model->observed, field->model->observed_count);
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0) add_validities(text, field->model);
+    ttc_emit_reversor(text, field);
     add_descriptor(text, k);
     return !text->failed;
 }

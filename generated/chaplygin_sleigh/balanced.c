@@ -241,6 +241,8 @@ static const jlt_named measures[] = {
     { "uniform", "a = 0" },
 };
 
+static const signed char reversed[] = { -1, -1 };
+
 const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .model = "chaplygin_sleigh",
     .variant = "balanced",
@@ -276,6 +278,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 1,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

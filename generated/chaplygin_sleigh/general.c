@@ -248,6 +248,8 @@ static const jlt_named integrals[] = {
     { "E", "" },
 };
 
+static const signed char reversed[] = { -1, -1 };
+
 const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .model = "chaplygin_sleigh",
     .variant = "",
@@ -280,6 +282,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 1,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

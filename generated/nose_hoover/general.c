@@ -182,6 +182,8 @@ static const jlt_named measures[] = {
     { "canonical", "" },
 };
 
+static const signed char reversed[] = { 1, -1, -1 };
+
 const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .model = "nose_hoover",
     .variant = "",
@@ -214,6 +216,7 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 3,
     .integral_count = 0, .measure_count = 1, .equilibria_count = 0,
     .measures = measures,
 #ifndef JLT_WITHOUT_BALLS

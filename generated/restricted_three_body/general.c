@@ -358,6 +358,8 @@ static const jlt_named measures[] = {
     { "volume", "" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1 };
+
 const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .model = "restricted_three_body",
     .variant = "",
@@ -392,6 +394,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 2,
     .integral_count = 1, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

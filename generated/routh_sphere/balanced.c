@@ -611,6 +611,8 @@ static const jlt_named measures[] = {
     { "rho", "" },
 };
 
+static const signed char reversed[] = { 1, -1, 1, 1 };
+
 const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .model = "routh_sphere",
     .variant = "balanced",
@@ -646,6 +648,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 5,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

@@ -947,6 +947,8 @@ static const jlt_named measures[] = {
     { "rho", "" },
 };
 
+static const signed char reversed[] = { 1, -1, 1, 1 };
+
 const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .model = "routh_sphere",
     .variant = "",
@@ -981,6 +983,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 5,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 2,
     .integrals = integrals,
     .measures = measures,

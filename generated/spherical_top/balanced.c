@@ -887,6 +887,8 @@ static const jlt_named integrals[] = {
     { "F0", "a3 = 0" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1, 1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .model = "spherical_top",
     .variant = "balanced",
@@ -920,6 +922,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 8,
     .integral_count = 3, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

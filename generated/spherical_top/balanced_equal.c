@@ -718,6 +718,8 @@ static const jlt_named integrals[] = {
     { "F_linear", "a3 = 0, I1 = I3" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1, 1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .model = "spherical_top",
     .variant = "balanced_equal",
@@ -751,6 +753,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 8,
     .integral_count = 4, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -575,6 +575,8 @@ static const jlt_named measures[] = {
     { "rho", "I3 = 0" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1, 1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .model = "spherical_top",
     .variant = "rod",
@@ -610,6 +612,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 8,
     .integral_count = 4, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

@@ -322,6 +322,8 @@ static const jlt_named integrals[] = {
     { "F0", "" },
 };
 
+static const signed char reversed[] = { 1, -1, -1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .model = "spherical_top_balanced",
     .variant = "equal_moments",
@@ -355,6 +357,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 4,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -489,6 +489,8 @@ static const jlt_named integrals[] = {
     { "F0", "" },
 };
 
+static const signed char reversed[] = { 1, -1, -1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .model = "spherical_top_balanced",
     .variant = "",
@@ -521,6 +523,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 4,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -840,6 +840,8 @@ static const jlt_named integrals[] = {
     { "F0", "a3 = 0" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .model = "spherical_top_level",
     .variant = "balanced",
@@ -873,6 +875,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 4,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -454,6 +454,8 @@ static const jlt_named measures[] = {
     { "density", "I3 = 0" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .model = "spherical_top_level",
     .variant = "rod",
@@ -489,6 +491,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 4,
     .integral_count = 2, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

@@ -901,6 +901,8 @@ static const jlt_named integrals[] = {
     { "M_y", "a3 = 0" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1, 1, -1, -1, 1, -1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .model = "spherical_top_track",
     .variant = "balanced",
@@ -934,6 +936,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 9,
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -970,6 +970,8 @@ static const jlt_named integrals[] = {
     { "G", "" },
 };
 
+static const signed char reversed[] = { 1, -1, -1, 1, 1, -1, -1, 1, -1 };
+
 const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .model = "spherical_top_track",
     .variant = "",
@@ -1002,6 +1004,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 9,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -373,6 +373,8 @@ static const jlt_named measures[] = {
     { "volume", "" },
 };
 
+static const signed char reversed[] = { 1, 1, 1, -1, -1, -1 };
+
 const jlt_descriptor jlt_kernels_toda_general = {
     .model = "toda",
     .variant = "",
@@ -407,6 +409,7 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .reversed = reversed, .reversor = 5,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

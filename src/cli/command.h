@@ -15,7 +15,8 @@ typedef enum {
     JLT_EXIT_USAGE = 2,
     JLT_EXIT_INPUT = 3,     /* a name, a number or a state that cannot be used */
     JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out */
-    JLT_EXIT_IO = 5
+    JLT_EXIT_IO = 5,
+    JLT_EXIT_PLANNED = 6    /* within the program: what would be done has been said, and all is done */
 } jlt_exit;
 
 typedef struct {

@@ -323,7 +323,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.max_steps = 20000;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);

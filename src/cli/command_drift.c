@@ -99,7 +99,7 @@ static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
         if (!asked(o, method)) continue;
         if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
         jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = (r->system->known != NULL ? jlt_drift_known : jlt_drift_section)(r, rows, &count, &end, method);
+        const jlt_status st = (r->system->known != NULL ? jlt_drift_top : jlt_drift_section)(r, rows, &count, &end, method);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
         if (count > 0) *drawn |= 1u << m;
@@ -168,7 +168,7 @@ static jlt_exit open_integrals(jlt_drift *r, options *o)
     const jlt_known *known = r->system->known;
     jlt_exit code = JLT_EXIT_DONE;
 
-    code = jlt_motion_default_start(&o->start, r->system, JLT_START_REGULAR);
+    code = jlt_motion_default_start(&o->start, r->system, JLT_START_REGULAR, "say where to start: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->q, r->system, o->start);
     if (code != JLT_EXIT_DONE) return code;
     if (known == NULL) return watch_proved(r);

@@ -173,6 +173,7 @@ static jlt_exit prepare(jlt_eigen_request *r)
 {
     const jlt_descriptor *d;
     jlt_exit code = jlt_common_open(&r->common, &r->descriptor, &r->params);
+    if (code == JLT_EXIT_DONE && r->common.plan) code = jlt_common_still();
 
     if (code != JLT_EXIT_DONE) return code;
     d = r->descriptor;

@@ -1,7 +1,6 @@
+#include "cli/fates_table.h"
 #include "cli/motion_family.h"
 #include "cli/progress.h"
-#include "dynamics/fates.h"
-#include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,65 +54,14 @@ static const struct argp parser = {
     "pole where it is above. With --sweep, columns: the values, starts, low_starts, the fates (pole+, pole-, lost_contact, equilibrium, "
     "alive, budget), failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the share of the low "
     "starts that turns over, its binomial standard error, and the share that does so with the model valid all the way; starts are even "
-    "in the coordinates. Of other models columns are the values, starts, fates and failed.\n\n"
+    "in the coordinates. Of other models columns are the values, starts, fates, failed, and where the table has conditions NAME_held: on how "
+    "many starts they held all the way.\n\n"
     "  jellett fates --grid 300x200 --plot fates.png > fates.csv\n"
     "  jellett fates --grid eta=-pi:pi:60,gamma3=-0.9999:-0.99:10\n"
     "  jellett fates --sweep E=0.6:4:18 --plot share.svg\n"
     "  jellett fates lorenz --section z=27 --grid x=-20:20:9,y=-20:20:9",
     children, NULL, NULL,
 };
-
-/* Shares over a grid, and of the starts that are low, of sections that know such. */
-typedef struct {
-    jlt_fates_count all, low;
-    jlt_fate turned;
-    size_t empty;
-} shares;
-
-static void add(shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)
-{
-    jlt_fates_add(&sum->all, end);
-    if (system->known == NULL) return;
-    sum->turned = system->known->turned_at(system);
-    if (system->known->is_low(system, q)) jlt_fates_add(&sum->low, end);
-}
-
-static bool tells_contact(const options *o) { return strcmp(o->motion.contact, "report") == 0; }
-
-static void write_names(FILE *file, const options *o, const jlt_system *system)
-{
-    const jlt_chart *chart = system->flow.chart;
-    const jlt_known *known = system->known;
-    const unsigned count = known != NULL ? known->at_end.count : chart->states;
-
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
-    fputs("fate,t_end", file);
-    for (unsigned i = 0; i < count; i++)
-        fprintf(file, ",%s_end", known != NULL ? known->at_end.names[i] : system->instance->descriptor->states[i].name);
-    if (tells_contact(o)) fprintf(file, ",%s_min", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY));
-    fputc('\n', file);
-}
-
-static void write_row(FILE *file, const options *o, const jlt_system *system, const double *q, const jlt_fates_end *end)
-{
-    const jlt_chart *chart = system->flow.chart;
-    double values[JLT_CHART_STATES_MAX + 2] = { end->t };
-    unsigned count = 1;
-    char fate[JLT_FATE_TEXT_MAX];
-
-    if (system->known != NULL) {
-        system->known->at_end.values(values + count, system, end->x);
-        count += system->known->at_end.count;
-    } else {
-        memcpy(values + count, end->x, chart->states * sizeof *values);
-        count += chart->states;
-    }
-    if (tells_contact(o)) values[count++] = end->least;
-    jlt_csv_values(file, q, chart->dim);
-    jlt_section_fate_text(fate, system->observed, end->fate, end->lost);
-    fprintf(file, ",%s,", fate);
-    jlt_csv_row(file, values, count);
-}
 
 /* NULL: none. */
 static const char *grid_of(const options *o, const jlt_system *system)
@@ -122,7 +70,7 @@ static const char *grid_of(const options *o, const jlt_system *system)
 }
 
 /* All starts of one system; file NULL: only count. */
-static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
+static jlt_exit follow_all(jlt_fates_shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
                            jlt_progress *progress, size_t before, size_t whole)
 {
     const char *grid = grid_of(o, system);
@@ -150,53 +98,13 @@ static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options 
             break;
         }
         if (end.interrupted) break;
-        add(sum, system, q, &end);
-        if (file != NULL) write_row(file, o, system, q, &end);
+        jlt_fates_shares_add(sum, system, q, &end);
+        if (file != NULL) jlt_fates_table_row(file, &o->motion, system, q, &end);
         if (points != NULL) fprintf(points, "%.7g %.7g %d %.7g\n", q[0], q[1], (int)end.fate, end.t);
         jlt_progress_show(progress, before + i + 1, whole > 0 ? whole * all : all);
     }
     jlt_section_destroy(section);
     return code;
-}
-
-static size_t failures(const shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++)
-        if (jlt_section_failed((jlt_fate)fate)) count += sum->all.by_fate[fate];
-    return count;
-}
-
-/* Fates that can be of this section's orbits, or that have been. */
-static bool is_told(const shares *sum, const jlt_system *system, jlt_fate fate)
-{
-    if (sum->all.by_fate[fate] > 0) return true;
-    switch (fate) {
-    case JLT_FATE_POLE_PLUS:
-    case JLT_FATE_POLE_MINUS: return system->flow.chart->side != NULL;
-    case JLT_FATE_INVALID: return jlt_observed_conditions(system->observed) > 0;
-    default: return fate <= JLT_FATE_EQUILIBRIUM;
-    }
-}
-
-static void summary(FILE *stream, const shares *sum, const jlt_system *system)
-{
-    char name[JLT_FATE_TEXT_MAX];
-    double turned, error, kept, kept_error;
-
-    fprintf(stream, "%zu starts:", sum->all.starts);
-    for (int fate = JLT_FATE_ALIVE; fate < (int)JLT_FATE_COUNT; fate++)
-        if (is_told(sum, system, (jlt_fate)fate)) {
-            jlt_section_fate_text(name, system->observed, (jlt_fate)fate, JLT_OBSERVED_ANY);
-            fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], name);
-        }
-    jlt_fates_share(&turned, &error, &sum->low, sum->turned, false);
-    jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
-    if (sum->low.starts > 0)
-        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with N > 0 all the way", sum->low.starts, system->known->low,
-                turned, error, kept, kept_error);
-    fputc('\n', stream);
 }
 
 /* Half the distance of neighbouring starts on an axis; 0 for a single one. */
@@ -206,7 +114,7 @@ static double half_cell(const jlt_grid_axis *axis, double period)
 }
 
 /* A grid as cells, single starts as points. */
-static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const shares *sum)
+static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const jlt_fates_shares *sum)
 {
     static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#40a040", "#a060c0", "#909090",
                                           "#c0c0c0", "#c0c0c0", "#c0c0c0" };
@@ -245,7 +153,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
 
 static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system)
 {
-    shares sum = { .empty = 0 };
+    jlt_fates_shares sum = { .empty = 0 };
     jlt_progress progress;
     char *points = NULL;
     size_t size;
@@ -253,7 +161,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     jlt_exit code;
 
     jlt_motion_header(stream->file, &o->motion, system);
-    write_names(stream->file, o, system);
+    jlt_fates_table_names(stream->file, &o->motion, system);
     jlt_progress_start(&progress, "starts");
     code = follow_all(&sum, stream->file, copy, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
@@ -264,10 +172,10 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     if (code == JLT_EXIT_DONE) {
         if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
         fputs("jellett: ", stderr);
-        summary(stderr, &sum, system);
+        jlt_fates_table_summary(stderr, &o->motion, system, &sum);
         if (points != NULL) code = draw_fates(o, system, points, &sum);
     }
-    if (code == JLT_EXIT_DONE && failures(&sum) > 0) code = jlt_motion_failures(failures(&sum), sum.all.starts);
+    if (code == JLT_EXIT_DONE && jlt_fates_shares_failed(&sum) > 0) code = jlt_motion_failures(jlt_fates_shares_failed(&sum), sum.all.starts);
     free(points);
     return code;
 }
@@ -288,52 +196,9 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
             system->known != NULL ? system->known->low : "");
     if (system->known != NULL)
         fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
-              "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over with N > 0 all the way'\n", stream);
+              "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over, the model valid all the way'\n", stream);
     else fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'alive'\n", stream);
     return jlt_common_draw(&o->motion.common, &script);
-}
-
-/* Columns of a sweep, in this order. */
-static const jlt_fate told[] = { JLT_FATE_POLE_PLUS, JLT_FATE_POLE_MINUS, JLT_FATE_INVALID, JLT_FATE_EQUILIBRIUM, JLT_FATE_LEFT_DOMAIN,
-                                 JLT_FATE_ALIVE, JLT_FATE_BUDGET };
-enum { TOLD = sizeof told / sizeof *told };
-
-static bool is_column(const jlt_system *system, jlt_fate fate)
-{
-    static const shares none = { .empty = 0 };
-    return is_told(&none, system, fate) || fate == JLT_FATE_BUDGET || (fate == JLT_FATE_LEFT_DOMAIN && system->known == NULL);
-}
-
-static void write_share_names(FILE *file, const jlt_system *system, const jlt_grid_axis *axes, size_t count)
-{
-    char name[JLT_FATE_TEXT_MAX];
-
-    for (size_t k = 0; k < count; k++) fprintf(file, "%s,", axes[k].name);
-    fprintf(file, "starts%s", system->known != NULL ? ",low_starts" : "");
-    for (size_t i = 0; i < TOLD; i++) {
-        jlt_section_fate_text(name, system->observed, told[i], JLT_OBSERVED_ANY);
-        if (is_column(system, told[i])) fprintf(file, ",%s", name);
-    }
-    fprintf(file, ",failed%s\n", system->known != NULL ? ",turned,turned_error,turned_in_contact" : "");
-}
-
-/* A row of the sweep, and its point of the picture when there is one. base: a system of the sweep. */
-static void write_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count, const shares *sum)
-{
-    double share, error, kept, kept_error;
-
-    jlt_csv_values(file, values, count);
-    fprintf(file, ",%zu", sum->all.starts);
-    if (base->known != NULL) fprintf(file, ",%zu", sum->low.starts);
-    for (size_t i = 0; i < TOLD; i++)
-        if (is_column(base, told[i])) fprintf(file, ",%zu", sum->all.by_fate[told[i]]);
-    fprintf(file, ",%zu", failures(sum));
-    jlt_fates_share(&share, &error, base->known != NULL ? &sum->low : &sum->all, base->known != NULL ? sum->turned : JLT_FATE_ALIVE, false);
-    jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
-    if (base->known != NULL && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g,%.9g", share, error, kept);
-    else if (base->known != NULL) fputs(",,,", file);
-    fputc('\n', file);
-    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], share, error, kept);
 }
 
 static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, const options *o)
@@ -367,23 +232,23 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     motion.swept_count = count;
     FILE *copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
     jlt_motion_header(stream->file, &motion, base);
-    write_share_names(stream->file, base, axes, count);
+    jlt_fates_table_share_names(stream->file, base, axes, count);
     jlt_progress_start(&progress, "starts");
     for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
-        shares sum = { .empty = 0 };
+        jlt_fates_shares sum = { .empty = 0 };
         jlt_system *system = NULL;
         double at[JLT_FAMILY_AXES_MAX];
         jlt_grid_point(at, axes, count, i);
         for (size_t k = 0; k < count; k++) *family.entries[k] = at[k];
         const jlt_status st = jlt_motion_family_make(&family, &system);
-        if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_family_fail(&family, st, o->sweep);
+        if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_family_fail(&family, st, "--sweep", axes, count);
         else if (st == JLT_OK) code = follow_all(&sum, NULL, NULL, o, system, &progress, done, all);
         jlt_system_destroy(system);
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;
         starts += sum.all.starts;
-        failed += failures(&sum);
-        write_shares(stream->file, copy, base, at, count, &sum);
+        failed += jlt_fates_shares_failed(&sum);
+        jlt_fates_table_shares(stream->file, copy, base, at, count, &sum);
     }
     jlt_progress_end(&progress);
     if (copy != NULL) fclose(copy);
@@ -392,6 +257,7 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
     if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axes[0].name, points);
     if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
+    if (code == JLT_EXIT_DONE && starts == 0 && !jlt_motion_interrupted(&o->motion)) code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
 done:
     jlt_motion_family_clear(&family);
     free(points);
@@ -413,7 +279,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && grid_of(&o, system) == NULL && o.start_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL && system->flow.chart->dim != 2)
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL && o.sweep == NULL && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: fates are drawn over two coordinates, and the section has %u",
                                 system->flow.chart->dim);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, o.grid, "--grid");

@@ -273,6 +273,7 @@ static jlt_exit run(int argc, char **argv)
         goto done;
     }
     code = jlt_common_open(&r.common, &f->general, &f->params);
+    if (code == JLT_EXIT_DONE && r.common.plan) code = jlt_common_still();
     if (code != JLT_EXIT_DONE) goto done;
     st = investigate(f, &r);
     if (st != JLT_OK)

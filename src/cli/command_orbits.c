@@ -149,6 +149,24 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 
+/* The lines on which the reversor of a known section keeps every point: its angle is 0, or half a turn. Returns how many there are. */
+static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *system, size_t samples)
+{
+    const jlt_chart *chart = system->flow.chart;
+    unsigned angle = 0;
+
+    while (angle < chart->dim && !(chart->mirror[angle] < 0 && chart->period[angle] != 0)) angle++;
+    for (unsigned k = 0; chart->reversible && angle < chart->dim && k < chart->dim; k++) {
+        if (k == angle || !system->known->interval(system, k, &lines[0].low, &lines[0].high)) continue;
+        lines[0].free = k;
+        lines[0].samples = samples;
+        lines[1] = lines[0];
+        lines[1].base[angle] = chart->period[angle] / 2;
+        return 2;
+    }
+    return 0;
+}
+
 static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -170,12 +188,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
         search.high[k] = axes[k].high;
         search.counts[k] = no_grid ? 0 : axes[k].count;
     }
-    if (system->known != NULL && o->samples >= 2 && system->known->interval(system, lines[0].free, &lines[0].low, &lines[0].high)) {
-        lines[0].samples = o->samples;
-        lines[1] = lines[0];
-        lines[1].base[0] = chart->period[0] / 2;
-        search.line_count = 2;
-    }
+    if (system->known != NULL && o->samples >= 2) search.line_count = symmetric_lines(lines, system, o->samples);
     jlt_progress_start(&progress, "starts");
     search.progress = show;
     search.context = &progress;

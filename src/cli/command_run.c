@@ -8,6 +8,7 @@
 
 #include "cli/common.h"
 #include "cli/interrupt.h"
+#include "cli/job.h"
 #include "cli/table.h"
 #include "report/file.h"
 #include "scene/scene.h"
@@ -59,63 +60,12 @@ static const struct argp parser = {
     NULL, NULL, NULL,
 };
 
-/* The job as it would be typed, argv[0] for the command's name. For free_arguments. */
-static char **arguments_of(const jlt_scene_job *job, int *argc)
-{
-    char **argv = calloc(job->count + 4, sizeof *argv);
-    int count = 0;
-    bool whole = argv != NULL;
-
-    if (whole) whole = (argv[count++] = strdup(job->what)) != NULL;
-    if (whole && job->model != NULL) whole = (argv[count++] = strdup(job->model)) != NULL;
-    for (size_t i = 0; whole && i < job->count; i++) {
-        const jlt_scene_option *option = &job->options[i];
-        const size_t length = strlen(option->name) + (option->value != NULL ? strlen(option->value) : 0) + 4;
-        argv[count] = malloc(length);
-        whole = argv[count] != NULL;
-        if (whole)
-            snprintf(argv[count++], length, "--%s%s%s", option->name, option->value != NULL ? "=" : "",
-                     option->value != NULL ? option->value : "");
-    }
-    *argc = count;
-    if (whole) return argv;
-    for (int i = 0; argv != NULL && i < count; i++) free(argv[i]);
-    free(argv);
-    return NULL;
-}
-
-static void free_arguments(char **argv, int argc)
-{
-    for (int i = 0; argv != NULL && i < argc; i++) free(argv[i]);
-    free(argv);
-}
-
 static void show(const char *name, char **argv, int argc)
 {
     char *line = jlt_command_line(argc, argv);
 
     if (line != NULL) printf("jellett %s%s\n", name, line + strlen(argv[0]));
     free(line);
-}
-
-/* Each command in a process of its own, so that whatever ends it leaves the others alone. ending: the signal that ends the run. */
-static jlt_exit run_job(int *ending, const jlt_command *command, char **argv, int argc)
-{
-    int status = 0;
-    pid_t child;
-
-    fflush(stdout);
-    child = jlt_interrupt_fork();
-    if (child < 0)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
-    if (child == 0) exit((int)jlt_command_execute(command, argc, argv));
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    *ending = jlt_interrupt_alone();
-    if (!WIFSIGNALED(status)) return (jlt_exit)WEXITSTATUS(status);
-    const int by = WTERMSIG(status);
-    if (by == SIGINT || by == SIGTERM || by == SIGHUP) *ending = by;
-    else (void)jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, by);
-    return JLT_EXIT_NUMERICAL;
 }
 
 static bool is_one_file(const char *path, const char *other)
@@ -156,6 +106,20 @@ static jlt_exit set_params(jlt_scene *scene, const options *o)
     return JLT_EXIT_DONE;
 }
 
+/* A table of one's own lies where the scene says from here, also when the jobs run elsewhere. */
+static jlt_exit fix_tables(jlt_scene *scene)
+{
+    for (size_t k = 0; k < scene->count; k++) {
+        jlt_scene_job *job = &scene->jobs[k];
+        if (job->model == NULL || !jlt_table_is_file(job->model)) continue;
+        char *whole = realpath(job->model, NULL);
+        if (whole == NULL) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", job->model, strerror(errno));
+        free(job->model);
+        job->model = whole;
+    }
+    return JLT_EXIT_DONE;
+}
+
 static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 {
     char *scene_path = realpath(o->scene, NULL);
@@ -169,7 +133,7 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
         const jlt_scene_job *job = &scene->jobs[k];
         const jlt_command *command = jlt_command_find(job->what);
         int argc = 0;
-        char **argv = arguments_of(job, &argc);
+        char **argv = jlt_job_arguments(job, NULL, &argc);
         if (argv == NULL) return jlt_command_no_memory();
         if (command == NULL)
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: this program has no command '%s'", scene->file, job->line,
@@ -178,7 +142,7 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
         else {
             if (isatty(STDERR_FILENO))
                 fprintf(stderr, "jellett: %s:%u: %s (%zu of %zu)\n", scene->file, job->line, job->what, k + 1, scene->count);
-            code = run_job(ending, command, argv, argc);
+            code = jlt_job_run(ending, command, argv, argc);
             if (*ending != 0)
                 fprintf(stderr, "jellett: %s:%u: %s was interrupted; of the scene's %zu commands the last %zu were not begun\n",
                         scene->file, job->line, job->what, scene->count, scene->count - k - 1);
@@ -186,7 +150,7 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
                 (void)jlt_command_fail(code, "%s:%u: error: %s ended with status %d", scene->file, job->line, job->what,
                                        (int)code);
         }
-        free_arguments(argv, argc);
+        jlt_job_free(argv, argc);
     }
     return code;
 }
@@ -203,10 +167,11 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     st = jlt_scene_read(&scene, message, o.scene, jlt_table_of);
     if (st != JLT_OK) {
-        fprintf(stderr, "%s\n", message);
+        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
     code = set_params(scene, &o);
+    if (code == JLT_EXIT_DONE && o.into != NULL) code = fix_tables(scene);
     if (code == JLT_EXIT_DONE) code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);
     jlt_assign_clear(&o.set);

@@ -76,7 +76,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SKIP: jlt_common_count(&o->skip, value, 0, SIZE_MAX / 4, "--skip"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
-    case BATCH: o->batch = true; return 0;
+    case BATCH: o->batch = o->motion.common.lanes = true; return 0;
     case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case PROJECT: o->project = true; return 0;
     case ARGP_KEY_END:

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/grid.h"
+#include "cli/planned.h"
 #include "cli/progress.h"
 #include "dynamics/section.h"
 #include "report/csv.h"
@@ -117,10 +118,8 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 
-    if (options.project && !jlt_tier_has(s->descriptor))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: projection is onto the integrals of " JLT_DEFAULT_MODEL);
     if (question.attitude && (!jlt_tier_has(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of " JLT_DEFAULT_MODEL);
+        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from tiers, and %s has none", s->descriptor->model);
     st = jlt_plan_make(plan, &question);
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
@@ -129,6 +128,10 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
         char refusal[1024];
         jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
         return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, refusal);
+    }
+    if (st == JLT_OK && options.project && !jlt_tier_has(s->descriptor)) {
+        const jlt_exit code = jlt_common_project(plan->candidates[plan->chosen].descriptor);
+        if (code != JLT_EXIT_DONE) return code;
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
     if (st == JLT_ERR_UNSUPPORTED && options.project && s->method->multistep)
@@ -309,6 +312,11 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
+    if (code == JLT_EXIT_DONE && r.session.common.plan) {
+        jlt_planned_show(&r.plans[0]);
+        for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
+        code = JLT_EXIT_PLANNED;
+    }
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (r.session.common.plot != NULL) r.points = open_memstream(&r.points_text, &size);

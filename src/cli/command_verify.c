@@ -83,7 +83,7 @@ static jlt_exit run_command(int argc, char **argv)
     jlt_status st;
 
     argp_parse(&parser, argc, argv, 0, NULL, &run);
-    code = jlt_table_open(&run.descriptor, run.model);
+    code = jlt_table_open(&run.descriptor, run.model, false);
     if (code != JLT_EXIT_DONE) return code;
     jlt_command_warn_unproved(run.descriptor);
     st = verify(&run);

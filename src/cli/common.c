@@ -6,10 +6,12 @@
 
 #include "cli/grid.h"
 #include "cli/table.h"
+#include "integrate/invariant.h"
+#include "kernel/descriptor.h"
 #include "report/picture.h"
 #include "top/top.h"
 
-enum { METHOD = 1000, KEEP };
+enum { METHOD = 1000, KEEP, PLAN };
 
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
@@ -20,6 +22,7 @@ static const struct argp_option common_table[] = {
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, data included", 12 },
+    { "plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
     { 0 },
 };
 
@@ -45,6 +48,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
         self->plot = value;
         return 0;
     case KEEP: self->keep = value; return 0;
+    case PLAN: self->plan = true; return 0;
     case ARGP_KEY_ARG:
         if (self->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
         self->model = value;
@@ -52,7 +56,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (self->keep != NULL && self->plot == NULL)
             argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
-        jlt_common_check_files(self, NULL, NULL);
+        if (!self->plan) jlt_common_check_files(self, NULL, NULL);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -103,7 +107,7 @@ void jlt_common_end(jlt_common *self)
 
 jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor)
 {
-    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : JLT_DEFAULT_MODEL);
+    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : JLT_DEFAULT_MODEL, self->lanes);
 
     if (code == JLT_EXIT_DONE) jlt_command_warn_unproved(*descriptor);
     return code;
@@ -114,6 +118,25 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     const jlt_exit code = jlt_common_model(self, descriptor);
 
     return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
+}
+
+jlt_exit jlt_common_project(const jlt_descriptor *d)
+{
+    if (d->integral_count == 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to: write 'integral NAME = ...' in its table", d->model);
+    if (d->integral_count > JLT_INVARIANTS_MAX)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; it serves up to %d", d->model, d->integral_count,
+                                JLT_INVARIANTS_MAX);
+    for (unsigned i = 0; i < d->integral_count; i++)
+        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_common_still(void)
+{
+    puts("  nothing moves: no tier is needed");
+    return JLT_EXIT_PLANNED;
 }
 
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path)

@@ -11,6 +11,8 @@ typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
     jlt_assign_list set;
     const char *output, *plot, *keep;
+    bool lanes;        /* kernels on vectors are wanted */
+    bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
     char *command;     /* as typed, owned */
 } jlt_common;
 
@@ -32,6 +34,12 @@ jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descrip
 
 /** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
+
+/** Whether --project can go back to the integrals of this field: that there are some, not too many, and all proved. Says what is wrong. */
+jlt_exit jlt_common_project(const jlt_descriptor *field);
+
+/** The plan of a command that follows no motion. */
+jlt_exit jlt_common_still(void);
 
 /** Before anything is done: that --output, --plot, --keep and one more option, where it is given, name files of their own, which
  *  can be written. Ends the program otherwise, as argp does. */

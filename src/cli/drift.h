@@ -32,7 +32,7 @@ typedef struct {
     const char *names[JLT_INVARIANTS_MAX];
     double q[JLT_CHART_DIM_MAX]; /* the start on the section */
     jlt_progress progress;
-    jlt_top_five five;           /* of a known section: all states, in which what levels fix are integrals */
+    jlt_top_five five;           /* of the spherical top: all states, in which what levels fix are integrals */
 } jlt_drift;
 
 /** One method over all returns of the section, or to the orbit's end; rows at powers of two and at the end, *count of them in
@@ -40,8 +40,8 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
                                          const jlt_method *method);
 
-/** The same of a known section, in the states of `five`. Errors: those of the orbit. */
-JLT_CHECKED jlt_status jlt_drift_known(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
+/** The same of the spherical top, in the states of `five`: the only section that is known by name. Errors: those of the orbit. */
+JLT_CHECKED jlt_status jlt_drift_top(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end,
                                        const jlt_method *method);
 
 /* For those two: takes the drifts `now` after row->returns returns, and writes the row where that is a power of two or the last.

@@ -90,7 +90,7 @@ jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv)
     code = command->run(argc, argv);
     argv[0] = first;
     jlt_interrupt_obey();
-    return code;
+    return code == JLT_EXIT_PLANNED ? JLT_EXIT_DONE : code;
 }
 
 static void end_without_memory(void)

@@ -6,10 +6,9 @@
 
 #include "cli/interrupt.h"
 #include "cli/motion_plane.h"
+#include "cli/planned.h"
 #include "kernel/descriptor.h"
 #include "kernel/link.h"
-#include "report/csv.h"
-#include "report/decimal.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT };
 
@@ -24,7 +23,8 @@ static const struct argp_option option_table[] = {
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
       "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is "
       "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
-    { "mirror", MIRROR, "STATE,...", 0, "With --section: states whose sign another model's reversor changes", 10 },
+    { "mirror", MIRROR, "STATE,...", 0,
+      "With --section: states whose sign a reversor changes, in place of that which the table proves; an empty list for none", 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
     { 0 },
 };
@@ -112,12 +112,12 @@ static void list_names(char *text, size_t size, const jlt_known *known, unsigned
         used += (size_t)snprintf(text + used, size - used, "%s%s", i == first ? "" : i + 1 == end ? and : ", ", known->names[i]);
 }
 
-jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status)
+jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status, const char *what)
 {
     char text[512];
 
     known->refuse(text, sizeof text, values, status);
-    return jlt_command_fail(jlt_command_exit(status), "%s", text);
+    return jlt_command_fail(jlt_command_exit(status), "%s%s%s", what != NULL ? what : "", what != NULL ? ": " : "", text);
 }
 
 static jlt_exit known_system(jlt_system **system, const jlt_motion_options *options, const jlt_known *known)
@@ -144,7 +144,7 @@ static jlt_exit known_system(jlt_system **system, const jlt_motion_options *opti
             values[index] = item->value;
         }
     const jlt_status st = known->make(system, values, &options->flow);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(known, values, st);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(known, values, st, st == JLT_ERR_DOMAIN ? "--set" : NULL);
 }
 
 /* A known section is one of motion while what its levels fix are integrals, and its model stands for the asked one. */
@@ -178,9 +178,12 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
     const jlt_known *known = jlt_known_of(descriptor);
-    if (known == NULL || options->section != NULL) return jlt_motion_plane_system(system, options, descriptor);
-    code = check_known(known, descriptor);
-    return code == JLT_EXIT_DONE ? known_system(system, options, known) : code;
+    if (known == NULL || options->section != NULL) code = jlt_motion_plane_system(system, options, descriptor);
+    else {
+        code = check_known(known, descriptor);
+        if (code == JLT_EXIT_DONE) code = known_system(system, options, known);
+    }
+    return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
 }
 
 /* Where the section has points in one of its coordinates; false: nothing is known of that. */
@@ -232,11 +235,11 @@ static unsigned coordinate(const jlt_chart *chart, const char *name)
     return k;
 }
 
-jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose)
+jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose, const char *wanted)
 {
     if (*start == NULL && system->known != NULL) *start = system->known->starts[purpose];
     if (*start != NULL) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_USAGE, "say where to start: --start, with all coordinates of the section");
+    return jlt_command_fail(JLT_EXIT_USAGE, "%s, with all coordinates of the section", wanted);
 }
 
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
@@ -295,8 +298,12 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
         axes[k].high = high - (high - low) / 200;
     }
     if (text == NULL) return JLT_EXIT_DONE;
-    const jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
+    jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
     const bool named = strchr(text, '=') != NULL;
+    size_t all = 1;
+    for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
+        if (__builtin_mul_overflow(all, axes[k].count, &all))
+            code = jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (axes[k].low_text == NULL && (named || (system->known == NULL && chart->period[k] == 0)))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
@@ -318,96 +325,4 @@ void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_syste
         q[k] = jlt_grid_value(&axes[k], index % axes[k].count, system->flow.chart->period[k]);
         index /= axes[k].count;
     }
-}
-
-static bool is_swept(const jlt_motion_options *options, const char *name)
-{
-    for (size_t i = 0; i < options->swept_count; i++)
-        if (strcmp(options->swept[i].name, name) == 0) return true;
-    return false;
-}
-
-/* Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,); returns how many. */
-static unsigned levels_of(const jlt_system *system, const char **names, double *values)
-{
-    const jlt_known *known = system->known;
-    const unsigned count = known != NULL ? known->count - known->params : system->flow.chart->solved_count;
-
-    for (unsigned k = 0; k < count; k++) {
-        const jlt_level *level = known == NULL ? &system->chart.level.levels[k] : NULL;
-        names[k] = known != NULL ? known->names[known->params + k] : system->instance->descriptor->integrals[level->integral].name;
-        values[k] = known != NULL ? system->values[known->params + k] : level->value;
-    }
-    return count;
-}
-
-void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
-{
-    static const char *const directions[] = { "downwards", "in both directions", "upwards" };
-    const jlt_chart *chart = system->flow.chart;
-
-    const jlt_descriptor *d = system->instance->descriptor;
-    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
-    const char *names[JLT_INVARIANTS_MAX], *method = options->flow.method != NULL ? options->flow.method->name : "each";
-    const unsigned level_count = levels_of(system, names, levels);
-
-    if (params == NULL) return;
-    for (unsigned k = 0; k < d->param_count; k++)
-        params[k] = is_swept(options, d->params[k].name) ? NAN : system->instance->params[k];
-    for (unsigned k = 0; k < level_count; k++)
-        if (is_swept(options, names[k])) levels[k] = NAN;
-    jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
-                                                method, options->flow.tolerance });
-    free(params);
-    if (level_count > 0) {
-        fputs("# levels", stream);
-        for (unsigned k = 0; k < level_count; k++) jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
-        if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
-        fputc('\n', stream);
-    }
-    fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
-            chart->level, directions[options->flow.direction + 1], method, options->flow.tolerance);
-    if (jlt_observed_conditions(system->observed) > 0)
-        fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
-    fputs("; nothing is random, so there is no seed\n", stream);
-}
-
-static void caption_value(FILE *stream, bool *is_first, const char *name, double value, const char *swept)
-{
-    if (swept != NULL && strcmp(name, swept) == 0) return;
-    fprintf(stream, "%s%s=%.6g", *is_first ? "" : ", ", name, value);
-    *is_first = false;
-}
-
-void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
-{
-    const jlt_descriptor *d = system->instance->descriptor;
-    const char *names[JLT_INVARIANTS_MAX];
-    double levels[JLT_INVARIANTS_MAX];
-    const unsigned level_count = levels_of(system, names, levels);
-    bool is_first = true;
-
-    for (unsigned i = 0; i < d->param_count; i++) {
-        unsigned k = 0;
-        while (k < level_count && strcmp(names[k], d->params[i].name) != 0) k++;
-        if (k == level_count) caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
-    }
-    for (unsigned k = 0; k < level_count; k++) caption_value(stream, &is_first, names[k], levels[k], swept);
-}
-
-void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added)
-{
-    if (system->known != NULL) fprintf(stream, "set %clabel \"%s%s\"\n", axis, system->known->labels[coordinate], added);
-    else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
-}
-
-void jlt_motion_labels(FILE *stream, const jlt_system *system)
-{
-    jlt_motion_label(stream, system, 'x', 0, "");
-    jlt_motion_label(stream, system, 'y', 1, "");
-}
-
-void jlt_motion_frame(FILE *stream, const jlt_system *system)
-{
-    if (system->known != NULL) fprintf(stream, "set xrange [%s]\nset yrange [%s]\n", system->known->frame[0], system->known->frame[1]);
 }

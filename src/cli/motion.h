@@ -34,7 +34,7 @@ extern const struct argp jlt_contact_argp;
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
-/** The system that the options describe. Says what is wrong. */
+/** The system that the options describe. Says what is wrong. Where only its plan is asked for, that is shown: JLT_EXIT_PLANNED. */
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
 
 /** What its levels are solved for, behind them in the header. */
@@ -50,8 +50,11 @@ void jlt_motion_frame(FILE *stream, const jlt_system *system);
 /** One label: set xlabel "NAME", with what is added to it. */
 void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added);
 
-/** The start that a known section has for the purpose, where none was given. Says that one is wanted. */
-jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose);
+/** The start that a known section has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
+jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose, const char *wanted);
+
+/** Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,). Returns how many. */
+unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values);
 
 /** One start, NAME=VALUE,... for all coordinates of the section. */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
@@ -76,8 +79,8 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swep
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
-/** The same for a known section that could not be made from these values. */
-jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status);
+/** The same for a known section that could not be made from these values; what: NULL for what speaks for itself. */
+jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status, const char *what);
 
 /** The same for Newton's method, which finds no periodic orbit from `start`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);

@@ -6,9 +6,7 @@
 
 jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
 {
-    unsigned no_angle;
-
-    return self->known != NULL ? self->known->make(out, self->values, &self->flow) : jlt_motion_plane_make(&self->plane, out, &no_angle);
+    return self->known != NULL ? self->known->make(out, self->values, &self->flow) : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
 }
 
 static jlt_status make_at(void *context, jlt_system **out, double value)
@@ -19,9 +17,18 @@ static jlt_status make_at(void *context, jlt_system **out, double value)
     return jlt_motion_family_make(self, out);
 }
 
-jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status, const char *what)
+jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status, const char *option, const jlt_grid_axis *axes,
+                                size_t count)
 {
-    return self->known != NULL ? jlt_motion_refuse(self->known, self->values, status) : jlt_motion_fail(status, NULL, what);
+    char where[256];
+    size_t used = (size_t)snprintf(where, sizeof where, "%s: at", option);
+
+    for (size_t i = 0; i < count && used < sizeof where; i++)
+        used += (size_t)snprintf(where + used, sizeof where - used, "%s %s=%.10g", i == 0 ? "" : ",", axes[i].name, *self->entries[i]);
+    if (self->known != NULL) return jlt_motion_refuse(self->known, self->values, status, where);
+    if (self->no_angle < self->plane.descriptor->state_count)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is no angle any more", where, self->plane.descriptor->states[self->no_angle].name);
+    return jlt_motion_fail(status, NULL, where);
 }
 
 /* Names of what may run. */

@@ -13,6 +13,7 @@ typedef struct {
     jlt_flow flow;
     double *entries[JLT_FAMILY_AXES_MAX]; /* the values that run, in the order of the axes; at first those of the options */
     jlt_system_family systems;            /* as the first of them runs */
+    unsigned no_angle;                    /* the state that was none when the last system was made, else the number of states */
 } jlt_motion_family;
 
 /** system: the one that the options describe; they must stay. axes: what runs, shape (count,), of which names are read; option: for
@@ -24,7 +25,8 @@ void jlt_motion_family_clear(jlt_motion_family *family);
 /** The system at the entries as they stand, for jlt_system_destroy. Errors: as jlt_motion_plane_make and the known section's. */
 JLT_CHECKED jlt_status jlt_motion_family_make(jlt_motion_family *family, jlt_system **out);
 
-/** Why that failed. */
-jlt_exit jlt_motion_family_fail(const jlt_motion_family *family, jlt_status status, const char *what);
+/** Why that failed: "OPTION: at NAME=VALUE, ...: reason". axes: as for open. */
+jlt_exit jlt_motion_family_fail(const jlt_motion_family *family, jlt_status status, const char *option, const jlt_grid_axis *axes,
+                                size_t count);
 
 #endif

@@ -21,11 +21,14 @@ static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *op
     return code;
 }
 
+/* The reversor as it is typed; where nothing is, that which the table proves. An empty list: none. */
 static jlt_exit read_mirror(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
+    const bool proved = text == NULL && d->reversed != NULL && d->claims[d->reversor].verdict == JLT_PROVED;
     size_t index;
 
-    for (unsigned i = 0; i < d->state_count; i++) out->signs[i] = 1;
+    out->mirrored = proved || (text != NULL && *text != '\0');
+    for (unsigned i = 0; i < d->state_count; i++) out->signs[i] = proved ? d->reversed[i] : 1;
     while (text != NULL && *text != '\0') {
         const size_t length = strcspn(text, ",");
         char name[64];
@@ -174,7 +177,6 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
 
     out->descriptor = descriptor;
     out->flow = options->flow;
-    out->mirrored = options->mirror != NULL;
     if (code != JLT_EXIT_DONE) return code;
     /* Integrals that hold for these parameters alone belong to a variant, which has the same states; none for one that runs. */
     if (options->level.count > 0 || options->looks_at_integrals) code = choose(out, descriptor, running, count);
@@ -249,15 +251,9 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
 jlt_exit jlt_motion_project(jlt_system *system)
 {
     const jlt_descriptor *d = system->instance->descriptor;
+    const jlt_exit code = jlt_common_project(d);
 
-    if (d->integral_count == 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to", d->model);
-    if (d->integral_count > JLT_INVARIANTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; it serves up to %d", d->model, d->integral_count,
-                                JLT_INVARIANTS_MAX);
-    for (unsigned i = 0; i < d->integral_count; i++)
-        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
+    if (code != JLT_EXIT_DONE) return code;
     if (system->flow.method != NULL && system->flow.method->multistep)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method", system->flow.method->name);
     system->flow.kept = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, system->field.p };

@@ -32,10 +32,11 @@ static jlt_exit no_model(const char *model)
 }
 
 /* In the child: the ttc that was installed with this program, else that of $PATH. */
-static _Noreturn void run_ttc(const char *table, int output)
+static _Noreturn void run_ttc(const char *table, bool lanes, int output)
 {
     char path[PATH_MAX];
     const ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof "ttc");
+    const char *const arguments[] = { "ttc", "build", lanes ? "--lanes" : "--", lanes ? "--" : table, lanes ? table : NULL, NULL };
     char *slash;
 
     dup2(output, STDOUT_FILENO);
@@ -43,9 +44,9 @@ static _Noreturn void run_ttc(const char *table, int output)
         path[length] = '\0';
         slash = strrchr(path, '/');
         strcpy(slash != NULL ? slash + 1 : path, "ttc");
-        execl(path, "ttc", "build", "--", table, (char *)NULL);
+        execv(path, (char *const *)arguments);
     }
-    execlp("ttc", "ttc", "build", "--", table, (char *)NULL);
+    execvp("ttc", (char *const *)arguments);
     _exit(127);
 }
 
@@ -65,7 +66,7 @@ static void read_line(char *line, size_t size, int from)
 }
 
 /* The object's path, as ttc names it. */
-static jlt_exit build(char *path, size_t size, const char *table)
+static jlt_exit build(char *path, size_t size, const char *table, bool lanes)
 {
     int ends[2], status = 0;
     pid_t child;
@@ -74,7 +75,7 @@ static jlt_exit build(char *path, size_t size, const char *table)
     child = jlt_interrupt_fork();
     if (child == 0) {
         close(ends[0]);
-        run_ttc(table, ends[1]);
+        run_ttc(table, lanes, ends[1]);
     }
     close(ends[1]);
     if (child > 0) read_line(path, size, ends[0]);
@@ -92,10 +93,10 @@ static jlt_exit build(char *path, size_t size, const char *table)
     return WEXITSTATUS(status) == 0 ? JLT_EXIT_DONE : (jlt_exit)WEXITSTATUS(status);
 }
 
-static jlt_exit load(const jlt_descriptor **descriptor, const char *table)
+static jlt_exit load(const jlt_descriptor **descriptor, const char *table, bool lanes)
 {
     char path[PATH_MAX];
-    const jlt_exit code = build(path, sizeof path, table);
+    const jlt_exit code = build(path, sizeof path, table, lanes);
     jlt_status st;
 
     if (code != JLT_EXIT_DONE) return code;
@@ -105,18 +106,25 @@ static jlt_exit load(const jlt_descriptor **descriptor, const char *table)
                             st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
 }
 
-jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model)
+jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bool lanes)
 {
     *descriptor = NULL;
-    if (jlt_table_is_file(model)) return load(descriptor, model);
+    if (jlt_table_is_file(model)) return load(descriptor, model, lanes);
     *descriptor = jlt_descriptor_find(model, NULL, NULL, NULL);
     return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
 }
 
-const jlt_descriptor *jlt_table_of(const char *model)
+jlt_status jlt_table_of(const jlt_descriptor **out, const char *model)
 {
-    const jlt_descriptor *descriptor = NULL;
-
-    if (!jlt_table_is_file(model)) return jlt_descriptor_find(model, NULL, NULL, NULL);
-    return jlt_table_open(&descriptor, model) == JLT_EXIT_DONE ? descriptor : NULL;
+    *out = NULL;
+    if (!jlt_table_is_file(model)) {
+        *out = jlt_descriptor_find(model, NULL, NULL, NULL);
+        return *out != NULL ? JLT_OK : JLT_ERR_EMPTY;
+    }
+    switch (jlt_table_open(out, model, false)) {
+    case JLT_EXIT_DONE: return JLT_OK;
+    case JLT_EXIT_IO: return JLT_ERR_IO;
+    case JLT_EXIT_NUMERICAL: return JLT_ERR_NOMEM;
+    default: return JLT_ERR_ARG;
+    }
 }

@@ -8,11 +8,11 @@
 /** Whether this names a table, by a slash or by ending in .tt, and not a model that is built in. */
 bool jlt_table_is_file(const char *model);
 
-/** The model's general field. A table is read, proved and compiled by ttc, unless its kernels are in the cache. Says what is
- *  wrong; ttc has said what is wrong with a table. */
-jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model);
+/** The model's general field. A table is read, proved and compiled by ttc, unless its kernels are in the cache; lanes: with kernels on
+ *  vectors, which take longer. Says what is wrong; ttc has said what is wrong with a table. */
+jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bool lanes);
 
-/** The same for those who are told in other words; NULL: there is none. */
-const jlt_descriptor *jlt_table_of(const char *model);
+/** As a scene opens its model. Errors: EMPTY, none of this name is built in; IO, ARG, NOMEM, a table that cannot be used, which has been told. */
+jlt_status jlt_table_of(const jlt_descriptor **out, const char *model);
 
 #endif

@@ -29,7 +29,7 @@ static jlt_status plane_lift(const jlt_chart *self, double *x, double *tangent, 
         if (tangent != NULL) tangent[i * self->dim + k] = 1;
         k++;
     }
-    return JLT_OK;
+    return jlt_chart_holds(self, x) ? JLT_OK : JLT_ERR_DOMAIN;
 }
 
 static void plane_lower(const jlt_chart *self, double *q, double *slope, const double *x)
@@ -98,6 +98,29 @@ unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_directio
 void jlt_chart_turn_back(const jlt_chart *self, double *x)
 {
     if (self->turn != 0) x[self->column] = self->level + reduce(x[self->column] - self->level, self->turn);
+}
+
+static bool is_solved(const jlt_chart *self, unsigned state)
+{
+    for (unsigned i = 0; i < self->solved_count; i++)
+        if (self->solved[i] == state) return true;
+    return false;
+}
+
+void jlt_chart_wrap_state(const jlt_chart *self, double *x)
+{
+    jlt_chart_turn_back(self, x);
+    for (unsigned i = 0, k = 0; i < self->states; i++) {
+        if (i == self->column || is_solved(self, i)) continue;
+        x[i] = reduce(x[i], self->period[k++]);
+    }
+}
+
+bool jlt_chart_holds(const jlt_chart *self, const double *x)
+{
+    for (unsigned i = 0; self->bounds != NULL && i < self->states; i++)
+        if (!(x[i] > self->bounds[i].low && x[i] < self->bounds[i].high)) return false;
+    return true;
 }
 
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p)

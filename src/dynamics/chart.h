@@ -24,11 +24,12 @@ struct jlt_chart {
     double turn;                         /* period of x[column], of which the section is then every level + k turn; 0: none */
     unsigned solved_count;               /* states that the levels determine, and which they are */
     unsigned solved[JLT_INVARIANTS_MAX];
+    const jlt_quantity *bounds;          /* (states,): a lift lies within their open intervals; NULL: anywhere */
     bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
     int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
 
     /* x (states,), and when tangent is not NULL dx/dq (states, dim), row-major. Errors: EMPTY, the levels have no state
-     * there; DOMAIN, q is at or beyond a pole; NONFINITE. */
+     * there; DOMAIN, q is at or beyond a pole or a bound; NONFINITE. */
     jlt_status (*lift)(const jlt_chart *self, double *x, double *tangent, const double *q);
 
     /* q (dim,), angles in (-pi, pi], and when slope is not NULL dq/dx (dim, states), row-major. */
@@ -59,6 +60,12 @@ unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_directio
 
 /** The section's state to within half a turn of its level, in place; nothing where it has no turn. x: shape (states,). */
 void jlt_chart_turn_back(const jlt_chart *self, double *x);
+
+/** The same for every state that is an angle, of plane sections and those on levels. */
+void jlt_chart_wrap_state(const jlt_chart *self, double *x);
+
+/** Whether a state lies within the bounds. */
+bool jlt_chart_holds(const jlt_chart *self, const double *x);
 
 /** q -> q - p with angles taken to (-pi, pi]. All of shape (dim,); out may be either. */
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);

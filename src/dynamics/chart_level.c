@@ -90,6 +90,7 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     }
     for (unsigned i = 0; i < base->solved_count; i++) x[base->solved[i]] = self->levels[i].guess;
     JLT_TRY(solve(self, x));
+    if (!jlt_chart_holds(base, x)) return JLT_ERR_DOMAIN;
     if (tangent != NULL) JLT_TRY(tangent_of(self, tangent, x));
 done:
     return st;

@@ -42,6 +42,7 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     for (i = 0; i < descriptor->state_count; i++) state_names[i] = descriptor->states[i].name;
     JLT_TRY(jlt_system_bind(self, descriptor, params, &(jlt_units){ 0 }, options));
     JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names, signs));
+    self->chart.plane.bounds = descriptor->states;
     self->flow.chart = &self->chart.plane;
     *out = self;
     self = NULL;
@@ -76,26 +77,54 @@ static bool is_period(const jlt_system *self, double *x, unsigned state, double 
     return repeats;
 }
 
+enum { POINTS = 5 };
+
+/* Points without any meaning, within the states' bounds. */
+static void point_number(const jlt_system *self, double *x, int k)
+{
+    const jlt_quantity *quantities = self->instance->descriptor->states;
+
+    for (unsigned i = 0; i < self->field.dim; i++) {
+        const double share = 0.5 + 0.4 * sin(i + 1. + 1.7 * k), low = quantities[i].low, high = quantities[i].high;
+        x[i] = isfinite(low) && isfinite(high) ? low + share * (high - low)
+               : isfinite(low)                 ? low + share
+               : isfinite(high)                ? high - share
+                                               : 2 * share - 0.6;
+    }
+}
+
 jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state)
 {
-    enum { POINTS = 5 };
-    const jlt_quantity *quantities = self->instance->descriptor->states;
     const unsigned n = self->field.dim;
     double x[JLT_CHART_STATES_MAX] = { 0 };
 
     for (int k = 0; k < POINTS; k++) {
-        for (unsigned i = 0; i < n; i++) {
-            const double share = 0.5 + 0.4 * sin(i + 1. + 1.7 * k), low = quantities[i].low, high = quantities[i].high;
-            x[i] = isfinite(low) && isfinite(high) ? low + share * (high - low)
-                   : isfinite(low)                 ? low + share
-                   : isfinite(high)                ? high - share
-                                                   : 2 * share - 0.6;
-        }
+        point_number(self, x, k);
         for (*state = 0; *state < n; ++*state)
             if (periods[*state] != 0 && !is_period(self, x, *state, periods[*state])) return JLT_ERR_DOMAIN;
     }
     jlt_chart_set_periods(&self->chart.plane, periods);
     return JLT_OK;
+}
+
+/* Whether the reversor of a plane section keeps these integrals, to rounding, at every point: one that it changes leads to another level. */
+static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
+                         unsigned count)
+{
+    static const double same = 1e-10;
+    double x[JLT_CHART_STATES_MAX], here[JLT_CHART_INTEGRALS_MAX], there[JLT_CHART_INTEGRALS_MAX];
+
+    for (int k = 0; k < POINTS; k++) {
+        point_number(self, x, k);
+        integrals->values(x, integrals->p, here);
+        for (unsigned i = 0, c = 0; i < plane->states; i++) x[i] *= i == plane->column ? -1 : plane->mirror[c++];
+        integrals->values(x, integrals->p, there);
+        for (unsigned i = 0; i < count; i++) {
+            const double a = here[levels[i].integral], b = there[levels[i].integral];
+            if (!(fabs(a - b) <= same * (1 + fabs(a)))) return false;
+        }
+    }
+    return true;
 }
 
 jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count)
@@ -106,6 +135,7 @@ jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned
     const jlt_status st = jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count);
 
     if (st != JLT_OK) self->chart.plane = plane;
+    else if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
     return st;
 }
 

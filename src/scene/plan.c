@@ -69,7 +69,7 @@ static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, c
     jlt_candidate candidate = { .tier = tier };
 
     if (question->section && !tier->section)
-        candidate.refusal = "it has no chart of the section on levels";
+        candidate.refusal = jlt_tier_no_section;
     else if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, start);
     if (candidate.refusal == NULL && question->attitude && !tier->attitude)
         candidate.refusal = "attitude and track are asked for";

@@ -36,7 +36,9 @@ done:
     return st;
 }
 
-static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const jlt_schema *schema, const config_setting_t *root)
+/* What all jobs have in common. Levels are not for a section of states alone, nor for a job that has levels of its own. */
+static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const jlt_schema *schema, const config_setting_t *entry,
+                        const config_setting_t *root)
 {
     static const jlt_key set = { "parameters", "set", JLT_KEY_GROUP, JLT_KEY_PARAMS };
     const jlt_key level = { "levels", "level", JLT_KEY_GROUP, schema->levels };
@@ -46,7 +48,8 @@ static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const jlt
     const config_setting_t *accuracy = config_setting_get_member(root, "accuracy");
 
     if (schema->parameters && parameters != NULL) JLT_TRY(take(r, job, &set, parameters));
-    if (schema->levels != NULL && levels != NULL) JLT_TRY(take(r, job, &level, levels));
+    const bool on_levels = (r->section == NULL || r->solve != NULL) && config_setting_get_member(entry, "levels") == NULL;
+    if (schema->levels != NULL && levels != NULL && on_levels) JLT_TRY(take(r, job, &level, levels));
     for (int i = 0; accuracy != NULL && i < config_setting_length(accuracy); i++) {
         const config_setting_t *member = config_setting_get_elem(accuracy, (unsigned)i);
         const char *name = config_setting_name(member);
@@ -81,8 +84,12 @@ static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config
         job->model = strdup(model);
         if (job->model == NULL) return JLT_ERR_NOMEM;
     }
-    r->plane = config_setting_get_member(entry, "section") != NULL;
-    JLT_TRY(share(r, job, schema, root));
+    r->section = config_setting_get_member(entry, "section");
+    r->solve = config_setting_get_member(entry, "solve");
+    if (r->section != NULL && jlt_schema_key(schema, "section") != NULL
+        && (config_setting_is_group(r->section) == CONFIG_FALSE || config_setting_length(r->section) != 1))
+        return jlt_value_complain(r, jlt_value_line(r->section), "'section' takes one state and its value, { z = 27; }");
+    JLT_TRY(share(r, job, schema, entry, root));
     for (int i = 0; i < config_setting_length(entry); i++) {
         const config_setting_t *member = config_setting_get_elem(entry, (unsigned)i);
         const char *name = config_setting_name(member);
@@ -144,7 +151,10 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
     if (count == 0) return jlt_value_complain(r, jlt_value_line(compute), "'compute' is empty");
     (void)config_setting_lookup_string(root, "title", &title);
     (void)config_setting_lookup_string(root, "model", &model);
-    r->model = r->open != NULL ? r->open(model) : jlt_descriptor_find(model, NULL, NULL, NULL);
+    if (r->open != NULL) {
+        const jlt_status opened = r->open(&r->model, model);
+        if (opened != JLT_OK && opened != JLT_ERR_EMPTY) return opened;
+    } else r->model = jlt_descriptor_find(model, NULL, NULL, NULL);
     if (r->model == NULL)
         return jlt_value_complain(r, jlt_value_line(config_setting_get_member(root, "model")),
                         "there is no model '%s' ('jellett models' lists those that are built in)", model);

@@ -1,12 +1,12 @@
 /** Scene files: what a run asks for, in libconfig's syntax, checked to the last key.
  *
  *      title = "Poincare map of (5.1)";
- *      model = "pendulum";
+ *      model = "./pendulum.tt";
  *      parameters = { g = 9.81; l = "1/3"; };
- *      levels = { energy = 2.15; };
  *      accuracy = { tolerance = 1e-12; };
- *      compute = ( { what = "section"; returns = 300; grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
- *                    output = "fig3a.csv"; plot = "fig3a.svg"; } );
+ *      compute = ( { what = "section"; section = { phase = 0; }; modulo = { phase = "2*pi"; };
+ *                    grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
+ *                    returns = 300; output = "map.csv"; plot = "map.svg"; } );
  *
  *  Each entry of `compute` asks for one command with options; a key means the option of the same name. `parameters`,
  *  `levels` and `accuracy` are shared by all entries that know them. Numbers are read exactly; those that decimal notation
@@ -44,11 +44,12 @@ typedef struct {
     size_t count;
 } jlt_scene;
 
-/** The general field of the model that a scene names; NULL: there is none. */
-typedef const struct jlt_descriptor *(*jlt_scene_open)(const char *model);
+/** The general field of the model that a scene names. Errors: EMPTY, there is none of this name; others have been told, and end the
+ *  reading with an empty message. */
+typedef jlt_status (*jlt_scene_open)(const struct jlt_descriptor **out, const char *model);
 
 /** Read and check. open: where models come from; NULL: those that are built in. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
- *  newline. Errors: IO (a file that cannot be read), ARG (a bad scene), NOMEM. */
+ *  newline, or "" where `open` has told it. Errors: IO (a file that cannot be read), ARG (a bad scene), NOMEM. */
 JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path,
                                       jlt_scene_open open);
 void jlt_scene_destroy(jlt_scene *scene); /* NULL is legal */

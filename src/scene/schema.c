@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "top/balanced.h"
+
 /* A key that is spelled as its option. */
 #define KEY(name, kind, allowed) { name, name, JLT_KEY_##kind, allowed }
 #define LAST { NULL, NULL, JLT_KEY_TEXT, NULL }
@@ -10,8 +12,8 @@
 #define OUTPUT KEY("output", FILE, NULL), KEY("plot", FILE, NULL), KEY("keep", FILE, NULL)
 /* Which section: that which is known of the model, or one of its table's states. */
 #define SECTION_OPTIONS                                                                                                  \
-    KEY("section", GROUP, JLT_KEY_STATES), KEY("solve", GROUP, JLT_KEY_STATES), KEY("modulo", TEXT, NULL),               \
-        KEY("mirror", TEXT, NULL), KEY("direction", TEXT, "up|down|both"), KEY("contact", TEXT, "ignore|report|end"), OUTPUT
+    KEY("section", GROUP, JLT_KEY_STATES), KEY("solve", GROUP, JLT_KEY_STATES), KEY("modulo", GROUP, JLT_KEY_STATES),    \
+        { "levels", "level", JLT_KEY_GROUP, JLT_KEY_LEVELS }, KEY("mirror", TEXT, NULL), KEY("direction", TEXT, "up|down|both"), KEY("contact", TEXT, "ignore|report|end"), OUTPUT
 
 static const jlt_key simulate_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("times", NUMBERS, NULL), KEY("until", NUMBER, NULL),
@@ -64,7 +66,7 @@ static const jlt_key eigen_keys[] = {
 
 static const jlt_schema schemas[] = {
     { "simulate", simulate_keys, true, NULL, "tolerance|method|tier", true },
-    { "portrait", portrait_keys, true, JLT_KEY_INTEGRALS, "tolerance|method", false },
+    { "portrait", portrait_keys, true, jlt_balanced_level_names, "tolerance|method", false },
     { "rod", rod_keys, true, NULL, "", false },
     { "section", section_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },
     { "orbits", orbits_keys, true, JLT_KEY_LEVELS, "tolerance|method", false },

@@ -52,6 +52,17 @@ static void meet_quantities(names *self, const jlt_quantity *quantities, unsigne
     for (unsigned i = 0; i < count; i++) meet(self, quantities[i].name);
 }
 
+/* States but those that a section and its levels fix. */
+static void meet_free_states(names *self, const jlt_value_reader *r)
+{
+    for (unsigned i = 0; i < r->model->state_count; i++) {
+        const char *name = r->model->states[i].name;
+        const bool fixed = (r->section != NULL && config_setting_get_member(r->section, name) != NULL)
+                           || (r->solve != NULL && config_setting_get_member(r->solve, name) != NULL);
+        if (!fixed) meet(self, name);
+    }
+}
+
 static void meet_integrals(names *self, const jlt_descriptor *model)
 {
     for (const jlt_claim *claim = model->claims; claim->kind != NULL; claim++)
@@ -72,18 +83,18 @@ static void meet_words(names *self, const char *words)
 static void meet_all(names *self, const jlt_value_reader *r, const char *allowed)
 {
     const jlt_descriptor *model = r->model;
-    const jlt_known *known = r->plane ? NULL : jlt_known_of(model);
+    const jlt_known *known = r->section != NULL ? NULL : jlt_known_of(model);
     const bool quantities = strcmp(allowed, JLT_KEY_QUANTITIES) == 0, values = strcmp(allowed, JLT_KEY_VALUES) == 0;
     const bool coordinates = strcmp(allowed, JLT_KEY_COORDINATES) == 0, levels = values || strcmp(allowed, JLT_KEY_LEVELS) == 0;
 
     if (allowed[0] != '@') meet_words(self, allowed);
     for (size_t i = 0; strcmp(allowed, JLT_KEY_METHODS) == 0 && jlt_method_at(i) != NULL; i++) meet(self, jlt_method_at(i)->name);
     for (unsigned i = 0; coordinates && known != NULL && i < known->coordinate_count; i++) meet(self, known->coordinates[i]);
-    if (quantities || strcmp(allowed, JLT_KEY_STATES) == 0 || (coordinates && known == NULL))
-        meet_quantities(self, model->states, model->state_count);
+    if (coordinates && known == NULL) meet_free_states(self, r);
+    if (quantities || strcmp(allowed, JLT_KEY_STATES) == 0) meet_quantities(self, model->states, model->state_count);
     if (quantities || values || strcmp(allowed, JLT_KEY_PARAMS) == 0) meet_quantities(self, model->params, model->param_count);
     for (unsigned i = known != NULL ? known->params : 0; levels && known != NULL && i < known->count; i++) meet(self, known->names[i]);
-    if (strcmp(allowed, JLT_KEY_INTEGRALS) == 0 || (levels && known == NULL)) meet_integrals(self, model);
+    if (levels && known == NULL) meet_integrals(self, model);
 }
 
 static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const char *allowed, const char *name,
@@ -96,7 +107,7 @@ static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *
     meet_all(&sought, r, allowed);
     if (sought.found) return JLT_OK;
     meet_all(&known, r, allowed);
-    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", name, word, text);
+    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", name, word, text[0] != '\0' ? text : "none");
 }
 
 /* ---- values as a command line has them ---- */
@@ -168,12 +179,26 @@ done:
     return st;
 }
 
-/* An end of a range: a number, or pi. */
+/* pi, -pi, 2*pi/3: a number, or nothing but a sign, before pi, and a divisor behind it. */
+static bool is_multiple_of_pi(const char *text)
+{
+    const char *pi = strstr(text, "pi");
+    const size_t before = pi != NULL ? (size_t)(pi - text) : 0;
+    double ignored;
+
+    if (pi == NULL) return false;
+    const bool sign = before == 0 || (before == 1 && (*text == '-' || *text == '+'));
+    const bool factor = before > 1 && text[before - 1] == '*' && jlt_number_parse(&ignored, text, before - 1) == JLT_OK;
+    const bool divisor = pi[2] == '\0' || (pi[2] == '/' && jlt_number_parse(&ignored, pi + 3, strlen(pi + 3)) == JLT_OK);
+    return (sign || factor) && divisor;
+}
+
+/* A number, or a multiple of pi. */
 static jlt_status append_end(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
     const char *string = config_setting_type(at) == CONFIG_TYPE_STRING ? config_setting_get_string(at) : "";
 
-    if (strcmp(string, "pi") == 0 || strcmp(string, "-pi") == 0) return append(r, at, v, string);
+    if (is_multiple_of_pi(string)) return append(r, at, v, string);
     return append_number(r, at, v, name);
 }
 
@@ -206,6 +231,16 @@ done:
     return st;
 }
 
+/* Keys whose options read multiples of pi. */
+static bool in_pi(const jlt_key *key)
+{
+    static const char *const keys[] = { "section", "solve", "modulo", "grid", "cells" };
+
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(keys[i], key->key) == 0) return true;
+    return strcmp(key->key, "start") == 0 && key->allowed != NULL && strcmp(key->allowed, JLT_KEY_COORDINATES) == 0;
+}
+
 static jlt_status append_group(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
 {
     const char *name = key->key;
@@ -222,6 +257,7 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
         JLT_TRY(append(r, member, v, "="));
         if (key->kind == JLT_KEY_INTERVAL) JLT_TRY(append_interval(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_RANGES && several) JLT_TRY(append_range(r, member, v, config_setting_name(member)));
+        else if (in_pi(key)) JLT_TRY(append_end(r, member, v, config_setting_name(member)));
         else JLT_TRY(append_number(r, member, v, config_setting_name(member)));
     }
 done:

@@ -3,10 +3,10 @@
 #define JLT_SCENE_VALUE_H
 
 #include <libconfig.h>
-#include <stdbool.h>
 
 #include "core/status.h"
 #include "kernel_abi.h"
+#include "scene/scene.h"
 #include "scene/schema.h"
 
 enum { JLT_VALUE_MAX = 4096 };
@@ -14,9 +14,9 @@ enum { JLT_VALUE_MAX = 4096 };
 typedef struct {
     const char *file;
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
-    const jlt_descriptor *(*open)(const char *model); /* see scene.h; may be NULL */
+    jlt_scene_open open;         /* may be NULL */
     const jlt_descriptor *model; /* what names of states and parameters are checked against */
-    bool plane;                  /* the job names a section of its table, and not the known one */
+    const config_setting_t *section, *solve; /* groups of the job that name a section of its table; NULL: it is the known one */
 } jlt_value_reader;
 
 typedef struct {

@@ -23,6 +23,8 @@ static double third_integral(const jlt_top *top, const double *x)
            + (top->I1 - top->I3) * theta(top, x[JLT_TOP_GAMMA3], s) * x[JLT_TOP_OMEGA3] * x[JLT_TOP_OMEGA3];
 }
 
+const char jlt_balanced_level_names[] = "E|G|F0";
+
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x)
 {
     double sine, cosine;

@@ -19,6 +19,9 @@ typedef struct {
     double M; /* >= 0 */
 } jlt_balanced_levels;
 
+/* Their names, separated by '|'. */
+extern const char jlt_balanced_level_names[];
+
 /** Levels of a state, shape (JLT_TOP_STATES,). */
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x);
 

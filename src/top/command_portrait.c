@@ -5,6 +5,7 @@
 
 #include "cli/grid.h"
 #include "top/command_portrait.h"
+#include "cli/planned.h"
 #include "cli/progress.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -246,6 +247,22 @@ static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
     return code;
 }
 
+/* Of its first orbit. */
+static jlt_exit show_plan(const jlt_portrait_request *r)
+{
+    const jlt_session *s = &r->session;
+    double start[JLT_TOP_STATES] = { 0 };
+    const jlt_question question = { .model = s->descriptor, .params = s->params, .start = start };
+    jlt_plan plan;
+    size_t tried = 0;
+
+    while (tried < TRIES_MAX && !start_number(r, start, tried)) tried++;
+    const jlt_status st = jlt_plan_make(&plan, &question);
+    if (st != JLT_OK) return jlt_session_fail(st, "portrait");
+    jlt_planned_show(&plan);
+    return JLT_EXIT_PLANNED;
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     jlt_portrait_request r = { .orbits = 60, .until = 20 };
@@ -259,6 +276,7 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     code = open_top(&r);
     if (code == JLT_EXIT_DONE) code = read_levels(&r);
+    if (code == JLT_EXIT_DONE && r.session.common.plan) code = show_plan(&r);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_open(&trajectories, r.trajectories);
     if (code != JLT_EXIT_DONE) goto done;

@@ -234,6 +234,10 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
     if (code == JLT_EXIT_DONE) code = check_start(&r);
+    if (code == JLT_EXIT_DONE && r.session.common.plan) {
+        puts("  * quadrature: nothing is integrated in time");
+        code = JLT_EXIT_PLANNED;
+    }
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);

@@ -44,7 +44,7 @@ static void refuse(char *text, size_t size, const double *values, jlt_status sta
         snprintf(text, size, "no state with omega_tau = 0 has E = %.10g and G = %.10g: raise E above %.10g, or take G nearer to 0",
                  v.E, v.G, least_energy(&v));
     else if (status == JLT_ERR_DOMAIN)
-        snprintf(text, size, "--set: %s", allowed ? "the parameters are so far apart that products of them leave the range of doubles"
+        snprintf(text, size, "%s", allowed ? "the parameters are so far apart that products of them leave the range of doubles"
                                                   : "m, R and I1 must be positive, g >= 0 and I3 >= 0");
     else if (status == JLT_ERR_UNSUPPORTED)
         snprintf(text, size, "the kernels of spherical_top_level in regular time are not built in");

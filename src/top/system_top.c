@@ -18,18 +18,15 @@ typedef struct {
 
 jlt_top_values jlt_system_top_defaults(void)
 {
-    return (jlt_top_values){ .m = 1, .R = 1, .g = 1, .I1 = 1. / 3, .I3 = 1. / 3, .a3 = 0.51, .E = 2.15, .G = -0.56 };
+    jlt_top_values values;
+    memcpy(&values, jlt_known_top.defaults, sizeof values);
+    return values;
 }
 
 double *jlt_system_top_value(jlt_top_values *values, const char *name)
 {
-    static const char *const names[] = { "m", "R", "g", "I1", "I3", "a3", "E", "G" };
-    double *const entries[] = { &values->m,  &values->R,  &values->g, &values->I1,
-                                &values->I3, &values->a3, &values->E, &values->G };
-
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(names[i], name) == 0) return entries[i];
-    return NULL;
+    const unsigned index = jlt_known_value(&jlt_known_top, name);
+    return index < jlt_known_top.count ? &values->m + index : NULL; /* they are in the order of their names, see known.c */
 }
 
 static jlt_status top_params(double *params, const jlt_descriptor *descriptor, const jlt_top_values *values)
@@ -125,15 +122,4 @@ bool jlt_system_top_interval(const jlt_chart_top *chart, double *low, double *hi
         before = at;
     }
     return found;
-}
-
-jlt_status jlt_system_top_at(void *context, jlt_system **out, double value)
-{
-    jlt_top_family *self = context;
-    double *entry = jlt_system_top_value(&self->values, self->name);
-
-    *out = NULL;
-    if (entry == NULL) return JLT_ERR_ARG;
-    *entry = value;
-    return jlt_system_top(out, &self->values, &self->options);
 }

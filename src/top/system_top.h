@@ -31,14 +31,4 @@ const jlt_chart_top *jlt_system_top_chart(const jlt_system *self);
  *  bisection; the widest one where there are several. false: none. */
 bool jlt_system_top_interval(const jlt_chart_top *chart, double *low, double *high);
 
-/** `make` of jlt_system_family as one of its values runs, with a jlt_top_family as context. Errors: ARG, an unknown name; as
- *  jlt_system_top. */
-typedef struct {
-    jlt_top_values values;
-    const char *name; /* of the value that runs */
-    jlt_flow options;
-} jlt_top_family;
-
-JLT_CHECKED jlt_status jlt_system_top_at(void *top_family, jlt_system **out, double value);
-
 #endif

@@ -224,6 +224,7 @@ static void full_orient(const jlt_tier_view *view, jlt_attitude *out, const doub
 
 /* ---- where coordinates end ---- */
 
+const char jlt_tier_no_section[] = "it has no chart (eta, gamma3) of the section on levels of E and G";
 const char jlt_tier_near_pole[] = "the orbit is so near a pole that in plain time nothing is left of its digits";
 
 /* In components a step may lead past a pole: the field is as good as in plain time, no nearer. */

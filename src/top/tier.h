@@ -62,6 +62,9 @@ typedef struct {
 /* What the edge of a kernel's domain means in plain time. */
 extern const char jlt_tier_near_pole[];
 
+/* Why most tiers serve no section. */
+extern const char jlt_tier_no_section[];
+
 /* The table, from the smallest; NULL past the end. */
 const jlt_tier *jlt_tier_at(size_t index);
 

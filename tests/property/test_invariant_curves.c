@@ -1,4 +1,5 @@
 /* Branches of manifolds, homoclinic points, continuation, exponents, fates and visited cells: what must hold of each. */
+#include "reference/top_family.h"
 #include "unit/check.h"
 
 #include <stdlib.h>
@@ -155,8 +156,8 @@ static jlt_status record(void *context, const jlt_continuation_point *point)
  * trace of orbits found at fixed energies on both sides, without continuation. */
 static void bifurcations_lie_where_multipliers_say(void **unused)
 {
-    jlt_top_family tops = { .values = jlt_system_top_defaults(), .name = "E", .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
-    jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
+    top_family tops = { .values = jlt_system_top_defaults(), .name = "E", .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
+    jlt_system_family family = { .make = top_family_at, .context = &tops };
     const jlt_family maps = { jlt_system_map_at, &family };
     const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
     jlt_continuation_point start = { .value = 2.15 }, other;

@@ -101,6 +101,24 @@ expect 0 0.36787944117144 jellett simulate "./$name" --start x=1 --times 1
 [ ! -e shell ] || fail "the name of a table reached a shell"
 expect 5 "cannot open|No such file" jellett simulate ./absent.tt --start x=1 --times 1
 
+# Batches get kernels on vectors of their own; rows agree with those of one orbit at a time, and on any number of
+# threads with themselves.
+printf 'model swing\nparam k > 0\ndefault k = 1\nstate x\nstate v\nstate u\neq x = v\neq v = -k*x^3\neq u = x - u\n' > swing.tt
+grid=(--section v=0 --grid x=0.5:1:3,u=-1:1:3 --returns 3 --direction down)
+expect 0 '^8,3,' jellett section ./swing.tt "${grid[@]}"
+grep -v '^#' out > single
+JELLETT_LANES=2 jellett section ./swing.tt "${grid[@]}" --batch | grep -v '^#' > narrow
+for threads in 1 2; do
+    expect 0 '^8,3,' jellett section ./swing.tt "${grid[@]}" --batch --threads $threads
+    grep -v '^#' out > batch.$threads
+done
+cmp -s batch.1 batch.2 || fail "batches of an own table hang on the number of threads"
+for other in narrow batch.1; do
+    paste -d, single $other | awk -F, -v OFMT=%g '
+        NR > 1 { for (i = 3; i < 6; i++) { d = $i - $(i + 6); if (d*d > 1e-20) bad++ } n++ }
+        END { exit !(n == 36 && !bad) }' || fail "batches of an own table ($other) disagree with its single orbits"
+done
+
 # Several at once, and after a run that was killed at any time, the object is whole.
 rm -rf cache
 for i in 1 2 3; do jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1 > "said.$i" 2>&1 & done

@@ -72,7 +72,8 @@ refuse 2 "--times and --until exclude each other" jellett simulate --start "$sta
 refuse 2 "two tables" jellett portrait --level E=1,G=-0.2,F0=0.15 --trajectories -
 refuse 2 "two tables" jellett manifolds --length 0.01 --crossings -
 refuse 3 "--project: one-step methods alone, not the multistep method msadams" jellett simulate --start "$start" --until 1 --project --method msadams
-refuse 3 "of the spherical top, not of lorenz" jellett fates lorenz
+refuse 2 "say which section of lorenz" jellett fates lorenz
+refuse 2 "say where orbits start" jellett fates lorenz --section z=27
 data=$JLT_SOURCE_DIR/tests/reference/data
 refuse 2 "jacobian knows no --method" jellett bench jacobian --method gauss
 refuse 2 "slope knows no --form" jellett bench slope --reference "$data/slopes_regular_51.csv" --form five

@@ -2,18 +2,23 @@
 #include <jellett.h>
 #include <stdio.h>
 
-static jlt_status tell(void *context, const jlt_continuation_point *p)
+static jlt_status at_energy(void *values, jlt_system **system, double energy)
 {
-    (void)context;
-    if (p->kind != JLT_BIFURCATION_NONE) printf("%.12g,%s\n", p->value, jlt_continuation_bifurcation_name(p->kind));
+    ((jlt_top_values *)values)->E = energy;
+    return jlt_system_top(system, values, NULL);
+}
+
+static jlt_status tell(void *file, const jlt_continuation_point *p)
+{
+    if (p->kind != JLT_BIFURCATION_NONE) fprintf(file, "%.12g,%s\n", p->value, jlt_continuation_bifurcation_name(p->kind));
     return JLT_OK;
 }
 
 int main(void)
 {
     static jlt_continuation_point first = { .value = 2.15 };
-    jlt_top_family top = { .values = jlt_system_top_defaults(), .name = "E", .options = { .direction = JLT_RISING } };
-    jlt_system_family systems = { .make = jlt_system_top_at, .context = &top };
+    jlt_top_values values = jlt_system_top_defaults();
+    jlt_system_family systems = { .make = at_energy, .context = &values };
     const jlt_family family = { jlt_system_map_at, &systems };
     const jlt_continuation_options options = { .low = 1.9, .high = 2.2 };
     jlt_map *map;
@@ -22,7 +27,7 @@ int main(void)
 
     JLT_TRY(family.map_at(family.context, &map, first.value));
     JLT_TRY(jlt_periodic_find(map, &first.orbit, (const double[]){ 0, -0.61 }, 1, NULL));
-    JLT_TRY(jlt_continuation_run(&end, &family, &first, -1, &options, tell, NULL));
+    JLT_TRY(jlt_continuation_run(&end, &family, &first, -1, &options, tell, stdout));
 done:
     jlt_system_family_clear(&systems);
     return st != JLT_OK;

@@ -1,4 +1,5 @@
 /* Periodic orbits found from random starts, and followed in a value: the oracle closes them. */
+#include "reference/top_family.h"
 #include "stability/random_tops/trial.h"
 
 #include <math.h>
@@ -63,7 +64,7 @@ static bool check(const trial *t, const jlt_top_values *values, const jlt_period
 
 typedef struct {
     const trial *t;
-    const jlt_top_family *tops;
+    const top_family *tops;
     size_t left;
 } follower;
 
@@ -79,8 +80,8 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
 static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
 {
     const char *name = (const char *[]){ "E", "G", "a3", "I3" }[jlt_random_below(&t->random, 4)];
-    jlt_top_family tops = { .values = t->top, .name = name, .options = *flow };
-    jlt_system_family maps = { .make = jlt_system_top_at, .context = &tops };
+    top_family tops = { .values = t->top, .name = name, .options = *flow };
+    jlt_system_family maps = { .make = top_family_at, .context = &tops };
     const double value = *jlt_system_top_value(&tops.values, name), scale = fabs(value);
     const jlt_continuation_options options = { .scale = scale, .low = value - scale / 2, .high = value + scale / 2, .points_max = POINTS };
     const jlt_continuation_point start = { .value = value, .orbit = *orbit };

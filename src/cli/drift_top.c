@@ -27,7 +27,7 @@ static void end_by(jlt_drift_end *end, const jlt_outcome *at, double t, size_t r
     end->returns = returns;
 }
 
-jlt_status jlt_drift_known(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end, const jlt_method *method)
+jlt_status jlt_drift_top(jlt_drift *self, jlt_drift_row *rows, size_t *count, jlt_drift_end *end, const jlt_method *method)
 {
     const jlt_flow *flow = &self->system->flow;
     const jlt_event section = { .column = self->five.column, .direction = flow->direction };

@@ -1,0 +1,59 @@
+#include "cli/job.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cli/interrupt.h"
+
+void jlt_job_free(char **argv, int argc)
+{
+    for (int i = 0; argv != NULL && i < argc; i++) free(argv[i]);
+    free(argv);
+}
+
+char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc)
+{
+    char **argv = calloc(job->count + 5, sizeof *argv);
+    int count = 0;
+    bool whole = argv != NULL;
+
+    if (whole) whole = (argv[count++] = strdup(job->what)) != NULL;
+    if (whole && job->model != NULL) whole = (argv[count++] = strdup(job->model)) != NULL;
+    for (size_t i = 0; whole && i < job->count; i++) {
+        const jlt_scene_option *option = &job->options[i];
+        const size_t length = strlen(option->name) + (option->value != NULL ? strlen(option->value) : 0) + 4;
+        argv[count] = malloc(length);
+        whole = argv[count] != NULL;
+        if (whole)
+            snprintf(argv[count++], length, "--%s%s%s", option->name, option->value != NULL ? "=" : "",
+                     option->value != NULL ? option->value : "");
+    }
+    if (whole && more != NULL) whole = (argv[count++] = strdup(more)) != NULL;
+    *argc = count;
+    if (whole) return argv;
+    jlt_job_free(argv, count);
+    return NULL;
+}
+
+jlt_exit jlt_job_run(int *ending, const jlt_command *command, char **argv, int argc)
+{
+    int status = 0;
+    pid_t child;
+
+    fflush(stdout);
+    child = jlt_interrupt_fork();
+    if (child < 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
+    if (child == 0) exit((int)jlt_command_execute(command, argc, argv));
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    *ending = jlt_interrupt_alone();
+    if (!WIFSIGNALED(status)) return (jlt_exit)WEXITSTATUS(status);
+    const int by = WTERMSIG(status);
+    if (by == SIGINT || by == SIGTERM || by == SIGHUP) *ending = by;
+    else (void)jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, by);
+    return JLT_EXIT_NUMERICAL;
+}

@@ -1,0 +1,17 @@
+/** An entry of a scene as the command line that it stands for. */
+#ifndef JLT_CLI_JOB_H
+#define JLT_CLI_JOB_H
+
+#include "cli/command.h"
+#include "scene/scene.h"
+
+/** As it would be typed, argv[0] for the command's name, with one more option behind where that is not NULL; for jlt_job_free. NULL: no
+ *  memory. */
+char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc);
+void jlt_job_free(char **argv, int argc);
+
+/** Run it in a process of its own, so that whatever ends it leaves others alone. *ending: the signal that is to end this program, else 0.
+ *  Returns the command's exit status. */
+jlt_exit jlt_job_run(int *ending, const jlt_command *command, char **argv, int argc);
+
+#endif

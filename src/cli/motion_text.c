@@ -1,0 +1,102 @@
+/* What headers and pictures say of a system. */
+#include "cli/motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/motion_plane.h"
+#include "kernel/descriptor.h"
+#include "report/csv.h"
+#include "report/decimal.h"
+
+static bool is_swept(const jlt_motion_options *options, const char *name)
+{
+    for (size_t i = 0; i < options->swept_count; i++)
+        if (strcmp(options->swept[i].name, name) == 0) return true;
+    return false;
+}
+
+unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values)
+{
+    const jlt_known *known = system->known;
+    const unsigned count = known != NULL ? known->count - known->params : system->flow.chart->solved_count;
+
+    for (unsigned k = 0; k < count; k++) {
+        const jlt_level *level = known == NULL ? &system->chart.level.levels[k] : NULL;
+        names[k] = known != NULL ? known->names[known->params + k] : system->instance->descriptor->integrals[level->integral].name;
+        values[k] = known != NULL ? system->values[known->params + k] : level->value;
+    }
+    return count;
+}
+
+void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
+{
+    static const char *const directions[] = { "downwards", "in both directions", "upwards" };
+    const jlt_chart *chart = system->flow.chart;
+
+    const jlt_descriptor *d = system->instance->descriptor;
+    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
+    const char *names[JLT_INVARIANTS_MAX], *method = options->flow.method != NULL ? options->flow.method->name : "each";
+    const unsigned level_count = jlt_motion_levels(system, names, levels);
+
+    if (params == NULL) return;
+    for (unsigned k = 0; k < d->param_count; k++)
+        params[k] = is_swept(options, d->params[k].name) ? NAN : system->instance->params[k];
+    for (unsigned k = 0; k < level_count; k++)
+        if (is_swept(options, names[k])) levels[k] = NAN;
+    jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
+                                                method, options->flow.tolerance });
+    free(params);
+    if (level_count > 0) {
+        fputs("# levels", stream);
+        for (unsigned k = 0; k < level_count; k++) jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
+        if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
+        fputc('\n', stream);
+    }
+    fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
+            chart->level, directions[options->flow.direction + 1], method, options->flow.tolerance);
+    if (jlt_observed_conditions(system->observed) > 0)
+        fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
+    fputs("; nothing is random, so there is no seed\n", stream);
+}
+
+static void caption_value(FILE *stream, bool *is_first, const char *name, double value, const char *swept)
+{
+    if (swept != NULL && strcmp(name, swept) == 0) return;
+    fprintf(stream, "%s%s=%.6g", *is_first ? "" : ", ", name, value);
+    *is_first = false;
+}
+
+void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
+{
+    const jlt_descriptor *d = system->instance->descriptor;
+    const char *names[JLT_INVARIANTS_MAX];
+    double levels[JLT_INVARIANTS_MAX];
+    const unsigned level_count = jlt_motion_levels(system, names, levels);
+    bool is_first = true;
+
+    for (unsigned i = 0; i < d->param_count; i++) {
+        unsigned k = 0;
+        while (k < level_count && strcmp(names[k], d->params[i].name) != 0) k++;
+        if (k == level_count) caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
+    }
+    for (unsigned k = 0; k < level_count; k++) caption_value(stream, &is_first, names[k], levels[k], swept);
+}
+
+void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added)
+{
+    if (system->known != NULL) fprintf(stream, "set %clabel \"%s%s\"\n", axis, system->known->labels[coordinate], added);
+    else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
+}
+
+void jlt_motion_labels(FILE *stream, const jlt_system *system)
+{
+    jlt_motion_label(stream, system, 'x', 0, "");
+    jlt_motion_label(stream, system, 'y', 1, "");
+}
+
+void jlt_motion_frame(FILE *stream, const jlt_system *system)
+{
+    if (system->known != NULL) fprintf(stream, "set xrange [%s]\nset yrange [%s]\n", system->known->frame[0], system->known->frame[1]);
+}

@@ -1,0 +1,89 @@
+#include "cli/planned.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/descriptor.h"
+#include "report/csv.h"
+
+static void kernel_name(char *out, size_t size, const jlt_descriptor *d)
+{
+    if (d == NULL) snprintf(out, size, "-");
+    else
+        snprintf(out, size, "%s%s%s%s%s%s%s", d->model, d->variant[0] != '\0' ? " " : "", d->variant,
+                 d->time[0] != '\0' ? " in " : "", d->time, d->elimination[0] != '\0' ? " on " : "", d->elimination);
+}
+
+static void show_candidate(const jlt_plan *plan, unsigned index)
+{
+    const jlt_candidate *c = &plan->candidates[index];
+    const char *name = c->tier != NULL ? c->tier->name : "model";
+    const unsigned dimension = c->tier != NULL ? c->tier->dimension : c->descriptor->state_count;
+    char kernel[128], counts[64] = "", refusal[1024];
+
+    kernel_name(kernel, sizeof kernel, c->descriptor);
+    if (c->descriptor != NULL) {
+        const jlt_operation_count *n = &c->descriptor->rhs.optimized;
+        snprintf(counts, sizeof counts, "%u+ %ux %ufma %u/ %uroot %uelem", n->add, n->multiply, n->fma, n->divide, n->root,
+                 n->elementary);
+    }
+    printf("  %c %-13s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', name, dimension, kernel, counts);
+    if (index == plan->chosen)
+        puts(plan->forced ? "taken: asked for by name" : plan->count == 1 ? "taken: the model's own field"
+                                                                          : "taken: the smallest that answers");
+    else if (c->refusal != NULL) {
+        jlt_plan_refusal(refusal, sizeof refusal, c);
+        printf("no: %s\n", refusal);
+    }
+    else if (c->tier != NULL && c->tier->by_name) puts("would answer: a comparison, by name only");
+    else puts(index > plan->chosen ? "would answer, but is larger" : "would answer, and is smaller");
+}
+
+void jlt_planned_show(const jlt_plan *plan)
+{
+    for (unsigned k = 0; k < plan->count; k++) show_candidate(plan, k);
+}
+
+void jlt_planned_chosen(const jlt_plan *plan) { show_candidate(plan, plan->chosen); }
+
+/* What the asked table says of a level. */
+static void show_proof(const jlt_descriptor *asked, const char *level)
+{
+    static const char *const words[] = { [JLT_PROVED] = "proved", [JLT_REFUTED] = "refuted", [JLT_UNSETTLED] = "not settled" };
+    const jlt_claim *claim = jlt_descriptor_claim(asked, "integral", level);
+
+    if (claim != NULL) printf(" (an integral, %s)", words[claim->verdict]);
+    else if (jlt_descriptor_param(asked, level, &(size_t){ 0 })) fputs(" (a parameter of this table)", stdout);
+}
+
+jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options, const jlt_descriptor *asked)
+{
+    static const char *const directions[] = { "downwards", "in both directions", "upwards" };
+    const jlt_chart *chart = system->flow.chart;
+    const char *names[JLT_INVARIANTS_MAX];
+    double levels[JLT_INVARIANTS_MAX], *params = NULL;
+    const unsigned count = jlt_motion_levels(system, names, levels);
+    jlt_exit code = jlt_assign_params(&params, asked, &options->common.set);
+
+    if (code == JLT_EXIT_DONE) {
+        jlt_plan plan = { .count = 1, .candidates = { { .descriptor = system->instance->descriptor } } };
+        /* Integrals are watched in all states. */
+        const jlt_question question = { .model = asked, .params = params, .section = !options->looks_at_integrals,
+                                        .tier = options->looks_at_integrals ? "five" : NULL };
+        const jlt_status st = system->known != NULL && jlt_tier_has(asked) ? jlt_plan_make(&plan, &question) : JLT_OK;
+        if (st == JLT_OK) jlt_planned_show(&plan);
+        code = st == JLT_OK ? JLT_EXIT_PLANNED : jlt_motion_fail(st, system, asked->model);
+    }
+    free(params);
+    if (code != JLT_EXIT_PLANNED) return code;
+    printf("  section %s=", system->instance->descriptor->states[chart->column].name);
+    jlt_csv_value(stdout, chart->level);
+    printf(" crossed %s", directions[options->flow.direction + 1]);
+    for (unsigned k = 0; k < count; k++) {
+        printf("%s %s=", k == 0 ? ", on levels" : ",", names[k]);
+        jlt_csv_value(stdout, levels[k]);
+        show_proof(asked, names[k]);
+    }
+    printf("\n  method %s, tolerance %.3g\n", options->flow.method != NULL ? options->flow.method->name : "each", options->flow.tolerance);
+    return code;
+}
