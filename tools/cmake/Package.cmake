@@ -1,7 +1,7 @@
 # What `cpack -G DEB` makes of an installed tree: jellett_VERSION_ARCHITECTURE.deb, one package with programs, library, headers, kernels,
 # models and man pages. Libraries that programs and library are linked with are found by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_PACKAGE_NAME jellett)
-set(CPACK_PACKAGE_CONTACT "maintainers of jellett <maintainers@localhost>")
+set(CPACK_PACKAGE_CONTACT "The jellett authors <authors@jellett.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_DESCRIPTION
   "ttc proves what a table of terms claims of a mechanical system and compiles it to C; jellett follows its orbits, maps, periodic\n\
