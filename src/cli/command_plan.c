@@ -46,7 +46,7 @@ static void print_tiers(void)
 /* Commands that follow no motion and have no options in common with those that do. */
 static bool is_still(const char *name)
 {
-    static const char *const still[] = { "verify", "models", "run", "plan", "bench" };
+    static const char *const still[] = { "verify", "models", "bench" };
 
     for (size_t i = 0; i < sizeof still / sizeof *still; i++)
         if (strcmp(still[i], name) == 0) return true;
@@ -77,6 +77,10 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
     char **more = calloc((size_t)argc + 2, sizeof *more), plan[] = "--plan";
     jlt_exit code;
 
+    if (command == &jlt_command_run || command == &jlt_command_plan) {
+        free(more);
+        return jlt_command_fail(JLT_EXIT_USAGE, "the plan of a scene is 'jellett plan SCENE', without '%s'", command->name);
+    }
     if (more == NULL) return jlt_command_no_memory();
     more[0] = argv[0];
     more[1] = plan; /* before an operand, behind which -- may make operands of options */
