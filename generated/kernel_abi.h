@@ -139,6 +139,11 @@ typedef struct {
     const char *target;      /* of a reduction or an embedding: SHA-256 of the other model's table; NULL of other kinds */
 } jlt_claim;
 
+typedef struct {
+    const signed char *signs; /* shape (states,): what it makes of each, +1 or -1 */
+    unsigned claim;           /* which of the model's `claims` it is */
+} jlt_reversor;
+
 typedef struct jlt_descriptor {
     const char *model, *variant, *time, *elimination; /* "" for the general field, its own time, all states */
     const char *title, *source;
@@ -175,9 +180,8 @@ typedef struct jlt_descriptor {
     unsigned valid_count;
     const jlt_validity *valids;     /* conditions under which the model holds */
     jlt_kernel valid_values;        /* shape (valids,); the model holds where all are > 0 */
-    const signed char *reversed;    /* shape (states,): what a reversor that the table claims makes of each, +1 or -1; NULL where it claims
-                                       none of that kind, with a condition only, and on fields with a time or an elimination */
-    unsigned reversor;              /* which of `claims` that is */
+    unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no more; */
+    const jlt_reversor *reversors;  /* on fields with a time or an elimination there are none */
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file

@@ -75,9 +75,9 @@ extern const char *const ttc_isa_names[TTC_ISA_COUNT], *const ttc_isa_files[TTC_
 void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa);
 void ttc_emit_lanes_header(ttc_text *text);
 
-/* What the table's first reversor that changes signs of states, and no more, makes of each: an array, and its member of the descriptor.
- * Nothing where there is none. */
-void ttc_emit_reversor(ttc_text *text, const ttc_field *field);
+/* What the table's reversors that change signs of states, and no more, make of each: arrays, and the descriptor's members. Nothing
+ * where there are none. */
+void ttc_emit_reversors(ttc_text *text, const ttc_field *field);
 void ttc_emit_reversor_member(ttc_text *text, const ttc_field *field);
 
 /* The file of one descriptor. */

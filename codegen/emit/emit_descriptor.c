@@ -350,7 +350,7 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->kernels[TTC_KERNEL_OBSERVE_VALUES].count > 0)
         add_quantities(text, "observes", field, field->model->observed, field->model->observed_count);
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0) add_validities(text, field->model);
-    ttc_emit_reversor(text, field);
+    ttc_emit_reversors(text, field);
     add_descriptor(text, k);
     return !text->failed;
 }

@@ -1,41 +1,46 @@
-/* What a reversor of the table does to the states, where that is a change of signs. */
+/* What reversors of the table do to the states, where that is a change of signs. */
 #include "emit/emit.h"
 
-/* The first reversor that changes signs of states and no more, and holds for all parameters. NULL: none. */
-static const ttc_claim *sign_reversor(const ttc_field *field)
+/* It changes signs of states and no more, and holds for all parameters. */
+static bool changes_signs(const ttc_field *field, const ttc_claim *claim)
 {
     const ttc_model *model = field->model;
-    if (field->time != NULL || field->elimination != NULL) return NULL;
-    for (size_t k = 0; k < model->claim_count; k++) {
-        const ttc_claim *claim = model->claims + k;
-        bool changes_signs = claim->kind == TTC_CLAIM_REVERSOR && claim->when.count == 0;
-        for (size_t i = 0; changes_signs && i < claim->bindings.count; i++) {
-            ttc_id state = model->symbols[claim->bindings.items[i].symbol].node, image = claim->bindings.items[i].expression;
-            changes_signs = image == state || ttc_add(field->graph, image, state) == ttc_integer(field->graph, 0);
-        }
-        if (changes_signs) return claim;
+    bool all = claim->kind == TTC_CLAIM_REVERSOR && claim->when.count == 0 && field->time == NULL && field->elimination == NULL;
+    for (size_t i = 0; all && i < claim->bindings.count; i++) {
+        ttc_id state = model->symbols[claim->bindings.items[i].symbol].node, image = claim->bindings.items[i].expression;
+        all = image == state || ttc_add(field->graph, image, state) == ttc_integer(field->graph, 0);
     }
-    return NULL;
+    return all;
 }
 
-void ttc_emit_reversor(ttc_text *text, const ttc_field *field)
+static int sign_of(const ttc_field *field, const ttc_claim *claim, uint32_t state)
+{
+    for (size_t k = 0; k < claim->bindings.count; k++)
+        if (claim->bindings.items[k].symbol == state)
+            return claim->bindings.items[k].expression == field->model->symbols[state].node ? 1 : -1;
+    return 1;
+}
+
+void ttc_emit_reversors(ttc_text *text, const ttc_field *field)
 {
     const ttc_model *model = field->model;
-    const ttc_claim *claim = sign_reversor(field);
-    if (claim == NULL) return;
-    ttc_text_add(text, "static const signed char reversed[] = {");
-    for (size_t i = 0; i < field->state_count; i++) {
-        int sign = 1;
-        for (size_t k = 0; k < claim->bindings.count; k++)
-            if (claim->bindings.items[k].symbol == field->states[i] && claim->bindings.items[k].expression != model->symbols[field->states[i]].node)
-                sign = -1;
-        ttc_text_format(text, "%s %d", i == 0 ? "" : ",", sign);
+    ttc_text list = { 0 };
+    for (size_t k = 0; k < model->claim_count; k++) {
+        if (!changes_signs(field, model->claims + k)) continue;
+        ttc_text_format(text, "static const signed char signs_%zu[] = {", k);
+        for (size_t i = 0; i < field->state_count; i++)
+            ttc_text_format(text, "%s %d", i == 0 ? "" : ",", sign_of(field, model->claims + k, field->states[i]));
+        ttc_text_add(text, " };\n");
+        ttc_text_format(&list, "    { signs_%zu, %zu },\n", k, k);
     }
-    ttc_text_add(text, " };\n\n");
+    if (list.length > 0) ttc_text_format(text, "static const jlt_reversor reversors[] = {\n%s};\n\n", ttc_text_string(&list));
+    text->failed |= list.failed;
+    ttc_text_clear(&list);
 }
 
 void ttc_emit_reversor_member(ttc_text *text, const ttc_field *field)
 {
-    const ttc_claim *claim = sign_reversor(field);
-    if (claim != NULL) ttc_text_format(text, "    .reversed = reversed, .reversor = %zu,\n", (size_t)(claim - field->model->claims));
+    size_t count = 0;
+    for (size_t k = 0; k < field->model->claim_count; k++) count += changes_signs(field, field->model->claims + k);
+    if (count > 0) ttc_text_format(text, "    .reversor_count = %zu, .reversors = reversors,\n", count);
 }

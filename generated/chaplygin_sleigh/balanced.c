@@ -241,7 +241,10 @@ static const jlt_named measures[] = {
     { "uniform", "a = 0" },
 };
 
-static const signed char reversed[] = { -1, -1 };
+static const signed char signs_1[] = { -1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_1, 1 },
+};
 
 const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .model = "chaplygin_sleigh",
@@ -278,7 +281,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 1,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

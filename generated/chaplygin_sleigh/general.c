@@ -248,7 +248,10 @@ static const jlt_named integrals[] = {
     { "E", "" },
 };
 
-static const signed char reversed[] = { -1, -1 };
+static const signed char signs_1[] = { -1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_1, 1 },
+};
 
 const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .model = "chaplygin_sleigh",
@@ -282,7 +285,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 1,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -182,7 +182,10 @@ static const jlt_named measures[] = {
     { "canonical", "" },
 };
 
-static const signed char reversed[] = { 1, -1, -1 };
+static const signed char signs_3[] = { 1, -1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_3, 3 },
+};
 
 const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .model = "nose_hoover",
@@ -216,7 +219,7 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 3,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 0, .measure_count = 1, .equilibria_count = 0,
     .measures = measures,
 #ifndef JLT_WITHOUT_BALLS

@@ -358,7 +358,10 @@ static const jlt_named measures[] = {
     { "volume", "" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1 };
+static const signed char signs_2[] = { 1, -1, -1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_2, 2 },
+};
 
 const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .model = "restricted_three_body",
@@ -394,7 +397,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 2,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

@@ -611,7 +611,10 @@ static const jlt_named measures[] = {
     { "rho", "" },
 };
 
-static const signed char reversed[] = { 1, -1, 1, 1 };
+static const signed char signs_5[] = { 1, -1, 1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_5, 5 },
+};
 
 const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .model = "routh_sphere",
@@ -648,7 +651,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 5,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

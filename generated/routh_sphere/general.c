@@ -947,7 +947,10 @@ static const jlt_named measures[] = {
     { "rho", "" },
 };
 
-static const signed char reversed[] = { 1, -1, 1, 1 };
+static const signed char signs_5[] = { 1, -1, 1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_5, 5 },
+};
 
 const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .model = "routh_sphere",
@@ -983,7 +986,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 5,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 2,
     .integrals = integrals,
     .measures = measures,

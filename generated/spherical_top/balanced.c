@@ -887,7 +887,10 @@ static const jlt_named integrals[] = {
     { "F0", "a3 = 0" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_8, 8 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .model = "spherical_top",
@@ -922,7 +925,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 8,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 3, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -1416,7 +1416,10 @@ static const jlt_validity valids[] = {
     { "contact", "kg*m/s^2", "the plane only pushes" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_8, 8 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_general = {
     .model = "spherical_top",
@@ -1454,7 +1457,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact, a part of contact" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
-    .reversed = reversed, .reversor = 8,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 3,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -575,7 +575,10 @@ static const jlt_named measures[] = {
     { "rho", "I3 = 0" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_8, 8 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .model = "spherical_top",
@@ -612,7 +615,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 8,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 4, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

@@ -322,7 +322,10 @@ static const jlt_named integrals[] = {
     { "F0", "" },
 };
 
-static const signed char reversed[] = { 1, -1, -1 };
+static const signed char signs_4[] = { 1, -1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_4, 4 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .model = "spherical_top_balanced",
@@ -357,7 +360,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 4,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -489,7 +489,10 @@ static const jlt_named integrals[] = {
     { "F0", "" },
 };
 
-static const signed char reversed[] = { 1, -1, -1 };
+static const signed char signs_4[] = { 1, -1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_4, 4 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .model = "spherical_top_balanced",
@@ -523,7 +526,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 4,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -840,7 +840,10 @@ static const jlt_named integrals[] = {
     { "F0", "a3 = 0" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1 };
+static const signed char signs_4[] = { 1, -1, -1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_4, 4 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .model = "spherical_top_level",
@@ -875,7 +878,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 4,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

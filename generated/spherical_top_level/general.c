@@ -1003,7 +1003,10 @@ static const jlt_validity valids[] = {
     { "contact", "kg*m/s^2", "the plane only pushes" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1 };
+static const signed char signs_4[] = { 1, -1, -1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_4, 4 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .model = "spherical_top_level",
@@ -1041,7 +1044,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, g/I1 - (a3/I1)*omega_tau*gamma3*omega_tau, v_tau*s - (G/(R*I1))*b, a part of contact, a part of contact, a part of contact, contact" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
-    .reversed = reversed, .reversor = 4,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

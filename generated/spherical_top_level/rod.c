@@ -454,7 +454,10 @@ static const jlt_named measures[] = {
     { "density", "I3 = 0" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1 };
+static const signed char signs_4[] = { 1, -1, -1, 1 };
+static const jlt_reversor reversors[] = {
+    { signs_4, 4 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .model = "spherical_top_level",
@@ -491,7 +494,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 4,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 2, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

@@ -970,7 +970,10 @@ static const jlt_named integrals[] = {
     { "G", "" },
 };
 
-static const signed char reversed[] = { 1, -1, -1, 1, 1, -1, -1, 1, -1 };
+static const signed char signs_9[] = { 1, -1, -1, 1, 1, -1, -1, 1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_9, 9 },
+};
 
 const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .model = "spherical_top_track",
@@ -1004,7 +1007,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 9,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -373,7 +373,10 @@ static const jlt_named measures[] = {
     { "volume", "" },
 };
 
-static const signed char reversed[] = { 1, 1, 1, -1, -1, -1 };
+static const signed char signs_5[] = { 1, 1, 1, -1, -1, -1 };
+static const jlt_reversor reversors[] = {
+    { signs_5, 5 },
+};
 
 const jlt_descriptor jlt_kernels_toda_general = {
     .model = "toda",
@@ -409,7 +412,7 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
-    .reversed = reversed, .reversor = 5,
+    .reversor_count = 1, .reversors = reversors,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

@@ -25,7 +25,7 @@ static const struct argp parser = {
     NULL, parse, "[SCENE]\nCOMMAND OPTION...",
     "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel for the "
     "parameters and the operations of one call of its right-hand side; on a section, its levels and what is proved of them. Nothing is "
-    "computed. Without either: the tiers there are."
+    "computed, and starts, grids and what runs are not looked at. Without either: the tiers there are."
     "\v  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
     "  jellett plan tools/scenes/full.scene",
@@ -59,7 +59,7 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
     const jlt_scene_job *job = &scene->jobs[index];
     const jlt_command *command = jlt_command_find(job->what);
     int argc = 0, ending = 0;
-    char **argv = jlt_job_arguments(job, "--plan", &argc);
+    char **argv = jlt_job_arguments(job, JLT_COMMON_PLAN, &argc);
     jlt_exit code;
 
     printf("%zu. %s (%s:%u)\n", index + 1, job->what, scene->file, job->line);
@@ -74,7 +74,7 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
 /* `jellett plan COMMAND OPTION...` is COMMAND with an option more. */
 static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
 {
-    char **more = calloc((size_t)argc + 2, sizeof *more), plan[] = "--plan";
+    char **more = calloc((size_t)argc + 2, sizeof *more), plan[] = JLT_COMMON_PLAN;
     jlt_exit code;
 
     if (command == &jlt_command_run || command == &jlt_command_plan) {
@@ -85,7 +85,8 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
     more[0] = argv[0];
     more[1] = plan; /* before an operand, behind which -- may make operands of options */
     for (int i = 1; i < argc; i++) more[i + 1] = argv[i];
-    code = is_still(command->name) ? jlt_common_still() : jlt_command_execute(command, argc + 1, more);
+    if (is_still(command->name)) code = jlt_command_fail(JLT_EXIT_USAGE, "%s follows no motion that could be planned", command->name);
+    else code = jlt_command_execute(command, argc + 1, more);
     free(more);
     return code;
 }
@@ -108,6 +109,7 @@ static jlt_exit run(int argc, char **argv)
     st = jlt_scene_read(&scene, message, path, jlt_table_of);
     if (st != JLT_OK) {
         if (message[0] != '\0') fprintf(stderr, "%s\n", message);
+        if (st == JLT_ERR_IO && strpbrk(path, "/.") == NULL) fprintf(stderr, "jellett: nor is there a command '%s'\n", path);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
     if (scene->title[0] != '\0') printf("%s\n", scene->title);

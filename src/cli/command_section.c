@@ -252,8 +252,14 @@ static jlt_exit open_follower(follower *f)
     if (system->flow.chart->level != 0)
         return jlt_command_fail(JLT_EXIT_USAGE, "--batch: sections STATE=0 alone: leave out --batch for %s=%.10g",
                                 d->states[system->flow.chart->column].name, system->flow.chart->level);
-    if (o->project && d->integral_count == 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to", d->model);
+    if (d->state_count > JLT_BATCH_STATES_MAX)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: %s has %u states; batches serve up to %d: leave out --batch", d->model, d->state_count,
+                                JLT_BATCH_STATES_MAX);
+    const jlt_exit code = o->project ? jlt_common_project(d) : JLT_EXIT_DONE;
+    if (code != JLT_EXIT_DONE) return code;
+    if (o->project && d->integral_count == JLT_INVARIANTS_MAX)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; batches serve fewer than %d", d->model, d->integral_count,
+                                JLT_INVARIANTS_MAX);
     if (o->project) batch.project = d->integral_count;
     JLT_TRY(jlt_section_batch_create(&f->batch, &system->flow, jlt_batch_isa_best(d, 0), &batch));
 done:

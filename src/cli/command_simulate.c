@@ -129,8 +129,10 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
         jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
         return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, refusal);
     }
-    if (st == JLT_OK && options.project && !jlt_tier_has(s->descriptor)) {
-        const jlt_exit code = jlt_common_project(plan->candidates[plan->chosen].descriptor);
+    if (st == JLT_OK && options.project) {
+        const jlt_descriptor *field = plan->candidates[plan->chosen].descriptor;
+        if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: by quadratures there are no steps to go back after");
+        const jlt_exit code = jlt_tier_has(s->descriptor) ? jlt_common_proved(field) : jlt_common_project(field);
         if (code != JLT_EXIT_DONE) return code;
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
@@ -313,7 +315,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
-        jlt_planned_show(&r.plans[0]);
+        jlt_planned_show(&r.plans[0], NULL);
         for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
         code = JLT_EXIT_PLANNED;
     }

@@ -22,7 +22,7 @@ static const struct argp_option common_table[] = {
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, data included", 12 },
-    { "plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
+    { JLT_COMMON_PLAN + 2, PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
     { 0 },
 };
 
@@ -120,6 +120,14 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
 }
 
+jlt_exit jlt_common_proved(const jlt_descriptor *d)
+{
+    for (unsigned i = 0; i < d->integral_count; i++)
+        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
+    return JLT_EXIT_DONE;
+}
+
 jlt_exit jlt_common_project(const jlt_descriptor *d)
 {
     if (d->integral_count == 0)
@@ -127,10 +135,7 @@ jlt_exit jlt_common_project(const jlt_descriptor *d)
     if (d->integral_count > JLT_INVARIANTS_MAX)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; it serves up to %d", d->model, d->integral_count,
                                 JLT_INVARIANTS_MAX);
-    for (unsigned i = 0; i < d->integral_count; i++)
-        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
-    return JLT_EXIT_DONE;
+    return jlt_common_proved(d);
 }
 
 jlt_exit jlt_common_still(void)

@@ -7,6 +7,9 @@
 #include "cli/assign.h"
 #include "integrate/method.h"
 
+/* The option by which a command says its plan alone; no abbreviation of another leads here. */
+#define JLT_COMMON_PLAN "--@plan"
+
 typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
     jlt_assign_list set;
@@ -37,6 +40,9 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
 
 /** Whether --project can go back to the integrals of this field: that there are some, not too many, and all proved. Says what is wrong. */
 jlt_exit jlt_common_project(const jlt_descriptor *field);
+
+/** The last of these alone. */
+jlt_exit jlt_common_proved(const jlt_descriptor *field);
 
 /** The plan of a command that follows no motion. */
 jlt_exit jlt_common_still(void);

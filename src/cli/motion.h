@@ -53,6 +53,9 @@ void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigne
 /** The start that a known section has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
 jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose, const char *wanted);
 
+/** Name of the method that orbits are followed with: batches choose theirs by the tolerance; "each" where all are asked. */
+const char *jlt_motion_method(const jlt_motion_options *options);
+
 /** Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,). Returns how many. */
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values);
 

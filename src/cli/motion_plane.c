@@ -21,14 +21,24 @@ static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *op
     return code;
 }
 
+/* The first reversor that the table proves and whose fixed points lie on the section; NULL: none. */
+static const signed char *proved_reversor(const jlt_motion_plane *p, const jlt_descriptor *d)
+{
+    for (unsigned i = 0; i < d->reversor_count; i++) {
+        const jlt_reversor *reversor = &d->reversors[i];
+        if (reversor->signs[p->column] < 0 && d->claims[reversor->claim].verdict == JLT_PROVED) return reversor->signs;
+    }
+    return NULL;
+}
+
 /* The reversor as it is typed; where nothing is, that which the table proves. An empty list: none. */
 static jlt_exit read_mirror(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
-    const bool proved = text == NULL && d->reversed != NULL && d->claims[d->reversor].verdict == JLT_PROVED;
+    const signed char *proved = text == NULL ? proved_reversor(out, d) : NULL;
     size_t index;
 
-    out->mirrored = proved || (text != NULL && *text != '\0');
-    for (unsigned i = 0; i < d->state_count; i++) out->signs[i] = proved ? d->reversed[i] : 1;
+    out->mirrored = proved != NULL || (text != NULL && *text != '\0');
+    for (unsigned i = 0; i < d->state_count; i++) out->signs[i] = proved != NULL ? proved[i] : 1;
     while (text != NULL && *text != '\0') {
         const size_t length = strcspn(text, ",");
         char name[64];

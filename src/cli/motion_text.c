@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/motion_plane.h"
+#include "integrate/batch_method.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/decimal.h"
@@ -30,6 +31,12 @@ unsigned jlt_motion_levels(const jlt_system *system, const char **names, double 
     return count;
 }
 
+const char *jlt_motion_method(const jlt_motion_options *options)
+{
+    if (options->common.lanes) return jlt_batch_method_for(options->flow.tolerance)->name;
+    return options->flow.method != NULL ? options->flow.method->name : "each";
+}
+
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
@@ -37,7 +44,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
 
     const jlt_descriptor *d = system->instance->descriptor;
     double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
-    const char *names[JLT_INVARIANTS_MAX], *method = options->flow.method != NULL ? options->flow.method->name : "each";
+    const char *names[JLT_INVARIANTS_MAX], *method = jlt_motion_method(options);
     const unsigned level_count = jlt_motion_levels(system, names, levels);
 
     if (params == NULL) return;

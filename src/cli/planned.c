@@ -14,7 +14,7 @@ static void kernel_name(char *out, size_t size, const jlt_descriptor *d)
                  d->time[0] != '\0' ? " in " : "", d->time, d->elimination[0] != '\0' ? " on " : "", d->elimination);
 }
 
-static void show_candidate(const jlt_plan *plan, unsigned index)
+static void show_candidate(const jlt_plan *plan, unsigned index, const char *why)
 {
     const jlt_candidate *c = &plan->candidates[index];
     const char *name = c->tier != NULL ? c->tier->name : "model";
@@ -29,8 +29,7 @@ static void show_candidate(const jlt_plan *plan, unsigned index)
     }
     printf("  %c %-13s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', name, dimension, kernel, counts);
     if (index == plan->chosen)
-        puts(plan->forced ? "taken: asked for by name" : plan->count == 1 ? "taken: the model's own field"
-                                                                          : "taken: the smallest that answers");
+        printf("taken: %s\n", why != NULL ? why : plan->forced ? "asked for by name" : plan->count == 1 ? "the model's own field" : "the smallest that answers");
     else if (c->refusal != NULL) {
         jlt_plan_refusal(refusal, sizeof refusal, c);
         printf("no: %s\n", refusal);
@@ -39,12 +38,12 @@ static void show_candidate(const jlt_plan *plan, unsigned index)
     else puts(index > plan->chosen ? "would answer, but is larger" : "would answer, and is smaller");
 }
 
-void jlt_planned_show(const jlt_plan *plan)
+void jlt_planned_show(const jlt_plan *plan, const char *why)
 {
-    for (unsigned k = 0; k < plan->count; k++) show_candidate(plan, k);
+    for (unsigned k = 0; k < plan->count; k++) show_candidate(plan, k, why);
 }
 
-void jlt_planned_chosen(const jlt_plan *plan) { show_candidate(plan, plan->chosen); }
+void jlt_planned_chosen(const jlt_plan *plan) { show_candidate(plan, plan->chosen, NULL); }
 
 /* What the asked table says of a level. */
 static void show_proof(const jlt_descriptor *asked, const char *level)
@@ -71,7 +70,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
         const jlt_question question = { .model = asked, .params = params, .section = !options->looks_at_integrals,
                                         .tier = options->looks_at_integrals ? "five" : NULL };
         const jlt_status st = system->known != NULL && jlt_tier_has(asked) ? jlt_plan_make(&plan, &question) : JLT_OK;
-        if (st == JLT_OK) jlt_planned_show(&plan);
+        if (st == JLT_OK) jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
         code = st == JLT_OK ? JLT_EXIT_PLANNED : jlt_motion_fail(st, system, asked->model);
     }
     free(params);
@@ -84,6 +83,6 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
         jlt_csv_value(stdout, levels[k]);
         show_proof(asked, names[k]);
     }
-    printf("\n  method %s, tolerance %.3g\n", options->flow.method != NULL ? options->flow.method->name : "each", options->flow.tolerance);
+    printf("\n  method %s, tolerance %.3g\n", jlt_motion_method(options), options->flow.tolerance);
     return code;
 }

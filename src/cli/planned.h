@@ -6,7 +6,8 @@
 #include "scene/plan.h"
 
 /** A line for each candidate: the chosen one marked, its kernel with the operations of one call of its right-hand side, and the reason. */
-void jlt_planned_show(const jlt_plan *plan);
+/* why: the chosen one is taken; NULL: as the plan has it. */
+void jlt_planned_show(const jlt_plan *plan, const char *why);
 
 /** The line of the chosen one alone. */
 void jlt_planned_chosen(const jlt_plan *plan);

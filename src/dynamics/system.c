@@ -111,8 +111,9 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)
 {
-    static const double same = 1e-10;
+    static const double same = 1e-10; /* of the largest value at any of the points */
     double x[JLT_CHART_STATES_MAX], here[JLT_CHART_INTEGRALS_MAX], there[JLT_CHART_INTEGRALS_MAX];
+    double off[JLT_INVARIANTS_MAX] = { 0 }, largest[JLT_INVARIANTS_MAX] = { 0 };
 
     for (int k = 0; k < POINTS; k++) {
         point_number(self, x, k);
@@ -121,9 +122,13 @@ static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const j
         integrals->values(x, integrals->p, there);
         for (unsigned i = 0; i < count; i++) {
             const double a = here[levels[i].integral], b = there[levels[i].integral];
-            if (!(fabs(a - b) <= same * (1 + fabs(a)))) return false;
+            if (!isfinite(a) || !isfinite(b)) return false;
+            off[i] = fmax(off[i], fabs(a - b));
+            largest[i] = fmax(largest[i], fmax(fabs(a), fabs(b)));
         }
     }
+    for (unsigned i = 0; i < count; i++)
+        if (off[i] > same * largest[i]) return false;
     return true;
 }
 

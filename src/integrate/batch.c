@@ -25,7 +25,7 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     size_t next = 0;
     int stop = 0;
 
-    if (map->dim == 0 || map->dim > 16 || map->column >= map->dim || !(map->tolerance > 0) ||
+    if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
         !(map->tolerance < 1) || map->kernels == NULL ||
         (map->project > 0 && (map->kernels->integral_gradients == NULL || map->project >= JLT_INVARIANTS_MAX)))
         return JLT_ERR_ARG;

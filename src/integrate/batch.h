@@ -14,6 +14,8 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
+enum { JLT_BATCH_STATES_MAX = 16 }; /* of a field */
+
 /** Where a lane's orbit ended. */
 typedef enum {
     JLT_LANE_DONE,    /* all its returns are made */

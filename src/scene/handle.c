@@ -226,6 +226,8 @@ jlt_status jlt_handle_motion_create(jlt_handle_motion **out, const char *model, 
     *out = NULL;
     if (self == NULL) return st;
     self->tolerance = tolerance;
+    st = JLT_ERR_ARG;
+    if (!(tolerance >= 0 && tolerance < 1)) goto done;
     JLT_TRY(find_model(&self->model, model));
     st = JLT_ERR_UNSUPPORTED;
     if (self->model->state_count > JLT_PLAN_STATES_MAX || self->model->param_count > JLT_PLAN_PARAMS_MAX) goto done;

@@ -32,7 +32,7 @@ JLT_CHECKED jlt_status jlt_handle_section_known(jlt_handle_section **out, const 
 
 /** The section STATE = level of any model, with all its other states as coordinates; those that its table proves to be angles are
  *  taken as such. direction: +1 crossed upwards, -1 downwards, 0 both; names: parameters.
- *  Errors: ARG, also a state that the model has not; as above. */
+ *  Errors: ARG, also a state that the model has not, or a level that is not finite; as above. */
 JLT_CHECKED jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model, const char *state, double level,
                                                 int direction, const char *const *names, const double *values, size_t count,
                                                 double tolerance);
@@ -60,8 +60,8 @@ JLT_CHECKED jlt_status jlt_handle_section_returns(jlt_handle_section *self, doub
 /* ---- states at times ---- */
 
 /** A model with its parameters, integrated in the smallest model that can answer (scene/plan.h).
- *  Out: *out, NULL on failure, for jlt_handle_motion_destroy. Errors: ARG, no such model or parameter; DOMAIN, NONFINITE, a value;
- *  UNSUPPORTED, more states or parameters than are served; IO, NOMEM. */
+ *  Out: *out, NULL on failure, for jlt_handle_motion_destroy. Errors: ARG, no such model or parameter, or a tolerance outside [0, 1);
+ *  DOMAIN, NONFINITE, a value; UNSUPPORTED, more states or parameters than are served; IO, NOMEM. */
 JLT_CHECKED jlt_status jlt_handle_motion_create(jlt_handle_motion **out, const char *model, const char *const *names,
                                                 const double *values, size_t count, double tolerance);
 void jlt_handle_motion_destroy(jlt_handle_motion *self); /* NULL is legal */

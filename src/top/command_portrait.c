@@ -259,7 +259,7 @@ static jlt_exit show_plan(const jlt_portrait_request *r)
     while (tried < TRIES_MAX && !start_number(r, start, tried)) tried++;
     const jlt_status st = jlt_plan_make(&plan, &question);
     if (st != JLT_OK) return jlt_session_fail(st, "portrait");
-    jlt_planned_show(&plan);
+    jlt_planned_show(&plan, NULL);
     return JLT_EXIT_PLANNED;
 }
 

@@ -56,7 +56,7 @@ for tier in level five track; do
     awk -v r="$rows" -v w="$worst" 'BEGIN { exit !(r == 1 && w <= 1e-7) }' || fail "$tier, projected: error $worst"
 done
 expect 3 'one-step' jellett simulate --start $start --times 20 --project --method msadams
-expect 3 'integrals of spherical_top' jellett simulate lorenz --start x=1,y=1,z=1 --times 1 --project
+expect 2 'lorenz has no integrals to go back to' jellett simulate lorenz --start x=1,y=1,z=1 --times 1 --project
 
 # Drift of E and G by every method: grows with the returns, and not when projected.
 jellett drift --returns 256 --tol 1e-10 -o "$scratch/drift.csv"

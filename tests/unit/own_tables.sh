@@ -119,6 +119,22 @@ for other in narrow batch.1; do
         END { exit !(n == 36 && !bad) }' || fail "batches of an own table ($other) disagree with its single orbits"
 done
 
+# What is not proved is not gone back to, nor mirrored by; of several reversors the section takes one that has its fixed points on it.
+printf 'model bad\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = x\n - z\nintegral Z = z\nreversor y -> -y\n' > bad.tt
+expect 3 "Z is not proved to be an integral" jellett section ./bad.tt --batch --project --section y=0 --start x=1,z=1
+expect 3 "Z is not proved to be an integral" jellett simulate ./bad.tt --project --start x=1,y=0,z=1 --times 1
+expect 3 "a reversor" jellett separation ./bad.tt --section y=0 --grid x=1:2:2,z=1:2:2 --cells x=-3:3:4,z=-3:3:4 --returns 2 --settle 0
+printf 'model gyre\nstate x\nstate y\nstate z\neq x = y*z\neq y = -2*x*z\neq z = x*y\nreversor x -> -x\nreversor y -> -y\nreversor z -> -z\n' > gyre.tt
+for section in x:y:z y:x:z z:x:y; do
+    IFS=: read -r state a b <<< "$section"
+    expect 0 '^2,' jellett separation ./gyre.tt --section "$state=0" --grid "$a=1:2:2,$b=1:2:2" --cells "$a=-3:3:4,$b=-3:3:4" --returns 2 --settle 0
+done
+printf 'model odd\nparam k\ndefault k = 1\nstate x\nstate y\nstate z\nstate w\neq x = y\neq y = -x\neq z = w\neq w = -z\nintegral P = k*x*w\n - k*z*y\nreversor y -> -y, w -> -w\n' > odd.tt
+for k in 1 1e-12 1e12; do
+    expect 3 "a reversor" jellett separation ./odd.tt --set k=$k --section y=0 --level P=$k --solve x=1 --grid z=1:2:2,w=1:2:2 \
+        --cells z=-3:3:4,w=-3:3:4 --returns 2 --settle 0
+done
+
 # Several at once, and after a run that was killed at any time, the object is whole.
 rm -rf cache
 for i in 1 2 3; do jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1 > "said.$i" 2>&1 & done
