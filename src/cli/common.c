@@ -22,7 +22,7 @@ static const struct argp_option common_table[] = {
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, data included", 12 },
-    { JLT_COMMON_PLAN + 2, PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
+    { JLT_COMMON_PLAN_NAME, PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
     { 0 },
 };
 

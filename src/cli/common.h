@@ -8,7 +8,8 @@
 #include "integrate/method.h"
 
 /* The option by which a command says its plan alone; no abbreviation of another leads here. */
-#define JLT_COMMON_PLAN "--@plan"
+#define JLT_COMMON_PLAN_NAME "@plan"
+#define JLT_COMMON_PLAN "--" JLT_COMMON_PLAN_NAME
 
 typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
