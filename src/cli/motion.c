@@ -19,7 +19,8 @@ static const struct argp_option option_table[] = {
     { "section", SECTION, "STATE=VALUE", 0, "Section of another model; its coordinates are the other states", 10 },
     { "solve", SOLVE, "STATE=GUESS,...", 0,
       "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
-      "section's coordinates are the others, and all of it lies on the branch that is found from there", 10 },
+      "section's coordinates are the others; starts lie on the branch that is found from there, and a return on another branch is a row "
+      "like others, but has no derivative", 10 },
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
       "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is "
       "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
