@@ -19,7 +19,7 @@ enum { ALONG = 2000, STEP, DOWN, FOLLOW, GENERATIONS };
 
 static const struct argp_option option_table[] = {
     { "along", ALONG, "NAME=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
-    { "start", 'a', "NAME=VALUE,...", 0, "Near the orbit, by all coordinates of the section; default eta=0,gamma3=-0.61 of the spherical top", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Near the orbit, by all coordinates of the section; of the spherical top the saddle of Figure 3 by default", 1 },
     { "period", 'n', "N", 0, "Returns of the orbit; default 1", 1 },
     { "step", STEP, "VALUE", 0, "First arc length between points, in the coordinates and the value; at most 5 of them later; default 0.01", 1 },
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
@@ -57,7 +57,7 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: folds, period doublings, branch "
     "points and, on a section of two coordinates, tori."
-    "\vColumns: branch, the running value, arc, period, the coordinates (eta, gamma3), T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
+    "\vColumns: branch, the running value, arc, period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
     "symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the "
     "values at the nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to "
     "converge there. How many bifurcations are listed whose branches are not followed is said at the end.\n\n"

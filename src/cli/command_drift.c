@@ -15,7 +15,7 @@ typedef struct {
 } options;
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "Start on the section; default eta=0.44,gamma3=-0.62 of the spherical top, a regular orbit", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Start on the section, every coordinate; of the spherical top a regular orbit by default", 1 },
     { "returns", 'n', "N", 0, "Returns; default 10000", 1 },
     { "project", PROJECT, NULL, 0, "After every step back onto the levels of the start (one-step methods)", 1 },
     { 0 },

@@ -47,8 +47,8 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "How orbits end, and when, or that they go on, for starts on the section: of the spherical top at which pole, and which share "
     "turns over."
-    "\vColumns: the coordinates of the start, fate, t_end, and quantities at the end: of the spherical top v_nu_end, omega_tau_end, "
-    "omega3_end, of another model all its states, NAME_end; for orbits that are alive, the last return. Fates are those of jellett "
+    "\vColumns: the coordinates of the start, fate, t_end, and quantities at the end, NAME_end: of the spherical top three "
+    "velocities, of another model all its states; for orbits that are alive, the last return. Fates are those of jellett "
     "section, and so are empty fields and the status 4 where the method failed on an orbit.\n\n"
     "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere and ends at the "
     "pole where it is above. With --sweep, columns: the values, starts, low_starts, the fates (pole+, pole-, lost_contact, equilibrium, "

@@ -17,7 +17,7 @@ enum { SKIP = 2000 };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0,
-      "Start of the orbit, every coordinate of the section; of the spherical top eta=0.1,gamma3=-0.6 is the default", 1 },
+      "Start of the orbit, every coordinate of the section; of the spherical top a chaotic one by default", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0, "A chart instead: finite-time exponents of a grid of starts, or of NAME=LOW:HIGH:COUNT,...", 1 },
     { "returns", 'n', "N", 0, "Returns; default 1000, or 10 for a chart", 1 },
     { "skip", SKIP, "N", 0, "Returns left out before, so that the orbit is on its attractor; t counts from there", 1 },
@@ -48,7 +48,7 @@ static const struct argp parser = {
     "Lyapunov exponents of the section's map, per time, with the history of their convergence; or a chart of finite-time "
     "exponents over the section. The exponents of the flow's direction and across the levels are zero and not shown."
     "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
-    "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: eta, gamma3, exponent, t; "
+    "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: the coordinates, exponent, t; "
     "orbits that end before N returns have an empty exponent.\n\n"
     "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 \\\n"
     "    --plot history.svg\n"

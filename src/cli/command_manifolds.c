@@ -20,7 +20,7 @@ typedef struct {
 enum { LENGTH = 2000, SPACING, TURN, SEED, CROSSINGS, NO_CROSSINGS, COUNT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "Near the saddle; default eta=0,gamma3=-0.61", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Near the saddle, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
     { "period", 'n', "N", 0, "Returns of the saddle's orbit; default 1", 1 },
     { "length", LENGTH, "VALUE", 0, "Arc length of every branch; default 1.6", 1 },
     { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points; default 0.01", 1 },
@@ -66,9 +66,9 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Stable and unstable branches of a saddle of the map, both sides, grown with arc length and curvature under control, and "
     "where they cross: homoclinic points with the angle of crossing and an error bar on it, and the areas of the lobes."
-    "\vColumns: branch (unstable or stable), side, sigma, length, eta, gamma3; sigma counts fundamental domains from the "
-    "saddle. Homoclinic points: eta, gamma3, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
-    "residual, lobe; the angle is from the unstable to the stable tangent in the plane (eta, gamma3), the lobe the signed "
+    "\vColumns: branch (unstable or stable), side, sigma, length, the two coordinates; sigma counts fundamental domains from the "
+    "saddle. Homoclinic points: the coordinates, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
+    "residual, lobe; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe the signed "
     "area up to the next crossing along the unstable branch.\n\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,

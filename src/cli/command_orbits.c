@@ -25,7 +25,7 @@ static const struct argp_option option_table[] = {
       "Starts of Newton's method over the whole section, or NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for none", 1 },
     { "near", NEAR, "DISTANCE", 0, "Newton is tried where an orbit comes back within this distance; default 0.6", 1 },
     { "settle", SETTLE, "N", 0, "Try again after N returns of every start: finds what attracts; default 20", 1 },
-    { "samples", SAMPLES, "N", 0, "Points on each of the lines eta = 0 and eta = pi, for symmetric orbits; default 1000; 0 for none", 1 },
+    { "samples", SAMPLES, "N", 0, "Points on each of the lines that the spherical top's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
     { "start", 'a', "NAME=VALUE,...", 0, "Newton from this point alone, with exactly N returns", 1 },
     { "hold", HOLD, "NAME,...", 0, "Coordinates that keep the values of --start, where orbits come in families", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
@@ -62,7 +62,7 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Periodic points of the section's map: symmetric orbits as zeros along the reversor's lines, all others by Newton's "
     "method on a grid of starts; one row an orbit."
-    "\vColumns: period, eta, gamma3, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, residual. The residual "
+    "\vColumns: period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, residual. The residual "
     "is the largest distance by which a return misses the orbit's next point; the determinant is the exponential of the "
     "integrated divergence, which DP's own determinant is checked against. An orbit that is not symmetric and has det != 1 "
     "excludes a smooth positive invariant measure; its mirror image has 1/det.\n\n"

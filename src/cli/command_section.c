@@ -93,19 +93,18 @@ static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns of orbits, "
-    "and what becomes of them. For another model, on --section STATE=VALUE, in all its other states or, with --level and --solve, fewer."
-    "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
-    "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, "
+    "The Poincare map of the spherical top at levels of E and G: the returns of orbits, and what becomes of them. For another model, on "
+    "--section STATE=VALUE, in all its other states or, with --level and --solve, fewer."
+    "\vColumns: orbit, return, t, the coordinates, quantities beside them (of the spherical top three velocities), fate. Return 0 is the "
+    "start. An orbit that ends has a last row with its fate: pole+ or pole- (the axis is vertical; velocities are the limits), lost_contact, "
     "equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (another model's, in plain time), "
     "budget (one return took more than 100000 steps); or, where the method failed, nonfinite, no_convergence or no_progress: "
-    "then the status is 4, and all other orbits are there. Coordinates of the section are empty in that row, and so are omega_n "
-    "and omega3 at a pole where I3 b = 0, at which G and v_tau do not tell them. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
-    "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond what "
-    "an error of a tolerance a step makes of it, which is much where the section is crossed slowly.\n\n"
-    "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Orbits that come near "
-    "a pole are followed to their end one at a time. N is looked at at returns alone. Rows beyond 1024 of an orbit, or beyond "
-    "256 MiB, wait in a file in TMPDIR.\n\n"
+    "then the status is 4, and all other orbits are there. Coordinates of the section are empty in that row, and so is what the "
+    "levels do not tell at a pole. With --check: trace and det of DP at that return, divergence (its integral on the levels), and defect, "
+    "det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond what an error of a tolerance "
+    "a step makes of it, which is much where the section is crossed slowly.\n\n"
+    "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Near a pole they are followed "
+    "one at a time. N is looked at at returns alone. Rows beyond 1024 of an orbit, or beyond 256 MiB, wait in a file in TMPDIR.\n\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
     "    --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv\n"
@@ -258,9 +257,8 @@ static jlt_exit open_follower(follower *f)
     const jlt_exit code = o->project ? jlt_common_project(d) : JLT_EXIT_DONE;
     if (code != JLT_EXIT_DONE) return code;
     if (o->project && d->integral_count == JLT_INVARIANTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; batches serve fewer than %d", d->model, d->integral_count,
-                                JLT_INVARIANTS_MAX);
-    if (o->project) batch.project = d->integral_count;
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals, of which batches serve fewer", d->model, d->integral_count);
+    batch.project = o->project ? d->integral_count : 0;
     JLT_TRY(jlt_section_batch_create(&f->batch, &system->flow, jlt_batch_isa_best(d, 0), &batch));
 done:
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");

@@ -16,8 +16,7 @@ enum { METHOD = 1000, KEEP, PLAN };
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
     { "set", 's', "NAME=VALUE,...", 0,
-      "Parameters; the others have the table's defaults, for the spherical top (5.1) of the paper: "
-      "m=1,R=1,g=1,I1=1/3,I3=1/3,a3=0.51", 10 },
+      "Parameters; the others have the table's defaults, which jellett models MODEL shows, for the spherical top (5.1) of the paper", 10 },
     { NULL, 0, NULL, 0, "Output:", 12 },
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },

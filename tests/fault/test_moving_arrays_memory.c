@@ -12,18 +12,10 @@
 
 #include <flint/fmpz.h>
 
+#include "fault/wrapped_memory.h"
 #include "fields/field.h"
 #include "optimize/program.h"
 #include "read/model.h"
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__real_aligned_alloc(size_t alignment, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-void *__wrap_aligned_alloc(size_t alignment, size_t size);
 
 void *__wrap_malloc(size_t size) { return __real_malloc(size); }
 void *__wrap_calloc(size_t count, size_t size) { return __real_calloc(count, size); }

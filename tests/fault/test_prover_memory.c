@@ -9,31 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fault/failing_memory.h"
 #include "base/text.h"
 #include "prove/prove.h"
 #include "read/model.h"
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__real_aligned_alloc(size_t alignment, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-void *__wrap_aligned_alloc(size_t alignment, size_t size);
-
-static long failing = -1; /* the allocation that fails, counted down; negative: none */
-
-static int fails(void)
-{
-    if (failing < 0) return 0;
-    return failing-- == 0;
-}
-
-void *__wrap_malloc(size_t size) { return fails() ? NULL : __real_malloc(size); }
-void *__wrap_calloc(size_t count, size_t size) { return fails() ? NULL : __real_calloc(count, size); }
-void *__wrap_realloc(void *old, size_t size) { return fails() ? NULL : __real_realloc(old, size); }
-void *__wrap_aligned_alloc(size_t alignment, size_t size) { return fails() ? NULL : __real_aligned_alloc(alignment, size); }
 
 /* A variant, a time of its own with a root lifted, an elimination, a family, a measure; and claims that are false. */
 static const char table[] =

@@ -7,19 +7,11 @@
 
 #include <cmocka.h>
 
+#include "fault/wrapped_memory.h"
 #include "dynamics/section_batch.h"
 #include "top/system_top.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__real_aligned_alloc(size_t alignment, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-void *__wrap_aligned_alloc(size_t alignment, size_t size);
 
 static size_t asked; /* bytes, by all threads */
 
