@@ -306,7 +306,7 @@ static jlt_exit run_all(sink *to, jlt_motion_family *family, const jlt_grid_axis
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
-    jlt_motion_family family = { .known = NULL };
+    jlt_motion_family family = { .surface = NULL };
     sink to = { .branch = 0 };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
@@ -323,7 +323,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.max_steps = 20000;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);

@@ -66,7 +66,7 @@ static const struct argp parser = {
 /* NULL: none. */
 static const char *grid_of(const options *o, const jlt_system *system)
 {
-    return o->grid != NULL ? o->grid : o->start_count > 0 || system->known == NULL ? NULL : "60x40";
+    return o->grid != NULL ? o->grid : o->start_count > 0 || system->surface == NULL ? NULL : "60x40";
 }
 
 /* All starts of one system; file NULL: only count. */
@@ -189,12 +189,12 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that %s as %s runs; otherwise ",
-            points, system->known != NULL ? "turn over" : "go on", name);
+            points, jlt_fates_turn(system) ? "turn over" : "go on", name);
     jlt_motion_caption(stream, system, name);
     fprintf(stream, "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts%s%s\"\n"
-            "set yrange [0:1]\nset key tmargin center horizontal\nplot ", name, system->known != NULL ? " " : "",
-            system->known != NULL ? system->known->low : "");
-    if (system->known != NULL)
+            "set yrange [0:1]\nset key tmargin center horizontal\nplot ", name, jlt_fates_turn(system) ? " " : "",
+            jlt_fates_turn(system) ? system->surface->section->turn_meaning : "");
+    if (jlt_fates_turn(system))
         fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
               "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over, the model valid all the way'\n", stream);
     else fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'alive'\n", stream);
@@ -218,7 +218,7 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
 
 static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *base)
 {
-    jlt_motion_family family = { .known = NULL };
+    jlt_motion_family family = { .surface = NULL };
     jlt_grid_axis axes[JLT_FAMILY_AXES_MAX];
     jlt_progress progress;
     char *points = NULL;

@@ -253,7 +253,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.start);
     if (code != JLT_EXIT_DONE) goto done;
     if (system->flow.chart->dim != 2) {

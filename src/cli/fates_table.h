@@ -12,6 +12,9 @@ typedef struct {
     size_t empty;    /* points of a grid without a state */
 } jlt_fates_shares;
 
+/** Whether the section says which orbits turn over. */
+bool jlt_fates_turn(const jlt_system *system);
+
 void jlt_fates_shares_add(jlt_fates_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end);
 
 /** Those that the method failed on. */

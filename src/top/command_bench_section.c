@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "dynamics/section.h"
-#include "top/system_top.h"
+#include "dynamics/system.h"
 #include "integrate/batch.h"
 #include "integrate/batch_method.h"
 #include "kernel/batch_isa.h"
@@ -291,8 +291,7 @@ static jlt_exit run_tier(FILE *table, const problem *p)
 /* Bind a tier. EMPTY: it has no section omega_tau = 0, or does not serve. */
 static jlt_status open_tier(problem *p, const jlt_tier *tier)
 {
-    const jlt_top_values v = jlt_system_top_defaults();
-    const jlt_top top = { .m = v.m, .R = v.R, .g = v.g, .I1 = v.I1, .I3 = v.I3, .a3 = v.a3 };
+    static const jlt_top top = { .m = 1, .R = 1, .g = 1, .a3 = 0.51, .I1 = 1.0 / 3, .I3 = 1.0 / 3 }; /* (5.1) */
     const jlt_descriptor *d = tier->model == NULL ? NULL : jlt_descriptor_find(tier->model, "", tier->time, tier->elimination);
     double params[STATES];
     size_t s;
@@ -304,8 +303,7 @@ static jlt_status open_tier(problem *p, const jlt_tier *tier)
     if (tier->refuses != NULL && tier->refuses(&top, p->start[0]) != NULL) return JLT_ERR_EMPTY;
     p->root = jlt_descriptor_state(d, "s", &s) ? (int)s : -1;
     jlt_tier_look(&p->view, tier, d, &top, p->start[0]);
-    p->view.G = v.G; /* without the rounding of the first start */
-    jlt_chart_top_init(&p->view.chart, v.m, v.R, v.g, v.I1, v.I3, v.a3, v.E, v.G);
+    p->view.G = -0.56; /* without the rounding of the first start */
     JLT_TRY(jlt_tier_params(params, &p->view));
     JLT_TRY(jlt_instance_create(&p->instance, d, params));
 done:

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "dynamics/map.h"
-#include "top/system_top.h"
+#include "dynamics/surface.h"
+#include "kernel/descriptor.h"
+#include "top/top.h"
 
 /* A reference has rows orbit, eta, gamma3, image (2), time, DP (2, 2). */
 enum { COLUMNS = 10, START = 1, SLOPE = 6 };
@@ -92,13 +94,15 @@ static jlt_status measure(FILE *table, const jlt_bench_options *options, const j
                           size_t way, double tolerance)
 {
     jlt_status st = JLT_OK;
-    const jlt_top_values values = jlt_system_top_defaults();
     const jlt_flow flow = { .method = method, .tolerance = tolerance, .direction = JLT_RISING };
     jlt_system *system = NULL;
+    jlt_surface surface;
+    const jlt_claim *broken;
     slope_run run = { .of = ways[way].of, .step = ways[way].factor * pow(tolerance, ways[way].exponent), .reference = reference };
     jlt_bench_time time;
 
-    JLT_TRY(jlt_system_top(&system, &values, &flow));
+    JLT_TRY(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL));
+    JLT_TRY(jlt_surface_system(&system, &surface, surface.defaults, &flow));
     JLT_TRY(jlt_map_create(&run.map, &system->flow));
     JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, pass, &run));
     const double unit = 1e6 / (double)reference->rows;

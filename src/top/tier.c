@@ -1,5 +1,6 @@
 #include "top/tier.h"
 
+#include "integrate/field.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 
@@ -83,32 +84,31 @@ static void balanced_extract(const jlt_tier_view *view, double *x, const double 
 
 static void level_embed(const jlt_tier_view *view, double *y, const double *x)
 {
-    jlt_chart_top_state(&view->chart, y, x[JLT_TOP_GAMMA3], x[JLT_TOP_V_NU], x[JLT_TOP_OMEGA_TAU], x[JLT_TOP_OMEGA_N],
-                        x[JLT_TOP_OMEGA3]);
+    jlt_level_state(&view->top, y, x);
 }
 
 static void level_extract(const jlt_tier_view *view, double *x, const double *y)
 {
-    x[JLT_TOP_GAMMA3] = y[JLT_CHART_TOP_GAMMA3];
-    x[JLT_TOP_V_NU] = y[JLT_CHART_TOP_V_NU];
-    x[JLT_TOP_OMEGA_TAU] = y[JLT_CHART_TOP_OMEGA_TAU];
-    jlt_chart_top_rotation(&view->chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
+    x[JLT_TOP_GAMMA3] = y[JLT_LEVEL_GAMMA3];
+    x[JLT_TOP_V_NU] = y[JLT_LEVEL_V_NU];
+    x[JLT_TOP_OMEGA_TAU] = y[JLT_LEVEL_OMEGA_TAU];
+    jlt_level_rotation(&view->top, view->G, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
 }
 
 static void level_plain_embed(const jlt_tier_view *view, double *y, const double *x)
 {
-    double lifted[JLT_CHART_TOP_S + 1];
+    double lifted[JLT_LEVEL_STATES];
 
     level_embed(view, lifted, x);
-    memcpy(y, lifted, JLT_CHART_TOP_S * sizeof *y);
+    memcpy(y, lifted, JLT_LEVEL_S * sizeof *y);
 }
 
 static void level_plain_extract(const jlt_tier_view *view, double *x, const double *y)
 {
-    double lifted[JLT_CHART_TOP_S + 1];
+    double lifted[JLT_LEVEL_STATES];
 
-    memcpy(lifted, y, JLT_CHART_TOP_S * sizeof *lifted);
-    lifted[JLT_CHART_TOP_S] = jlt_top_sine(y[JLT_CHART_TOP_GAMMA3]);
+    memcpy(lifted, y, JLT_LEVEL_S * sizeof *lifted);
+    lifted[JLT_LEVEL_S] = jlt_top_sine(y[JLT_LEVEL_GAMMA3]);
     level_extract(view, x, lifted);
 }
 
@@ -314,7 +314,6 @@ void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descripto
 
     *out = (jlt_tier_view){ .top = *top, .descriptor = descriptor, .G = jlt_top_jellett(top, x), .mirror = 1 };
     memcpy(out->start, x, sizeof out->start);
-    jlt_chart_top_init(&out->chart, top->m, top->R, top->g, top->I1, top->I3, top->a3, jlt_top_energy(top, x), out->G);
     jlt_balanced_levels_of(&out->levels, top, x);
     if (tier != NULL && tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
 }
@@ -339,7 +338,7 @@ jlt_status jlt_tier_open(jlt_tier_view *told, jlt_tier_view *view, jlt_units *un
 
     JLT_TRY(jlt_top_read(&top, model, told_params));
     jlt_tier_look(told, tier, kernel, &top, x);
-    *units = jlt_chart_top_units(&told->chart);
+    *units = jlt_level_units(&top, jlt_top_energy(&top, x));
     JLT_TRY(jlt_instance_scales(&scales, model, told_params, units));
     if (!scales) *units = (jlt_units){ 0 };
     jlt_units_count(params, told_params, model->params, model->param_count, units);

@@ -9,7 +9,7 @@
 
 #include <stdbool.h>
 
-#include "top/chart_top.h"
+#include "top/level.h"
 #include "top/attitude.h"
 #include "top/balanced.h"
 
@@ -19,7 +19,6 @@ typedef struct {
     const jlt_descriptor *descriptor; /* of the tier's kernel */
     double start[JLT_TOP_STATES];
     double G;
-    jlt_chart_top chart;              /* level of G */
     jlt_balanced_levels levels;       /* a3 = 0 */
     const jlt_descriptor *asked;      /* the model that was asked about, and its parameters; NULL where the top's are all */
     const double *asked_params;

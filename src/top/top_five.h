@@ -18,7 +18,7 @@ typedef struct {
     int time;                          /* binary exponent of the flow's unit of time */
 } jlt_top_five;
 
-/** system: made by jlt_system_top; q: shape (2,). *out must not move. Errors: UNSUPPORTED, the table is another; those of the chart; NOMEM. */
+/** system: on the section of spherical_top_level; q: shape (2,). *out must not move. Errors: UNSUPPORTED, the table is another; those of the chart; NOMEM. */
 JLT_CHECKED jlt_status jlt_top_five_open(jlt_top_five *out, const jlt_system *system, const double *q);
 void jlt_top_five_close(jlt_top_five *self);
 

@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "dynamics/map.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "kernel/descriptor.h"
 
 enum { SYSTEMS = 40 };
@@ -23,7 +23,7 @@ static jlt_system *random_system(double q[2], jlt_random *random)
         v.E = jlt_random_between(random, 0, 20);
         v.G = jlt_random_between(random, -2, 2);
         if (jlt_system_top(&system, &v, &options) != JLT_OK) continue;
-        assert_true(jlt_system_top_interval(jlt_system_top_chart(system), &low, &high));
+        assert_true(jlt_surface_interval(system, 1, &low, &high));
         q[0] = jlt_random_between(random, -3.1, 3.1);
         q[1] = low + (high - low) * jlt_random_between(random, 0.1, 0.9);
         return system;
@@ -40,7 +40,7 @@ static void chart_lies_on_its_levels_and_agrees_with_the_paper(void **unused)
     jlt_random_seed(&random, 1);
     for (int i = 0; i < SYSTEMS; i++) {
         jlt_system *system = random_system(q, &random);
-        const jlt_chart *chart = &jlt_system_top_chart(system)->base;
+        const jlt_chart *chart = &jlt_surface_chart(system)->base;
         const jlt_descriptor *d = system->instance->descriptor;
         const jlt_top_values v = jlt_system_top_values(system);
         double values[8], omega_n, omega3, s, b, Theta, eta;
@@ -79,7 +79,7 @@ static void contact_force_is_that_of_the_full_system(void **unused)
     jlt_random_seed(&random, 2);
     for (int i = 0; i < SYSTEMS; i++) {
         jlt_system *system = random_system(q, &random);
-        const jlt_chart *chart = &jlt_system_top_chart(system)->base;
+        const jlt_chart *chart = &jlt_surface_chart(system)->base;
         const jlt_top_values v = jlt_system_top_values(system);
         double omega_n, omega3, s, D, N;
         jlt_observed *observed;
@@ -256,7 +256,7 @@ static void the_interval_ends_where_the_levels_do(void **unused)
         double q[2], low, high;
         jlt_system *system = random_system(q, &random);
         const jlt_chart_top *chart = jlt_system_top_chart(system);
-        assert_true(jlt_system_top_interval(chart, &low, &high) && low < high);
+        assert_true(jlt_surface_interval(system, 1, &low, &high) && low < high);
         assert_true(jlt_chart_top_speed2(chart, low) > 0 && jlt_chart_top_speed2(chart, high) > 0);
         assert_true(low == -1 + 1e-9 || !(jlt_chart_top_speed2(chart, nextafter(low, -2)) > 0));
         assert_true(high == 1 - 1e-9 || !(jlt_chart_top_speed2(chart, nextafter(high, 2)) > 0));

@@ -1,4 +1,4 @@
-/** The section omega_tau = 0 of the spherical top on levels of energy and of Jellett's integral (Kilin & Ivanova 2023,
+/** A witness, typed by hand from the paper, to the chart that comes from the tables: the section omega_tau = 0 of the spherical top on levels of energy and of Jellett's integral (Kilin & Ivanova 2023,
  *  section 5), in the paper's coordinates q = (eta, gamma3).
  *
  *  States are those of the model spherical_top_level in its regular time: (gamma3, v_nu, omega_tau, v_tau, s). With
@@ -10,11 +10,10 @@
  *  I3 b = 0 at a pole.
  *
  *  The reversor (v_nu, omega_tau, t) -> -(v_nu, omega_tau, t) acts as eta -> -eta and keeps the direction of crossing. */
-#ifndef JLT_TOP_CHART_TOP_H
-#define JLT_TOP_CHART_TOP_H
+#ifndef JLT_TESTS_CHART_TOP_H
+#define JLT_TESTS_CHART_TOP_H
 
 #include "dynamics/chart.h"
-#include "kernel/units.h"
 
 enum { JLT_CHART_TOP_GAMMA3, JLT_CHART_TOP_V_NU, JLT_CHART_TOP_OMEGA_TAU, JLT_CHART_TOP_V_TAU, JLT_CHART_TOP_S };
 
@@ -28,12 +27,8 @@ typedef struct {
 void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double I1, double I3, double a3, double E,
                         double G);
 
-/** The same chart for states counted in units of their own. */
-void jlt_chart_top_init_in(jlt_chart_top *out, const jlt_chart_top *chart, const jlt_units *units);
-
-/** Units in which R is in [1, 2), m too, and (E + m g |a3|)/m, half the square of the largest velocity of the centre of mass, in
- *  [1, 4); without that energy all is at rest, and time is counted in seconds. */
-jlt_units jlt_chart_top_units(const jlt_chart_top *self);
+/** Where the levels have states with omega_tau = 0: scanned on 4096 points, and refined by bisection; the widest interval. False: none. */
+bool jlt_chart_top_interval(const jlt_chart_top *self, double *low, double *high);
 
 /** W^2 at gamma3: negative where the levels have no state with omega_tau = 0. */
 double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3);

@@ -1,4 +1,4 @@
-#include "top/chart_top.h"
+#include "witness/chart_top.h"
 
 #include <float.h>
 #include <math.h>
@@ -157,27 +157,6 @@ void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double
     out->G = G;
 }
 
-void jlt_chart_top_init_in(jlt_chart_top *out, const jlt_chart_top *chart, const jlt_units *units)
-{
-    const int m = -units->mass, l = -units->length, t = -units->time;
-
-    jlt_chart_top_init(out, ldexp(chart->m, m), ldexp(chart->R, l), ldexp(chart->g, l - 2 * t), ldexp(chart->I1, m + 2 * l),
-                       ldexp(chart->I3, m + 2 * l), ldexp(chart->a3, l), ldexp(chart->E, m + 2 * l - 2 * t),
-                       ldexp(chart->G, m + 3 * l - t));
-}
-
-jlt_units jlt_chart_top_units(const jlt_chart_top *self)
-{
-    const double energy = (self->E + self->m * self->g * fabs(self->a3)) / self->m;
-    jlt_units units = { 0 };
-
-    if (!(self->m > 0 && self->R > 0) || !isfinite(self->m) || !isfinite(self->R)) return units;
-    units.mass = ilogb(self->m);
-    units.length = ilogb(self->R);
-    if (energy > 0 && isfinite(energy)) units.time = units.length - (ilogb(energy) >> 1);
-    return units;
-}
-
 double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3)
 {
     return speed2(self, gamma3, at(self, gamma3, root_of(gamma3)).K);
@@ -216,4 +195,40 @@ void jlt_chart_top_state(const jlt_chart_top *self, double *x, double gamma3, do
     x[JLT_CHART_TOP_OMEGA_TAU] = omega_tau;
     x[JLT_CHART_TOP_V_TAU] = (self->a3 + self->R * gamma3) * omega_n + self->R * s * omega3;
     x[JLT_CHART_TOP_S] = s;
+}
+
+/* The end of the interval from a point inside towards another: between the two, or there. */
+static double edge(const jlt_chart_top *chart, double inside, double outside)
+{
+    int i;
+
+    if (jlt_chart_top_speed2(chart, outside) > 0) return outside;
+    for (i = 0; i < 60; i++) {
+        const double middle = (inside + outside) / 2;
+        if (jlt_chart_top_speed2(chart, middle) > 0) inside = middle;
+        else outside = middle;
+    }
+    return inside;
+}
+
+bool jlt_chart_top_interval(const jlt_chart_top *chart, double *low, double *high)
+{
+    enum { POINTS = 4096 };
+    double start = 0, before = -1;
+    bool open = false, found = false;
+    int i;
+
+    for (i = 0; i <= POINTS; i++) {
+        const double at = -1 + 2 * (i + 0.5) / POINTS;
+        const bool inside = i < POINTS && jlt_chart_top_speed2(chart, at) > 0;
+        if (inside && !open) start = edge(chart, at, i == 0 ? -1 + 1e-9 : before);
+        if (!inside && open) {
+            const double end = edge(chart, before, i == POINTS ? 1 - 1e-9 : at);
+            if (!found || end - start > *high - *low) *low = start, *high = end;
+            found = true;
+        }
+        open = inside;
+        before = at;
+    }
+    return found;
 }
