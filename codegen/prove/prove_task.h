@@ -111,5 +111,6 @@ void ttc_prove_left_null(ttc_task *task);
 void ttc_prove_equal(ttc_task *task);
 void ttc_prove_positive(ttc_task *task);
 void ttc_prove_reduction(ttc_task *task);
+void ttc_prove_section(ttc_task *task);
 
 #endif
