@@ -73,6 +73,9 @@ static bool coordinates_fit(const fitting *f)
         if (k == section->coordinate_count) return refuse(f, "the state %s of %s is given no way back", name, f->file);
         if (section->is_angle[k] && !ttc_chart_cosine(chart, chart->states[i], &symbol))
             return refuse(f, "%s is an angle, and %s has no record 'angle' for it", name, f->file);
+        const ttc_symbol_entry *entry = chart->symbols + chart->states[i];
+        if (section->is_angle[k] && (entry->low != TTC_NONE || entry->high != TTC_NONE))
+            return refuse(f, "%s is an angle, which has no interval in %s", name, f->file);
     }
     for (size_t k = 0; k < section->coordinate_count; k++)
         if (!ttc_model_find_symbol(chart, section->coordinates[k], &symbol) || chart->symbols[symbol].kind != TTC_STATE)
@@ -87,6 +90,9 @@ static bool params_fit(const fitting *f)
     for (size_t k = 0; k < f->section->level_count; k++)
         if (!ttc_model_find_symbol(chart, f->section->levels[k], &symbol) || chart->symbols[symbol].kind != TTC_PARAM)
             return refuse(f, "%s is no parameter of %s", f->section->levels[k], f->file);
+    for (size_t k = 0; k < f->section->level_count; k++)
+        if (ttc_model_find_symbol(model, f->section->levels[k], &symbol) && model->symbols[symbol].kind == TTC_PARAM)
+            return refuse(f, "%s, a level of %s, is a parameter of %s as well", f->section->levels[k], f->file, model->name);
     for (size_t i = 0; i < chart->param_count; i++) {
         const ttc_symbol_entry *entry = chart->symbols + chart->params[i];
         const uint32_t place = ttc_section_place(model, f->section, chart, i);

@@ -212,7 +212,7 @@ static void warn_unused(ttc_parser *parser)
     const ttc_model *model = parser->model;
     for (size_t i = 1; i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = model->symbols + i;
-        const char *kind = entry->kind == TTC_PARAM  ? "parameter"
+        const char *kind = entry->kind == TTC_PARAM && model->lift.file == NULL ? "parameter"
                            : entry->kind == TTC_LET  ? "let"
                            : entry->kind == TTC_ROOT ? "root"
                            : entry->kind == TTC_EXP  ? "exponential"
