@@ -139,8 +139,7 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: %s, or a return left the branch of --solve: try another --direction or section",
                                 what, jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: coordinates must lie strictly within their intervals, and the orbit return before it ends",
-                                what);
+        return jlt_motion_refuse_point(system, what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
                                 system->instance->descriptor->model);

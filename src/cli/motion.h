@@ -89,6 +89,9 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
 /** Its system, with the parameters and levels of the options. Says what is wrong. */
 jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface);
 
+/** A start that lies at the end of a coordinate's interval or beyond, or whose orbit ends before it returns. */
+jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what);
+
 /** Why none could be made from these values, shape (surface->count,); what: NULL for what speaks for itself. */
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what);
 

@@ -51,6 +51,20 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
                             jlt_status_text(status));
 }
 
+jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
+{
+    const jlt_section_chart *section = system->surface->section;
+    char text[512];
+    size_t used = 0;
+
+    for (unsigned k = 0; k < section->coordinate_count && used < sizeof text; k++) {
+        const jlt_quantity *q = &section->coordinates[k];
+        if (!section->is_angle[k] && isfinite(q->low) && isfinite(q->high))
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name, q->low, q->high);
+    }
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: %sthe orbit return before it ends at a pole or at rest", what, used > 0 ? text : "");
+}
+
 /* A section is one of motion while what its levels fix are integrals, and its table stands for the asked one. */
 static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
 {

@@ -101,8 +101,8 @@ static void write_symbol(FILE *stream, const char *name)
 
     for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
         if (strlen(greek[i][0]) == letters && strncmp(name, greek[i][0], letters) == 0) {
-            fprintf(stream, "%s%s%s", greek[i][1], name[letters] == '\0' ? "" : "_{", name + letters + (name[letters] == '_'));
-            if (name[letters] != '\0') fputc('}', stream);
+            const char *below = name + letters + (name[letters] == '_');
+            fprintf(stream, *below == '\0' ? "%s" : below[1] == '\0' ? "%s_%s" : "%s_{%s}", greek[i][1], below);
             return;
         }
     fputs(name, stream);

@@ -169,7 +169,7 @@ enum { POINTS = 5 };
 static bool changes_signs(jlt_chart_section *self, const signed char *signs)
 {
     static const double same = 1e-9; /* of a coordinate, or its period */
-    const unsigned angles = 7;
+    const unsigned angles = 8;
     const size_t all = jlt_chart_section_points(self, angles);
     unsigned seen = 0;
 
@@ -185,8 +185,10 @@ static bool changes_signs(jlt_chart_section *self, const signed char *signs)
         jlt_chart_difference(&self->base, other_way, p, opposite);
         for (unsigned k = 0; k < self->base.dim; k++) {
             const double size = same * fmax(fabs(q[k]), self->base.period[k]);
-            const int sign = fabs(same_way[k]) <= size ? 1 : fabs(other_way[k]) <= size ? -1 : 0;
-            if (sign == 0 || (self->base.mirror[k] != 0 && self->base.mirror[k] != sign)) return false;
+            const bool same_sign = fabs(same_way[k]) <= size, other_sign = fabs(other_way[k]) <= size;
+            const int sign = same_sign ? 1 : -1;
+            if (same_sign && other_sign) continue; /* it tells nothing, as at 0 */
+            if (!(same_sign || other_sign) || self->base.mirror[k] == -sign) return false;
             self->base.mirror[k] = sign;
         }
         seen++;

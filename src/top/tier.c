@@ -224,7 +224,6 @@ static void full_orient(const jlt_tier_view *view, jlt_attitude *out, const doub
 
 /* ---- where coordinates end ---- */
 
-const char jlt_tier_no_section[] = "it has no chart (eta, gamma3) of the section on levels of E and G";
 const char jlt_tier_near_pole[] = "the orbit is so near a pole that in plain time nothing is left of its digits";
 
 /* In components a step may lead past a pole: the field is as good as in plain time, no nearer. */
@@ -259,38 +258,38 @@ static const jlt_tier_edge without_omega3_edge = { without_omega3_room, without_
 
 static const jlt_tier tiers[] = {
     { "quadrature", "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time", 0,
-      NULL, NULL, NULL, false, false, false, 0, needs_rod, NULL, NULL, NULL, NULL,
+      NULL, NULL, NULL, false, false, 0, needs_rod, NULL, NULL, NULL, NULL,
       { "spherical_top_level", { { "integral", "E1" }, { "integral", "E2" }, { "integral", "G" } } } },
     { "plane", "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed", 2,
-      "spherical_top_plane", "regular", NULL, false, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL,
+      "spherical_top_plane", "regular", NULL, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL,
       { "spherical_top_plane", { { 0 } } } },
     { "balanced", "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum", 3,
-      "spherical_top_balanced", "regular", NULL, false, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL, NULL,
+      "spherical_top_balanced", "regular", NULL, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL, NULL,
       { "spherical_top_balanced", { { 0 } } } },
     { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
-      "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL,
+      "spherical_top_level", "regular", NULL, false, false, 5, NULL, level_embed, level_extract, NULL, NULL,
       { "spherical_top_level", { { 0 } } } },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_plain_embed, level_plain_extract, NULL, NULL,
+      "spherical_top_level", NULL, NULL, true, false, 4, NULL, level_plain_embed, level_plain_extract, NULL, NULL,
       { "spherical_top_level", { { 0 } } } },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
-      "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL,
+      "spherical_top", NULL, "level_G", true, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL,
       { "spherical_top", { { "eliminate", "level_G" } } } },
     { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
-      "spherical_top", NULL, "level_G_omega3", true, false, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
+      "spherical_top", NULL, "level_G_omega3", true, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
       NULL, &without_omega3_edge,
       { "spherical_top", { { "eliminate", "level_G_omega3" } } } },
     { "five", "the reduced system (3.2)", 5,
-      "spherical_top", "regular", NULL, false, false, false, 6, NULL, five_embed, five_extract, NULL, NULL,
+      "spherical_top", "regular", NULL, false, false, 6, NULL, five_embed, five_extract, NULL, NULL,
       { "spherical_top", { { 0 } } } },
     { "five_plain", "the same in t: steps collapse at the poles", 5,
-      "spherical_top", NULL, NULL, true, false, false, 5, NULL, plain_embed, five_extract, NULL, NULL,
+      "spherical_top", NULL, NULL, true, false, 5, NULL, plain_embed, five_extract, NULL, NULL,
       { "spherical_top", { { 0 } } } },
     { "track", "the reduced system with attitude and track by quadratures", 9,
-      "spherical_top_track", "regular", NULL, false, true, false, 10, NULL, track_embed, five_extract, track_orient, NULL,
+      "spherical_top_track", "regular", NULL, false, true, 10, NULL, track_embed, five_extract, track_orient, NULL,
       { "spherical_top_track", { { 0 } } } },
     { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
-      "spherical_top_full", NULL, NULL, false, true, false, 17, needs_inertia, full_embed, full_extract, full_orient,
+      "spherical_top_full", NULL, NULL, false, true, 17, needs_inertia, full_embed, full_extract, full_orient,
       &full_edge,
       { "spherical_top_full", { { 0 } } } },
 };
