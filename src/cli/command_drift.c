@@ -99,7 +99,7 @@ static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
         if (!asked(o, method)) continue;
         if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
         jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = (r->system->surface != NULL ? jlt_drift_top : jlt_drift_section)(r, rows, &count, &end, method);
+        const jlt_status st = (r->five.instance != NULL ? jlt_drift_top : jlt_drift_section)(r, rows, &count, &end, method);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
         if (count > 0) *drawn |= 1u << m;
@@ -171,12 +171,10 @@ static jlt_exit open_integrals(jlt_drift *r, options *o)
     code = jlt_motion_default_start(&o->start, &o->motion, r->system, JLT_START_REGULAR, "say where to start: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->q, r->system, o->start);
     if (code != JLT_EXIT_DONE) return code;
-    if (surface == NULL) return watch_proved(r);
+    const jlt_status st = surface != NULL ? jlt_top_five_open(&r->five, r->system, r->q) : JLT_ERR_UNSUPPORTED;
+    if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
     r->count = surface->count - surface->params;
     for (unsigned k = 0; k < r->count; k++) r->watched[k] = k, r->names[k] = surface->names[surface->params + k];
-    const jlt_status st = jlt_top_five_open(&r->five, r->system, r->q);
-    if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of %s is not the one this command knows", surface->table->model);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->system, o->start);
 }
 
@@ -185,7 +183,7 @@ static void write_header(const jlt_drift *r, const options *o)
     const jlt_surface *surface = r->system->surface;
     FILE *file = r->file;
 
-    if (surface != NULL) {
+    if (r->five.instance != NULL) {
         const double *levels = r->system->values + surface->params;
         jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->five.instance->descriptor,
                                                   .params = r->five.instance->params, .level_count = r->count,
@@ -222,8 +220,8 @@ static jlt_exit run(int argc, char **argv)
     r.system = system;
     r.returns = o.returns;
     r.project = o.project;
-    if (code == JLT_EXIT_DONE && o.project && system->surface == NULL) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
+    if (code == JLT_EXIT_DONE && o.project && r.five.instance == NULL) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     r.file = stream.file;

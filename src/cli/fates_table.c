@@ -42,10 +42,16 @@ static const char *conditions(const jlt_system *system) { return jlt_observed_co
 
 static bool tells_contact(const jlt_motion_options *options) { return strcmp(options->contact, "report") == 0; }
 
+/* The section that says what to show where an orbit ends; NULL: all states are shown. */
+static const jlt_section_chart *ending_of(const jlt_system *system)
+{
+    return system->surface != NULL && system->surface->section->ending_count > 0 ? system->surface->section : NULL;
+}
+
 void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
-    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
+    const jlt_section_chart *section = ending_of(system);
     const unsigned count = section != NULL ? section->ending_count : chart->states;
 
     for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
@@ -63,9 +69,9 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
     unsigned count = 1;
     char fate[JLT_FATE_TEXT_MAX];
 
-    if (system->surface != NULL) {
+    if (ending_of(system) != NULL) {
         jlt_surface_ending(values + count, system, end->x);
-        count += system->surface->section->ending_count;
+        count += ending_of(system)->ending_count;
     } else {
         memcpy(values + count, end->x, chart->states * sizeof *values);
         jlt_chart_wrap_state(chart, values + count);

@@ -45,6 +45,9 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
         const bool fits = q->sign == JLT_ANY_SIGN || v > 0 || (q->sign == JLT_NONNEGATIVE && v == 0) || (q->sign == JLT_NONZERO && v != 0);
         if (!fits) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model, q->name, conditions[q->sign]);
     }
+    if (status == JLT_ERR_ARG)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, crossed in the other --direction alone", where,
+                                surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
     if (status == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_INPUT, "%sthe parameters are so far apart that products of them leave the range of doubles", where);
     return jlt_command_fail(jlt_command_exit(status), "%sthe section %s of %s: %s", where, surface->section->name, surface->table->model,
@@ -132,6 +135,9 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     const jlt_claim *broken = NULL;
 
     *has = !is_plane && jlt_surface_find(surface, &broken, asked, options->section) == JLT_OK;
+    if (!is_plane && !*has && options->section != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--section: no table describes a section '%s' of %s (write STATE=VALUE, or the name of a record "
+                                "'section')", options->section, asked->model);
     return *has && broken != NULL ? refuse_broken(surface, broken, asked) : JLT_EXIT_DONE;
 }
 

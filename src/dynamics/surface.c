@@ -68,7 +68,7 @@ static bool serves(const jlt_claim **claim, const jlt_descriptor *asked, const j
 {
     if (!jlt_link_holds(claim, asked, table)) return false;
     *claim = &table->claims[section->claim];
-    if ((*claim)->verdict == JLT_REFUTED) return false; // TEMP
+    if ((*claim)->verdict != JLT_PROVED) return false;
     *claim = NULL;
     return true;
 }
@@ -103,7 +103,7 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name)
 
 /* ---- where it has points ---- */
 
-enum { ANGLES = 4, HALVINGS = 60 };
+enum { ANGLES = 4, HALVINGS = 60, CROSSINGS = 256 };
 
 static const double margin = 5e-10; /* of a coordinate's interval, off its ends */
 
@@ -226,6 +226,26 @@ static jlt_units units_of(const jlt_chart_section *chart)
     return units;
 }
 
+/* Whether lifted points are crossed in the flow's direction: a lift may take one sign of a root, and the section is then its half alone. */
+static bool is_crossed(const surface_system *self)
+{
+    const jlt_flow *flow = &self->base.flow;
+    const size_t all = jlt_chart_section_points(&self->flow, ANGLES);
+    unsigned seen = 0;
+    bool up = false, down = false;
+
+    for (size_t i = 0; i < all && seen < CROSSINGS; i++) {
+        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+        jlt_chart_section_point(&self->flow, q, i * 2654435761u % all, ANGLES);
+        if (self->flow.base.lift(&self->flow.base, x, NULL, q) != JLT_OK) continue;
+        flow->field->call(x, flow->field->p, f);
+        up |= f[self->flow.base.column] > 0;
+        down |= f[self->flow.base.column] < 0;
+        seen++;
+    }
+    return up == down || flow->direction == (up ? JLT_RISING : JLT_FALLING);
+}
+
 static jlt_status open_system(surface_system *self, const jlt_flow *options)
 {
     const jlt_section_chart *section = self->surface.section;
@@ -250,7 +270,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     self->flow = self->rows;
     memcpy(self->flow.values, values, sizeof values);
     self->base.flow.chart = &self->flow.base;
-    st = has_point(&self->rows) ? JLT_OK : JLT_ERR_EMPTY;
+    st = !has_point(&self->rows) ? JLT_ERR_EMPTY : is_crossed(self) ? JLT_OK : JLT_ERR_ARG;
 done:
     return st;
 }

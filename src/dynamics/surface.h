@@ -32,7 +32,8 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
 
 /** The most special kernel that serves values, shape (count,), both copied, in units of the problem. options: chart, field and
  *  rhs_jacobian are not read; NULL: all defaults (upward crossings).
- *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; NOMEM; as jlt_chart_section_init. */
+ *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the direction of
+ *  options; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options);
 
 /** `make` of jlt_system_family as one of the values runs, with a jlt_surface_family as context. Errors: as jlt_surface_system. */
