@@ -131,6 +131,12 @@ static bool lift_fits(const fitting *f)
     return true;
 }
 
+bool ttc_section_fits(const ttc_model *model, const ttc_section *section, const ttc_model *chart, char *reason, size_t size)
+{
+    const fitting f = { model, chart, section, model->claims[section->claim].target, reason, size };
+    return lift_fits(&f) && coordinates_fit(&f) && params_fit(&f);
+}
+
 ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section, ttc_resolver resolver, void *context, char *reason,
                              size_t size)
 {
@@ -138,9 +144,8 @@ ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section,
     ttc_diagnostics *ignored = resolver == NULL ? NULL : ttc_diagnostics_create();
     ttc_model *chart = ignored == NULL ? NULL : resolver(context, model, file, ignored);
     ttc_diagnostics_destroy(ignored);
-    const fitting f = { model, chart, section, file, reason, size };
-    if (chart == NULL) refuse(&f, "the table of coordinates %s could not be read", file);
-    else if (lift_fits(&f) && coordinates_fit(&f) && params_fit(&f)) return chart;
+    if (chart == NULL) snprintf(reason, size, "the table of coordinates %s could not be read", file);
+    else if (ttc_section_fits(model, section, chart, reason, size)) return chart;
     ttc_model_destroy(chart);
     return NULL;
 }

@@ -10,6 +10,9 @@
 ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section, ttc_resolver resolver, void *context, char *reason,
                              size_t size);
 
+/* Whether a table is the chart of that section. */
+bool ttc_section_fits(const ttc_model *model, const ttc_section *section, const ttc_model *chart, char *reason, size_t size);
+
 /* Of a chart that fits: the section's number of the chart's i-th state, and the place of its i-th parameter among the model's
  * parameters with the levels after them. */
 size_t ttc_section_coordinate(const ttc_section *section, const ttc_model *chart, size_t i);

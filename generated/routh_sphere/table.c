@@ -93,6 +93,7 @@ const jlt_claim jlt_claims_routh_sphere[] = {
     { "root", "h", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

@@ -177,6 +177,7 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "time", "regular", "", JLT_PROVED, "", NULL },
     { "eliminate", "level_G", "", JLT_PROVED, "", NULL },
     { "eliminate", "level_G_omega3", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

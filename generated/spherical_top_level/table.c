@@ -89,7 +89,7 @@ const jlt_claim jlt_claims_spherical_top_level[] = {
     { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
     { "measure", "density", "I3 = 0", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
-    { "section", "turning", "omega_tau = 0", JLT_UNSETTLED, "sections are not looked at yet", "bf5c565b976fefec01b0b9870e38f40c17511a13ec5354ac25e436f814722bac" },
+    { "section", "turning", "omega_tau = 0", JLT_PROVED, "", "bf5c565b976fefec01b0b9870e38f40c17511a13ec5354ac25e436f814722bac" },
     { "equilibria", "spinning", "a3 = 0", JLT_PROVED, "", NULL },
     { "trace", "spinning", "", JLT_PROVED, "", NULL },
     { "obstructs", "spinning", "", JLT_PROVED, "", NULL },
@@ -99,6 +99,7 @@ const jlt_claim jlt_claims_spherical_top_level[] = {
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "variant", "rod", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

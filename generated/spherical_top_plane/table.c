@@ -70,6 +70,7 @@ const jlt_claim jlt_claims_spherical_top_plane[] = {
     { "root", "v_slip", "", JLT_PROVED, "", NULL },
     { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

@@ -126,6 +126,7 @@ const jlt_claim jlt_claims_spherical_top_track[] = {
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "variant", "rod", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 
