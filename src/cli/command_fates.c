@@ -282,7 +282,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL && o.sweep == NULL && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: fates are drawn over two coordinates, and the section has %u",
                                 system->flow.chart->dim);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, o.grid, "--grid");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, grid_of(&o, system), "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system);

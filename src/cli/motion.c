@@ -209,6 +209,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
 {
     const jlt_chart *chart = system->flow.chart;
     size_t count = chart->dim;
+    bool runs[JLT_CHART_DIM_MAX]; /* it is known where */
 
     for (unsigned k = 0; k < chart->dim; k++) {
         axes[k] = (jlt_grid_axis){ .low = -1, .high = 1, .count = 1 };
@@ -217,20 +218,20 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     }
     for (unsigned k = 0; k < chart->dim; k++) {
         double low, high;
-        if (!interval(system, k, &low, &high)) continue;
+        runs[k] = chart->period[k] != 0 || interval(system, k, &low, &high);
+        if (!runs[k] || chart->period[k] != 0) continue;
         /* a hundredth of the interval off its ends, where an angle beside it loses its meaning */
         axes[k].low = low + (high - low) / 200;
         axes[k].high = high - (high - low) / 200;
     }
-    if (text == NULL) return JLT_EXIT_DONE;
-    jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
-    const bool named = strchr(text, '=') != NULL;
+    jlt_exit code = text != NULL ? jlt_grid_parse(axes, &count, chart->dim, text, option) : JLT_EXIT_DONE;
+    const bool named = text != NULL && strchr(text, '=') != NULL;
     size_t all = 1;
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (__builtin_mul_overflow(all, axes[k].count, &all))
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
-        if (axes[k].low_text == NULL && (named || (system->surface == NULL && chart->period[k] == 0)))
+        if (axes[k].low_text == NULL && (named || (text != NULL && !runs[k])))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
                                     chart->names[k], chart->names[k], chart->names[k]);
     return code;
