@@ -136,8 +136,8 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
 
     *has = !is_plane && jlt_surface_find(surface, &broken, asked, options->section) == JLT_OK;
     if (!is_plane && !*has && options->section != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--section: no table describes a section '%s' of %s (write STATE=VALUE, or the name of a record "
-                                "'section')", options->section, asked->model);
+        return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
+                                options->section, asked->model);
     return *has && broken != NULL ? refuse_broken(surface, broken, asked) : JLT_EXIT_DONE;
 }
 
