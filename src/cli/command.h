@@ -48,10 +48,6 @@ extern const jlt_command jlt_command_bench;
 /* By name, from the table of main.c; NULL when there is none. */
 const jlt_command *jlt_command_find(const char *name);
 
-/* Run it, with its name for argv[0]. A command that was interrupted does not return: it has finished its row, and ends the
- * program by the signal. */
-jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv);
-
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))

@@ -1,4 +1,4 @@
-#include "top/command_bench.h"
+#include "bench.h"
 
 #include <math.h>
 #include <stdio.h>

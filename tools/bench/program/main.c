@@ -1,5 +1,6 @@
-#include "top/command_bench.h"
+#include "bench.h"
 #include "cli/common.h"
+#include "cli/program.h"
 #include "kernel/descriptor.h"
 #include "top/top.h"
 
@@ -134,6 +135,10 @@ done:
     return code;
 }
 
-const jlt_command jlt_command_bench = {
-    "bench", "KIND [OPTION...]", "Speed against accuracy: every method on the same question", run,
-};
+int main(int argc, char **argv)
+{
+    const jlt_command bench = { .name = "bench", .run = run };
+    const jlt_exit begun = jlt_program_begin();
+
+    return (int)(begun == JLT_EXIT_DONE ? jlt_program_run(&bench, argc, argv) : begun);
+}
