@@ -18,7 +18,7 @@ endforeach()
 
 # Headers keep their folders, so that #include "core/status.h" means the same here and there.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DESTINATION ${JLT_INSTALL_HEADERS}
-        FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN "spectrum" EXCLUDE PATTERN "claims" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated DESTINATION ${JLT_INSTALL_DATA})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/scenes ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)

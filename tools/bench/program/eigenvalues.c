@@ -7,7 +7,7 @@
 #include "analysis/charpoly.h"
 #include "analysis/deflation.h"
 #include "analysis/quadratic.h"
-#include "cli/oracle.h"
+#include "spectrum/oracle.h"
 #include "core/random.h"
 #include "ext/eigen.h"
 #include "kernel/descriptor.h"

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/oracle.h"
+#include "spectrum/oracle.h"
 #include "core/random.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"

@@ -1,13 +1,14 @@
-#include "cli/measure.h"
+#include "analysis/measure.h"
 
 #include "core/memory.h"
+#include "kernel/descriptor.h"
 #include "kernel/kernel.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, PROBES = 8 };
+enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, PROBES = 8, POINTS_TRIED = 64 };
 
 /* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
 static const double covered = 0.98;
@@ -118,18 +119,51 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
     return st;
 }
 
-void jlt_measure_write_defects(FILE *stream, const double *defects, const jlt_descriptor *descriptor)
-{
-    for (unsigned i = 0; i < descriptor->state_count; i++) {
-        fprintf(stream, "%s%s ", i == 0 ? "" : ", ", descriptor->states[i].name);
-        if (isnan(defects[i])) fputs("unknown", stream);
-        else fprintf(stream, "%.3g", defects[i]);
-    }
-}
-
 void jlt_measure_clear(jlt_measure_attempt *attempt)
 {
     free(attempt->points);
     free(attempt->closed);
     *attempt = (jlt_measure_attempt){ 0 };
+}
+
+/* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
+static jlt_status find_obstruction(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
+{
+    unsigned char given[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
+
+    if (d->state_count > JLT_LINEARIZATION_SIZE_MAX) return JLT_OK;
+    for (unsigned k = 0; k < d->equilibria_count; k++) {
+        for (unsigned i = 0; i < d->state_count; i++) given[i] = d->equilibria[k].is_free[i];
+        for (int attempt = 0; attempt < POINTS_TRIED && d->equilibria[k].obstructs; attempt++) {
+            jlt_density_draw_state(f->x, d, random);
+            jlt_linearization_complete(f->x, given, d, params);
+            const jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
+            if (st == JLT_ERR_NOMEM) return st;
+            f->obstructed = st == JLT_OK && f->obstruction.obstructs;
+            if (f->obstructed) return JLT_OK;
+        }
+    }
+    return JLT_OK;
+}
+
+jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params, size_t count,
+                            jlt_random *random)
+{
+    const jlt_descriptor *special = jlt_descriptor_choose(general, NULL, NULL, params);
+    jlt_status st = JLT_ERR_UNSUPPORTED;
+
+    if (special == NULL || special->measure_count > JLT_MEASURE_CLAIMS_MAX) goto done;
+    JLT_TRY(jlt_instance_create(&finding->instance, special, params));
+    JLT_TRY(jlt_measure_try(&finding->attempt, finding->instance, count, random));
+    JLT_TRY(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
+    JLT_TRY(find_obstruction(finding, general, params, random));
+done:
+    return st;
+}
+
+void jlt_measure_forget(jlt_measure_finding *finding)
+{
+    jlt_measure_clear(&finding->attempt);
+    jlt_instance_destroy(finding->instance);
+    *finding = (jlt_measure_finding){ 0 };
 }

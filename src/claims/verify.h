@@ -1,19 +1,16 @@
-/** The command `jellett verify`, shared by its files. Each section gathers its findings as plain data, then writes them as
- *  text or JSON; nothing in them depends on time, place or addresses, so the same seed gives the same bytes. */
-#ifndef JLT_CLI_VERIFY_H
-#define JLT_CLI_VERIFY_H
+/** What a table claims, proved and compared with what its compiled kernels compute. Each part gathers its findings as plain data;
+ *  nothing in them depends on time, place or addresses, so that the same seed gives the same findings. */
+#ifndef JLT_CLAIMS_VERIFY_H
+#define JLT_CLAIMS_VERIFY_H
 
-#include "cli/measure.h"
-#include "cli/oracle.h"
-#include "core/random.h"
+#include "analysis/measure.h"
 #include "prove/prove.h"
+#include "spectrum/oracle.h"
 
-#include <jansson.h>
 #include <signal.h>
-#include <stdbool.h>
 #include <stdint.h>
 
-/* Section (b): one comparison over all samples of a family; it holds when no error passes the bound derived for it.
+/* One comparison over all samples of a family; it holds when no error passes the bound derived for it.
  * A number's size is the sum of the moduli of what is rounded on the way to it, each with the weight it has in the result;
  * an ulp here is 2^-53 of that, so that errors and bounds count roundings, whatever cancels. */
 typedef struct {
@@ -35,7 +32,7 @@ typedef struct {
     size_t arpack_used;
 } jlt_verify_family;
 
-/* Section (b), certificate at one rational point. */
+/* A certificate at one rational point. */
 typedef struct {
     const jlt_equilibria *family;
     char *point;       /* "a = 1, x = 3/5, ..." */
@@ -44,30 +41,21 @@ typedef struct {
     char *trace, *enclosure; /* exact fraction (NULL when irrational); 256-bit ball */
 } jlt_verify_certificate;
 
-/* Section (c): the attempt at a density on one kernel. */
+/* The attempt at a density on one kernel. */
 typedef struct {
     const jlt_descriptor *descriptor;
     double *params;          /* owned */
-    double defects[JLT_MEASURE_STATES_MAX]; /* of every state */
-    size_t along;            /* the state with the least defect */
-    double defect;
-    bool found;              /* the defect is rounding: a density of that state alone */
-    bool singular;           /* found, but with a pole or a zero in the domain */
-    const char *closed_form; /* name of the table's density that it was compared with, or NULL */
-    double difference;       /* largest relative difference to it, after normalization */
-    double difference_bound; /* quadrature's estimate and rounding */
+    jlt_measure_attempt attempt;
     double residual;         /* worst |div(rho f)| / |rho div f| of the table's densities */
     jlt_status status;
 } jlt_verify_density;
 
 typedef struct {
-    const char *model;
-    bool json;
-    size_t seed, samples;
     const jlt_descriptor *descriptor; /* general field */
+    size_t seed, samples;             /* samples: points on each family */
     jlt_oracle *oracle;
     jlt_random random;
-    const volatile sig_atomic_t *interrupt; /* raised: the samples end early */
+    const volatile sig_atomic_t *interrupt;
     ttc_proof_report *proofs;
     jlt_verify_family *families;
     size_t family_count;
@@ -78,8 +66,16 @@ typedef struct {
     size_t held, failed; /* totals over all sections */
 } jlt_verify_run;
 
-/* Each fills its part of the run and counts what held and what failed. */
+/** The exact proofs. In: descriptor, seed and samples of *run, the rest zeroed; to be given to jlt_verify_clear whatever is returned.
+ *  Errors: NOMEM; UNSUPPORTED when the embedded table does not read. */
 JLT_CHECKED jlt_status jlt_verify_prove(jlt_verify_run *run);
+
+/** After them: families of equilibria, certificates and densities through the kernels. interrupt: raised, the samples end early.
+ *  Errors: UNSUPPORTED (a family of more states or parameters than samples have), NOMEM. */
+JLT_CHECKED jlt_status jlt_verify_measure(jlt_verify_run *run, const volatile sig_atomic_t *interrupt);
+void jlt_verify_clear(jlt_verify_run *run);
+
+/* Each fills its part of the run and counts what held and what failed. */
 JLT_CHECKED jlt_status jlt_verify_families(jlt_verify_run *run);
 JLT_CHECKED jlt_status jlt_verify_certify(jlt_verify_run *run);
 JLT_CHECKED jlt_status jlt_verify_densities(jlt_verify_run *run);
@@ -92,9 +88,5 @@ void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double 
 
 /* Random parameters that satisfy the table's conditions: moderate, extreme, or the defaults. Shape (params,). */
 void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jlt_random *random, unsigned kind);
-
-void jlt_verify_write_text(FILE *stream, const jlt_verify_run *run);
-JLT_CHECKED jlt_status jlt_verify_write_json(FILE *stream, const jlt_verify_run *run);
-void jlt_verify_clear(jlt_verify_run *run);
 
 #endif

@@ -1,4 +1,4 @@
-#include "cli/verify_sample.h"
+#include "claims/sample.h"
 
 #include "analysis/density.h"
 #include "kernel/descriptor.h"
@@ -72,13 +72,13 @@ static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, 
     }
 }
 
-bool jlt_verify_sample_draw(jlt_verify_sample *sample, jlt_verify_run *run, const jlt_verify_subject *subject, size_t number)
+bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number)
 {
     const jlt_descriptor *d = run->descriptor;
     const unsigned kind = (unsigned)(number % 4);
 
     for (int attempt = 0; attempt < REDRAWS; attempt++) {
-        double params[JLT_VERIFY_PARAMS_MAX], x[JLT_VERIFY_STATES_MAX];
+        double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX];
         size_t index;
         jlt_verify_draw_params(params, d, &run->random, kind);
         draw_states(x, d, &run->random, kind);
@@ -95,7 +95,7 @@ bool jlt_verify_sample_draw(jlt_verify_sample *sample, jlt_verify_run *run, cons
     return false;
 }
 
-jlt_status jlt_verify_sample_enclose(jlt_verify_sample *sample, jlt_verify_run *run, const jlt_verify_subject *subject)
+jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject)
 {
     const size_t n = run->descriptor->state_count;
     jlt_oracle *o = run->oracle;
@@ -112,12 +112,12 @@ done:
     return st;
 }
 
-jlt_status jlt_verify_subject_init(jlt_verify_subject *subject, const jlt_verify_run *run, const jlt_equilibria *family)
+jlt_status jlt_sample_subject_init(jlt_sample_subject *subject, const jlt_verify_run *run, const jlt_equilibria *family)
 {
     const ttc_model *model = run->oracle->model;
     const size_t n = model->state_count;
 
-    *subject = (jlt_verify_subject){ family, jlt_verify_claim(run, family), NULL };
+    *subject = (jlt_sample_subject){ family, jlt_verify_claim(run, family), NULL };
     if (subject->claim == NULL) return JLT_ERR_UNSUPPORTED;
     subject->gradients = calloc(family->left_null_count * n + 1, sizeof *subject->gradients);
     if (subject->gradients == NULL) return JLT_ERR_NOMEM;
@@ -130,8 +130,8 @@ jlt_status jlt_verify_subject_init(jlt_verify_subject *subject, const jlt_verify
     return JLT_OK;
 }
 
-void jlt_verify_subject_clear(jlt_verify_subject *subject)
+void jlt_sample_subject_clear(jlt_sample_subject *subject)
 {
     free(subject->gradients);
-    *subject = (jlt_verify_subject){ 0 };
+    *subject = (jlt_sample_subject){ 0 };
 }

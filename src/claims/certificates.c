@@ -1,4 +1,4 @@
-#include "cli/verify.h"
+#include "claims/verify.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "cli/oracle.h"
+#include "spectrum/oracle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,6 +33,19 @@ static jlt_status differentiate(jlt_oracle *o)
     return o->trace == TTC_NONE ? JLT_ERR_NOMEM : JLT_OK;
 }
 
+static jlt_status read_defaults(jlt_oracle *o)
+{
+    const size_t count = o->descriptor->param_count;
+
+    o->defaults = calloc(count + 1, sizeof *o->defaults);
+    if (o->defaults == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++) {
+        const ttc_id written = o->model->symbols[o->params[i]].value;
+        if (written != TTC_NONE && (o->defaults[i] = ttc_ball_exact_text(o->ball, written)) == NULL) return JLT_ERR_NOMEM;
+    }
+    return JLT_OK;
+}
+
 jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor)
 {
     jlt_oracle *self = calloc(1, sizeof *self);
@@ -52,6 +65,7 @@ jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descript
     self->states = symbols_of(self->model, descriptor->states, descriptor->state_count);
     self->params = symbols_of(self->model, descriptor->params, descriptor->param_count);
     if (self->ball == NULL || self->states == NULL || self->params == NULL) goto done;
+    JLT_TRY(read_defaults(self));
     JLT_TRY(differentiate(self));
     *oracle = self;
     self = NULL; /* ownership moved to the caller */
@@ -68,33 +82,28 @@ void jlt_oracle_destroy(jlt_oracle *oracle)
     ttc_model_destroy(oracle->model);
     free(oracle->states);
     free(oracle->params);
+    for (size_t i = 0; oracle->defaults != NULL && i < oracle->descriptor->param_count; i++) free(oracle->defaults[i]);
+    free(oracle->defaults);
     free(oracle->field);
     free(oracle->jacobian);
     free(oracle);
 }
 
-static void set(jlt_oracle *o, const uint32_t *symbols, const jlt_quantity *quantities, const double *values,
-                size_t count, const jlt_assign_list *exact)
+static void set(jlt_oracle *o, const uint32_t *symbols, const double *values, size_t count, const char *const *exact)
 {
-    for (size_t i = 0; i < count; i++) {
-        const char *fraction = exact == NULL ? NULL : jlt_assign_fraction(exact, quantities[i].name);
-        const ttc_id written = o->model->symbols[symbols[i]].value;
-        if (fraction != NULL && ttc_ball_set_fraction(o->ball, symbols[i], fraction)) continue;
-        if (exact != NULL && written != TTC_NONE) ttc_ball_bind(o->ball, symbols[i], written);
-        else (void)ttc_ball_set(o->ball, symbols[i], values[i]);
-    }
+    for (size_t i = 0; i < count; i++)
+        if (exact == NULL || exact[i] == NULL || !ttc_ball_set_fraction(o->ball, symbols[i], exact[i]))
+            (void)ttc_ball_set(o->ball, symbols[i], values[i]);
 }
 
-void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const jlt_assign_list *exact)
+void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const char *const *exact)
 {
-    const jlt_descriptor *d = oracle->descriptor;
-    set(oracle, oracle->params, d->params, params, d->param_count, exact);
+    set(oracle, oracle->params, params, oracle->descriptor->param_count, exact);
 }
 
-void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const jlt_assign_list *exact)
+void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const char *const *exact)
 {
-    const jlt_descriptor *d = oracle->descriptor;
-    set(oracle, oracle->states, d->states, x, d->state_count, exact);
+    set(oracle, oracle->states, x, oracle->descriptor->state_count, exact);
 }
 
 jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count)

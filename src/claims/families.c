@@ -1,4 +1,4 @@
-#include "cli/verify_sample.h"
+#include "claims/sample.h"
 
 #include "analysis/charpoly.h"
 #include "kernel/descriptor.h"
@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SIZE = JLT_VERIFY_STATES_MAX };
+enum { SIZE = JLT_SAMPLE_STATES_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
@@ -63,7 +63,7 @@ static void against_enclosures(jlt_verify_check *check, const double *computed, 
                rearranged * running(exact[i].rounding, &exact[i]) + exact[i].radius);
 }
 
-static jlt_status compare_matrix(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian)
+static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     static const char name[] = "generated Jacobian against the table's matrix";
     const size_t n = d->state_count;
@@ -83,7 +83,7 @@ static jlt_status compare_matrix(jlt_verify_family *f, const jlt_verify_sample *
 }
 
 /* Columns by Im f(x + i h e_j) / h: no subtraction, so h may be as small as 2^-100 of x_j. */
-static void compare_complex_step(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian)
+static void compare_complex_step(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     jlt_verify_check *check = check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
     const size_t n = d->state_count;
@@ -102,7 +102,7 @@ static void compare_complex_step(jlt_verify_family *f, const jlt_verify_sample *
     }
 }
 
-static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian,
+static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian,
                                    const jlt_deflation *eigen)
 {
     const size_t n = d->state_count;
@@ -133,7 +133,7 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_verify_sample
     return JLT_OK;
 }
 
-static jlt_status compare_left_null(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian)
+static jlt_status compare_left_null(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     jlt_verify_check *check;
     const size_t n = d->state_count, count = f->family->left_null_count;
@@ -162,7 +162,7 @@ static jlt_status compare_left_null(jlt_verify_family *f, const jlt_verify_sampl
     return JLT_OK;
 }
 
-static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, const jlt_verify_sample *s, jlt_oracle *oracle,
+static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, const jlt_sample *s, jlt_oracle *oracle,
                                 const jlt_instance *special, const double *jacobian)
 {
     const jlt_descriptor *d = special->descriptor;
@@ -189,7 +189,7 @@ static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, cons
 }
 
 /* Everything for the kernels of one descriptor at one sample. */
-static jlt_status compare(jlt_verify_family *f, const jlt_verify_sample *s, jlt_oracle *oracle, const jlt_descriptor *kernels,
+static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle *oracle, const jlt_descriptor *kernels,
                           const jlt_descriptor *general)
 {
     const size_t n = general->state_count;
@@ -234,17 +234,17 @@ done:
 static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
 {
     const jlt_descriptor *general = run->descriptor;
-    jlt_verify_subject subject = { 0 };
-    jlt_verify_sample *s = malloc(sizeof *s);
+    jlt_sample_subject subject = { 0 };
+    jlt_sample *s = malloc(sizeof *s);
     jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
-    if (st == JLT_OK) st = jlt_verify_subject_init(&subject, run, f->family);
+    if (st == JLT_OK) st = jlt_sample_subject_init(&subject, run, f->family);
     for (size_t k = 0; st == JLT_OK && k < run->samples && !*run->interrupt; k++) {
         const jlt_descriptor *special;
         jlt_status refused;
-        if (!jlt_verify_sample_draw(s, run, &subject, k)) break;
+        if (!jlt_sample_draw(s, run, &subject, k)) break;
         f->samples++;
-        refused = jlt_verify_sample_enclose(s, run, &subject);
+        refused = jlt_sample_enclose(s, run, &subject);
         if (refused == JLT_OK) refused = compare(f, s, run->oracle, general, general);
         special = jlt_descriptor_choose(general, NULL, NULL, s->params);
         if (refused == JLT_OK && special != NULL && special != general) refused = compare(f, s, run->oracle, special, general);
@@ -254,7 +254,7 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
     for (size_t i = 0; i < f->check_count; i++) *(f->checks[i].worst_part <= 1.0 ? &run->held : &run->failed) += 1;
     /* Nothing compared is nothing verified. */
     if (f->samples == f->refused) run->failed++;
-    jlt_verify_subject_clear(&subject);
+    jlt_sample_subject_clear(&subject);
     free(s);
     return st;
 }
@@ -264,7 +264,7 @@ jlt_status jlt_verify_families(jlt_verify_run *run)
     const jlt_descriptor *d = run->descriptor;
     jlt_status st = JLT_OK;
 
-    if (d->equilibria_count > 0 && (d->state_count > SIZE || d->param_count > JLT_VERIFY_PARAMS_MAX))
+    if (d->equilibria_count > 0 && (d->state_count > SIZE || d->param_count > JLT_SAMPLE_PARAMS_MAX))
         return JLT_ERR_UNSUPPORTED;
     run->families = calloc(d->equilibria_count + 1, sizeof *run->families);
     if (run->families == NULL) return JLT_ERR_NOMEM;

@@ -1,6 +1,5 @@
-#include "cli/verify.h"
+#include "claims/verify.h"
 
-#include "analysis/density.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
@@ -14,24 +13,14 @@ enum { POINTS = 41, SAMPLES = 200, DRAWS_OF_PARAMS = 3 };
 static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
 {
     double residual[64];
-    jlt_measure_attempt a = { 0 };
     jlt_instance *instance = NULL;
     jlt_status st = jlt_instance_create(&instance, d->descriptor, d->params);
 
     if (st != JLT_OK || d->descriptor->measure_count > 64) goto done;
-    JLT_TRY(jlt_measure_try(&a, instance, POINTS, &run->random));
-    d->along = a.along;
-    memcpy(d->defects, a.defects, sizeof d->defects);
-    d->defect = a.defect;
-    d->found = a.found;
-    d->singular = a.singular;
-    d->closed_form = a.closed_form;
-    d->difference = a.difference;
-    d->difference_bound = a.difference_bound;
+    JLT_TRY(jlt_measure_try(&d->attempt, instance, POINTS, &run->random));
     JLT_TRY(jlt_density_residual(residual, instance, SAMPLES, &run->random));
     for (unsigned i = 0; i < d->descriptor->measure_count; i++) d->residual = fmax(d->residual, residual[i]);
 done:
-    jlt_measure_clear(&a);
     jlt_instance_destroy(instance);
     return st;
 }
@@ -45,8 +34,8 @@ static bool holds(const jlt_verify_run *run, const jlt_verify_density *d)
     for (unsigned i = 0; i < run->descriptor->equilibria_count; i++)
         obstructed = obstructed || run->descriptor->equilibria[i].obstructs;
     if (d->descriptor->measure_count > 0)
-        return d->residual <= JLT_DENSITY_TOLERANCE && (d->closed_form == NULL || d->difference <= d->difference_bound);
-    return !d->found || d->singular || !obstructed || d->descriptor->impose != NULL;
+        return d->residual <= JLT_DENSITY_TOLERANCE && (d->attempt.closed_form == NULL || d->attempt.difference <= d->attempt.difference_bound);
+    return !d->attempt.found || d->attempt.singular || !obstructed || d->descriptor->impose != NULL;
 }
 
 static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, unsigned kind)

@@ -1,10 +1,10 @@
 /** The model's own table as an independent oracle for its kernels: parsed again, differentiated by the compiler's graph and
  *  enclosed in ball arithmetic at exact values. */
-#ifndef JLT_CLI_ORACLE_H
-#define JLT_CLI_ORACLE_H
+#ifndef JLT_SPECTRUM_ORACLE_H
+#define JLT_SPECTRUM_ORACLE_H
 
 #include "ball/ball.h"
-#include "cli/assign.h"
+#include "core/status.h"
 #include "kernel_abi.h"
 
 typedef struct {
@@ -12,6 +12,7 @@ typedef struct {
     ttc_model *model;
     ttc_ball *ball;
     uint32_t *states, *params;        /* symbols, in the descriptor's order */
+    char **defaults;                  /* of the table, "p/q", shape (params,); NULL where it has none */
     ttc_id *field, *jacobian;         /* shapes (n,) and (n, n) */
     ttc_id trace;                     /* sum of the diagonal */
 } jlt_oracle;
@@ -20,10 +21,10 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor);
 void jlt_oracle_destroy(jlt_oracle *oracle); /* legal on NULL */
 
-/** Take values exactly. With a list `exact`, what was typed counts and not the double it was rounded to: the fraction of that
- *  name, or else the table's default; a state that is not in the list counts as the double. */
-void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const jlt_assign_list *exact);
-void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const jlt_assign_list *exact);
+/** Take values exactly, shapes (params,) and (states,). exact, of the same shape, or NULL for none: what counts in place of a double,
+ *  "p/q", or NULL. */
+void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const char *const *exact);
+void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const char *const *exact);
 
 /** Enclose `count` expressions. Errors: DOMAIN when one has no finite enclosure. Out: shape (count,). */
 JLT_CHECKED jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);

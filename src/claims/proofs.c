@@ -1,4 +1,4 @@
-#include "cli/verify.h"
+#include "claims/verify.h"
 
 #include "kernel/descriptor.h"
 
@@ -22,8 +22,15 @@ static ttc_model *resolve(void *context, const ttc_model *model, const char *tar
 
 jlt_status jlt_verify_prove(jlt_verify_run *run)
 {
-    if (!ttc_prove(run->oracle->model, resolve, NULL, TTC_PROVE_ALL, &run->proofs)) return JLT_ERR_NOMEM;
+    jlt_status st;
+
+    JLT_TRY(jlt_oracle_create(&run->oracle, run->descriptor));
+    jlt_random_seed(&run->random, run->seed);
+    st = JLT_ERR_NOMEM;
+    if (!ttc_prove(run->oracle->model, resolve, NULL, TTC_PROVE_ALL, &run->proofs)) goto done;
     run->held += run->proofs->proved;
     run->failed += run->proofs->proof_count - run->proofs->proved;
-    return JLT_OK;
+    st = JLT_OK;
+done:
+    return st;
 }
