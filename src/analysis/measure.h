@@ -1,5 +1,5 @@
-/** What is found of an invariant measure: the density of one state alone, computed from the divergence, beside those that the table
- *  claims; or an equilibrium that excludes one. */
+/** What is found of an invariant measure: the density of one state alone, computed from the divergence, beside those that the
+ *  table claims; or an equilibrium that excludes one. */
 #ifndef JLT_ANALYSIS_MEASURE_H
 #define JLT_ANALYSIS_MEASURE_H
 
@@ -37,11 +37,11 @@ typedef struct {
     jlt_linearization obstruction;
 } jlt_measure_finding;
 
-/** All of it. In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed before, is to
- *  be given to jlt_measure_forget whatever is returned. Errors: UNSUPPORTED (no kernel serves, or too many densities); those of
- *  density.h; NOMEM. */
-JLT_CHECKED jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params, size_t count,
-                                        jlt_random *random);
+/** All of it. In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed
+ *  before, is to be given to jlt_measure_forget whatever is returned. Errors: UNSUPPORTED (no kernel serves, or too many
+ *  densities); those of density.h; NOMEM. */
+JLT_CHECKED jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
+                                        size_t count, jlt_random *random);
 void jlt_measure_forget(jlt_measure_finding *finding);
 
 #endif

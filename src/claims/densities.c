@@ -28,14 +28,15 @@ done:
 /* What the table claims decides what must be found. */
 static bool holds(const jlt_verify_run *run, const jlt_verify_density *d)
 {
+    const jlt_measure_attempt *a = &d->attempt;
     bool obstructed = false;
 
     if (d->status != JLT_OK) return false;
     for (unsigned i = 0; i < run->descriptor->equilibria_count; i++)
         obstructed = obstructed || run->descriptor->equilibria[i].obstructs;
     if (d->descriptor->measure_count > 0)
-        return d->residual <= JLT_DENSITY_TOLERANCE && (d->attempt.closed_form == NULL || d->attempt.difference <= d->attempt.difference_bound);
-    return !d->attempt.found || d->attempt.singular || !obstructed || d->descriptor->impose != NULL;
+        return d->residual <= JLT_DENSITY_TOLERANCE && (a->closed_form == NULL || a->difference <= a->difference_bound);
+    return !a->found || a->singular || !obstructed || d->descriptor->impose != NULL;
 }
 
 static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, unsigned kind)

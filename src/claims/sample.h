@@ -12,7 +12,7 @@ typedef struct {
     double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX];
     ttc_enclosure jacobian[JLT_SAMPLE_STATES_MAX * JLT_SAMPLE_STATES_MAX], trace, field[JLT_SAMPLE_STATES_MAX];
     ttc_enclosure gradient[JLT_SAMPLE_STATES_MAX * JLT_SAMPLE_STATES_MAX];
-    double majorant[JLT_SAMPLE_STATES_MAX * JLT_SAMPLE_STATES_MAX]; /* size of each entry, cancellation undone: rounding / 2^-53,
+    double majorant[JLT_SAMPLE_STATES_MAX * JLT_SAMPLE_STATES_MAX]; /* of each entry, cancellation undone: rounding / 2^-53,
                                                                      * at least |entry| */
 } jlt_sample;
 

@@ -1,5 +1,5 @@
-/** What a table claims, proved and compared with what its compiled kernels compute. Each part gathers its findings as plain data;
- *  nothing in them depends on time, place or addresses, so that the same seed gives the same findings. */
+/** What a table claims, proved and compared with what its compiled kernels compute. Each part gathers its findings as plain
+ *  data; nothing in them depends on time, place or addresses, so that the same seed gives the same findings. */
 #ifndef JLT_CLAIMS_VERIFY_H
 #define JLT_CLAIMS_VERIFY_H
 
@@ -66,12 +66,12 @@ typedef struct {
     size_t held, failed; /* totals over all sections */
 } jlt_verify_run;
 
-/** The exact proofs. In: descriptor, seed and samples of *run, the rest zeroed; to be given to jlt_verify_clear whatever is returned.
- *  Errors: NOMEM; UNSUPPORTED when the embedded table does not read. */
+/** The exact proofs. In: descriptor, seed and samples of *run, the rest zeroed; to be given to jlt_verify_clear whatever is
+ *  returned. Errors: NOMEM; UNSUPPORTED when the embedded table does not read. */
 JLT_CHECKED jlt_status jlt_verify_prove(jlt_verify_run *run);
 
-/** After them: families of equilibria, certificates and densities through the kernels. interrupt: raised, the samples end early.
- *  Errors: UNSUPPORTED (a family of more states or parameters than samples have), NOMEM. */
+/** After them: families of equilibria, certificates and densities through the kernels. interrupt: raised, the samples end
+ *  early. Errors: UNSUPPORTED (a family of more states or parameters than samples have), NOMEM. */
 JLT_CHECKED jlt_status jlt_verify_measure(jlt_verify_run *run, const volatile sig_atomic_t *interrupt);
 void jlt_verify_clear(jlt_verify_run *run);
 

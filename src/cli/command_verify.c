@@ -70,7 +70,8 @@ static jlt_exit run(int argc, char **argv)
     else if (st == JLT_OK) jlt_verify_report_text(output.stream, v);
     if (st == JLT_OK) code = jlt_command_deliver(&output, NULL);
     else code = jlt_command_fail(jlt_command_exit(st), "verify %s: %s", r.model, jlt_status_text(st));
-    if (code == JLT_EXIT_DONE && v->failed > 0) code = jlt_command_fail(JLT_EXIT_FAILED, "%s: %zu checks fail", r.model, v->failed);
+    if (code == JLT_EXIT_DONE && v->failed > 0)
+        code = jlt_command_fail(JLT_EXIT_FAILED, "%s: %zu checks fail", r.model, v->failed);
     jlt_command_discard(&output);
     jlt_verify_clear(v);
     return code;

@@ -27,17 +27,19 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     const size_t size = JLT_EIGEN_REASON_MAX;
 
     if (e->stage == JLT_EQUILIBRIUM_PARAMS)
-        snprintf(text, size, "%s = %.17g is no value that %s allows", d->params[e->index].name, row->params[e->index], d->model);
+        snprintf(text, size, "%s = %.17g is no value that %s allows", d->params[e->index].name, row->params[e->index],
+                 d->model);
     else if (e->stage == JLT_EQUILIBRIUM_STATES)
-        snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, row->x[e->index],
-                 d->states[e->index].low, d->states[e->index].high, d->model);
+        snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, 
+                 row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
     else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
     else if (e->status == JLT_ERR_EMPTY)
         snprintf(text, size, "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",
                  e->result.residual, e->result.residual_ratio);
     else if (e->status == JLT_ERR_NONFINITE)
-        snprintf(text, size, "a value overflows or underflows on the way: use units in which parameters and states are nearer one");
+        snprintf(text, size, "a value overflows or underflows on the way: use units in which parameters and states are nearer "
+                             "one");
     else if (e->status == JLT_ERR_DOMAIN) snprintf(text, size, "the field has a pole at this state");
     else snprintf(text, size, "%s", jlt_status_text(e->status));
 }

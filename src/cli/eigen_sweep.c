@@ -65,7 +65,8 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);
-        code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused, count, reason);
+        code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused,
+                                count, reason);
     }
 done:
     jlt_command_discard(&output);

@@ -24,7 +24,8 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
         if (!isfinite(errors[i])) st = JLT_ERR_NONFINITE;
     }
     if (st != JLT_OK) goto done;
-    JLT_TRY(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->descriptor->integrals, result->integrals));
+    JLT_TRY(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->descriptor->integrals,
+                                       result->integrals));
     st = jlt_linearization_compute(result, q->descriptor, params, x, errors, gradient_errors);
 done:
     free(exact);

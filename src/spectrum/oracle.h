@@ -21,8 +21,8 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor);
 void jlt_oracle_destroy(jlt_oracle *oracle); /* legal on NULL */
 
-/** Take values exactly, shapes (params,) and (states,). exact, of the same shape, or NULL for none: what counts in place of a double,
- *  "p/q", or NULL. */
+/** Take values exactly, shapes (params,) and (states,). exact, of the same shape, or NULL for none: what counts in place of a
+ *  double, "p/q", or NULL. */
 void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const char *const *exact);
 void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const char *const *exact);
 

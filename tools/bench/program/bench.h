@@ -1,5 +1,6 @@
-/** The program `jellett-bench`, which `jellett bench` runs: what a question costs by each method, and how far off the answer is. One file a kind of question; each writes
- *  the rows of one table. Times are seconds of this processor, errors distances to a reference far below rounding. */
+/** The program `jellett-bench`, which `jellett bench` runs: what a question costs by each method, and how far off the answer
+ *  is. One file a kind of question; each writes the rows of one table. Times are seconds of this processor, errors distances to
+ *  a reference far below rounding. */
 #ifndef JLT_BENCH_H
 #define JLT_BENCH_H
 
