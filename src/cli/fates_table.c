@@ -5,37 +5,6 @@
 
 #include "report/csv.h"
 
-bool jlt_fates_turn(const jlt_system *system)
-{
-    return system->surface != NULL && system->surface->section->turn != NULL;
-}
-
-void jlt_fates_shares_add(jlt_fates_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)
-{
-    jlt_fates_add(&sum->all, end);
-    if (!jlt_fates_turn(system)) return;
-    sum->turned = jlt_surface_turned_at(system);
-    if (jlt_surface_is_low(system, q)) jlt_fates_add(&sum->low, end);
-}
-
-size_t jlt_fates_shares_failed(const jlt_fates_shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++)
-        if (jlt_section_failed((jlt_fate)fate)) count += sum->all.by_fate[fate];
-    return count;
-}
-
-/* Those on which the model's conditions held throughout. */
-static size_t held(const jlt_fates_shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) count += sum->all.valid[fate];
-    return count;
-}
-
 static bool has_conditions(const jlt_system *system) { return jlt_observed_conditions(system->observed) > 0; }
 
 static const char *conditions(const jlt_system *system) { return jlt_observed_condition(system->observed, JLT_OBSERVED_ANY); }
@@ -106,20 +75,21 @@ void jlt_fates_table_share_names(FILE *file, const jlt_system *base, const jlt_g
     char name[JLT_FATE_TEXT_MAX];
 
     for (size_t k = 0; k < count; k++) fprintf(file, "%s,", axes[k].name);
-    fprintf(file, "starts%s", jlt_fates_turn(base) ? ",low_starts" : "");
+    fprintf(file, "starts%s", jlt_shares_turn(base) ? ",low_starts" : "");
     for (size_t i = 0; i < TOLD; i++) {
         jlt_section_fate_text(name, base->observed, told[i], JLT_OBSERVED_ANY);
         if (can_be(base, told[i])) fprintf(file, ",%s", name);
     }
     fputs(",failed", file);
-    if (jlt_fates_turn(base)) fputs(",turned,turned_error,turned_in_contact", file);
+    if (jlt_shares_turn(base)) fputs(",turned,turned_error,turned_in_contact", file);
     else if (has_conditions(base)) fprintf(file, ",%s_held", conditions(base));
     fputc('\n', file);
 }
 
-void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count, const jlt_fates_shares *sum)
+void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count,
+                            const jlt_shares *sum)
 {
-    const bool turns = jlt_fates_turn(base);
+    const bool turns = jlt_shares_turn(base);
     double share, error, kept, kept_error;
 
     jlt_csv_values(file, values, count);
@@ -127,17 +97,17 @@ void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, co
     if (turns) fprintf(file, ",%zu", sum->low.starts);
     for (size_t i = 0; i < TOLD; i++)
         if (can_be(base, told[i])) fprintf(file, ",%zu", sum->all.by_fate[told[i]]);
-    fprintf(file, ",%zu", jlt_fates_shares_failed(sum));
+    fprintf(file, ",%zu", jlt_shares_failed(sum));
     jlt_fates_share(&share, &error, turns ? &sum->low : &sum->all, turns ? sum->turned : JLT_FATE_ALIVE, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (turns && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g,%.9g", share, error, kept);
     else if (turns) fputs(",,,", file);
-    else if (has_conditions(base)) fprintf(file, ",%zu", held(sum));
+    else if (has_conditions(base)) fprintf(file, ",%zu", jlt_shares_held(sum));
     fputc('\n', file);
     if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], share, error, kept);
 }
 
-void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_fates_shares *sum)
+void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_shares *sum)
 {
     char name[JLT_FATE_TEXT_MAX];
     double turned, error, kept, kept_error;
@@ -157,9 +127,9 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
     if (sum->low.starts > 0)
         fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts, system->surface->section->turn_meaning,
                 turned, error, kept, kept_error, conditions(system));
-    if (has_conditions(system) && !options->flow.end_where_invalid && held(sum) < sum->all.starts)
+    if (has_conditions(system) && !options->flow.end_where_invalid && jlt_shares_held(sum) < sum->all.starts)
         fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)",
-                sum->all.starts - held(sum), conditions(system));
+                sum->all.starts - jlt_shares_held(sum), conditions(system));
     if (sum->empty > 0) fprintf(stream, "; %zu points of the grid have no state", sum->empty);
     fputc('\n', stream);
 }

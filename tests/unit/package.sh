@@ -14,7 +14,7 @@ package=$scratch/jellett_${version}_$(dpkg --print-architecture).deb
 dpkg-deb -x "$package" "$scratch/root"
 tree=$scratch/root/usr
 
-for path in bin/ttc bin/jellett include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h \
+for path in bin/ttc bin/jellett libexec/jellett/jellett-bench include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h \
     share/jellett/models/spherical_top.tt share/jellett/examples/section.c share/man/man1/ttc.1 share/man/man1/jellett.1 \
     share/doc/jellett/LICENSE; do
     [ -f "$tree/$path" ] || fail "the package has no /usr/$path"
@@ -26,7 +26,7 @@ library=$(find "$tree" -name libjellett.so)
 
 # What the loader asks for is in packages that this one depends on; who calls Z3 or Arb, which package they are in, is dpkg's to say.
 depends=" $(dpkg-deb -f "$package" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "
-for file in "$tree/bin/ttc" "$tree/bin/jellett" "$library"; do
+for file in "$tree/bin/ttc" "$tree/bin/jellett" "$tree/libexec/jellett/jellett-bench" "$library"; do
     while read -r soname; do
         path=$(ldd "$file" | awk -v name="$soname" '$1 == name { print $3 }')
         owner=$(dpkg -S "*/$soname" 2>/dev/null | sed 's/:.*//' | sort -u)
@@ -43,6 +43,8 @@ ttc prove "$tree/share/jellett/models/lorenz.tt" > "$scratch/proved" || fail "tt
 for program in jellett ttc; do
     [ "$(command -v $program)" = "$tree/bin/$program" ] || fail "$program is not that of the package"
 done
+jellett bench eigenvalues --repeats 1 > "$scratch/measured" || fail "jellett bench: exit status $?"
+grep -q '^jellett,closed form' "$scratch/measured" || fail "jellett bench measures nothing"
 simulate=(--start x=1,y=2,z=20 --times 1 --method dop853) # by kernels without lanes in both
 jellett simulate lorenz "${simulate[@]}" | grep -v '^#' > "$scratch/built_in"
 jellett simulate "$tree/share/jellett/models/lorenz.tt" "${simulate[@]}" | grep -v '^#' > "$scratch/loaded"
