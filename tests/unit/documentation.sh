@@ -19,6 +19,8 @@ for program in ttc jellett; do
             example && /^[^ ]/ { print what ": wrapped example: " last; wrapped = 1 }
             { example = /^  (jellett|ttc) |^    --/; last = $0 }
             END { exit wrapped }' || status=1
+        # Where an option's line is full, argp may write the margin of what follows before it: another length of either mends it.
+        ! $program "$command" --help | grep -nE '^  -.,  +--' || fail "$program $command --help: an option stands behind the margin"
         for option in $($program "$command" --help | grep -oE -- '--[a-z][a-z-]*' | sort -u); do
             grep -qF -- "${option//-/\\-}" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: $option is missing"
         done

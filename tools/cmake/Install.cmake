@@ -1,4 +1,4 @@
-# What `cmake --install` lays down: programs, libraries, headers, kernels, models, scenes, man pages, and how to find
+# What `cmake --install` lays down: programs, libraries, headers, kernels, models, scenes, man pages, completion, and how to find
 # them by pkg-config (jellett) and by CMake (find_package(jellett): jellett::shared, jellett::static).
 include(CMakePackageConfigHelpers)
 
@@ -32,6 +32,17 @@ endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/man)
 add_custom_target(man ALL DEPENDS ${JLT_MAN_PAGES})
 install(FILES ${JLT_MAN_PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+# Completion asks the programs what they have: one script that knows how, beside them in the build too, and one for each shell.
+configure_file(${PROJECT_SOURCE_DIR}/tools/completion/complete ${CMAKE_BINARY_DIR}/share/jellett/complete COPYONLY)
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/completion/complete DESTINATION ${JLT_INSTALL_DATA})
+foreach(program ttc jellett)
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/completion/jellett.bash RENAME ${program}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/completion/jellett.fish RENAME ${program}.fish
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/tools/completion/_jellett DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
