@@ -1,5 +1,5 @@
-/* A report lists the claims of the table first, in its order, and then what is derived: roots, variants, times and
- * eliminations, by kind and name. */
+/* A report of proofs lists the table's claims first, in its order, and then the derived ones (roots, variants, times,
+ * eliminations), by kind and name; this order is relied on here. */
 #include "kernels/unproved.h"
 
 #include <stdlib.h>
