@@ -25,6 +25,7 @@ breathe_default_project = "jellett"
 breathe_domain_by_extension = {"h": "c"}
 breathe_default_members = ("members", "undoc-members")
 breathe_show_include = False
+breathe_show_define_initializer = True
 
 
 class Transcript(RegexLexer):
