@@ -144,6 +144,50 @@ typedef struct {
     unsigned claim;           /* which of the model's `claims` it is */
 } jlt_reversor;
 
+/* An end of a state's interval at which orbits end, from the record `pole`. */
+typedef struct {
+    unsigned state;
+    const char *meaning; /* "" when not said */
+} jlt_pole;
+
+/* A point of a section to begin with, from the record `start` of its coordinates' table. */
+typedef struct {
+    const char *name;
+    const double *point; /* (coordinates,) */
+} jlt_section_point;
+
+/** A section x[column] = level on levels of integrals, in coordinates of its own: from the record `section` of the table, and from
+ *  the table of its coordinates, whose record `lift` says which state a point is. Kernels take unprepared parameters with the
+ *  levels after them, values = (params, levels); q has shape (coordinates,), x all states of the field. */
+typedef struct {
+    const char *name;   /* of the record */
+    const char *chart;  /* model name of the coordinates' table, */
+    const char *sha256; /* and its digest */
+    unsigned claim;     /* which of the model's `claims` says that lift and back are inverse to each other, and on the levels */
+    unsigned column;
+    double level;
+    unsigned coordinate_count;
+    const jlt_quantity *coordinates; /* with interval and period */
+    const unsigned char *is_angle;   /* (coordinates,): 1 where it is an atan2 of the state, in radians */
+    unsigned level_count;
+    const jlt_quantity *levels;      /* parameters of the coordinates' table that are values of integrals; the default too */
+    const unsigned *integrals;       /* (levels,): which of the general field's integrals, as in `integrals` */
+    jlt_kernel_function lift;        /* q, values -> x (states,) */
+    jlt_kernel_function lift_slopes; /* q, values -> dx/dq and dx/dlevels, (states, coordinates + levels) */
+    unsigned region_count;
+    jlt_kernel_function region;      /* q, values -> (regions,): there is a state where all are > 0; NULL: everywhere */
+    jlt_kernel_function back;        /* x, values -> (coordinates, 2): sine and cosine of an angle times one positive number; else
+                                        the coordinate, and 1 */
+    jlt_kernel_function back_slopes; /* x, values -> (coordinates, 2, states) */
+    unsigned beside_count, ending_count; /* quantities to show at returns, and at the end of an orbit */
+    const jlt_quantity *beside, *ending;
+    jlt_kernel_function beside_values, ending_values; /* x, values -> (beside,), (ending,) */
+    unsigned start_count;
+    const jlt_section_point *starts;
+    jlt_kernel_function turn; /* q, values -> (1,): an orbit that begins where it is < 0 and ends where it is > 0 has turned; or NULL */
+    const char *turn_meaning; /* what starts are called where it is < 0 */
+} jlt_section_chart;
+
 typedef struct jlt_descriptor {
     const char *model, *variant, *time, *elimination; /* "" for the general field, its own time, all states */
     const char *title, *source;
@@ -182,6 +226,10 @@ typedef struct jlt_descriptor {
     jlt_kernel valid_values;        /* shape (valids,); the model holds where all are > 0 */
     unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no more; */
     const jlt_reversor *reversors;  /* on fields with a time or an elimination there are none */
+    unsigned pole_count;            /* these four on the general field with all its states, in any of its times */
+    const jlt_pole *poles;
+    unsigned section_count;
+    const jlt_section_chart *sections;
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file

@@ -39,6 +39,7 @@ extern "C" {
 #include "dynamics/branch.h"
 #include "dynamics/chart.h"
 #include "dynamics/chart_level.h"
+#include "dynamics/chart_section.h"
 #include "dynamics/continuation.h"
 #include "dynamics/fates.h"
 #include "dynamics/homoclinic.h"
@@ -50,6 +51,7 @@ extern "C" {
 #include "dynamics/section.h"
 #include "dynamics/section_batch.h"
 #include "dynamics/separation.h"
+#include "dynamics/surface.h"
 #include "dynamics/symmetric.h"
 #include "dynamics/system.h"
 
@@ -58,8 +60,6 @@ extern "C" {
 #include "analysis/density.h"
 #include "analysis/linearization.h"
 
-#include "top/known.h"
-#include "top/system_top.h"
 #include "top/tier.h"
 #include "top/top.h"
 

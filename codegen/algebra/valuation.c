@@ -17,13 +17,14 @@ static ttc_valuation *allocate(const ttc_model *model)
     v->square = calloc(v->symbol_count, sizeof *v->square);
     v->variable = calloc(v->symbol_count, sizeof *v->variable);
     v->freed = calloc(v->symbol_count, sizeof *v->freed);
+    v->rooted = calloc(v->symbol_count, sizeof *v->rooted);
     v->names = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->names);
     v->positive = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->positive);
     v->basis = calloc(v->symbol_count, sizeof *v->basis);
     v->exponentials = calloc(v->symbol_count, sizeof *v->exponentials);
     v->logarithms = calloc(v->symbol_count, sizeof *v->logarithms);
     if (v->values == NULL || v->known == NULL || v->bound == NULL || v->square == NULL || v->variable == NULL
-        || v->freed == NULL || v->names == NULL || v->positive == NULL || v->basis == NULL || v->exponentials == NULL
+        || v->freed == NULL || v->rooted == NULL || v->names == NULL || v->positive == NULL || v->basis == NULL || v->exponentials == NULL
         || v->logarithms == NULL) {
         v->symbol_count = 0;
         ttc_valuation_destroy(v);
@@ -106,6 +107,7 @@ void ttc_valuation_destroy(ttc_valuation *v)
     free(v->basis);
     free(v->positive);
     free(v->names);
+    free(v->rooted);
     free(v->freed);
     free(v->variable);
     free(v->square);
@@ -119,6 +121,11 @@ ttc_ring *ttc_valuation_ring(ttc_valuation *v) { return v->ring; }
 const ttc_model *ttc_valuation_model(const ttc_valuation *v) { return v->model; }
 void ttc_valuation_bind(ttc_valuation *v, uint32_t symbol, ttc_id expression) { v->bound[symbol] = expression; }
 void ttc_valuation_bind_square(ttc_valuation *v, uint32_t symbol, ttc_id square) { v->square[symbol] = square; }
+void ttc_valuation_bind_root(ttc_valuation *v, uint32_t symbol, ttc_id radicand)
+{
+    v->square[symbol] = radicand;
+    v->rooted[symbol] = true;
+}
 void ttc_valuation_free_root(ttc_valuation *v, uint32_t symbol) { v->freed[symbol] = true; }
 slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v->variable[symbol]; }
 
@@ -146,7 +153,7 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
             ttc_ring_fail(v->ring, TTC_RING_ROOT_OF_ZERO);
     } else if (v->square[symbol] != TTC_NONE) {
         ttc_evaluate(v, out, v->square[symbol]);
-        ttc_ring_root(v->ring, out, out, v->variable[symbol], false);
+        ttc_ring_root(v->ring, out, out, v->variable[symbol], v->rooted[symbol]);
     } else if (!spare && entry->kind == TTC_LET) {
         ttc_evaluate(v, out, entry->definition);
     } else if (!spare && entry->kind == TTC_ROOT && !v->freed[symbol]) {

@@ -31,6 +31,7 @@ const ttc_model *ttc_valuation_model(const ttc_valuation *valuation);
 
 void ttc_valuation_bind(ttc_valuation *valuation, uint32_t symbol, ttc_id expression);
 void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square);
+void ttc_valuation_bind_root(ttc_valuation *valuation, uint32_t symbol, ttc_id radicand); /* to the positive square root */
 /* A root becomes a variable of its own, as a lifted root is a state; before anything is evaluated. */
 void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* evaluated before */

@@ -17,6 +17,7 @@ struct ttc_valuation {
     ttc_id *bound, *square; /* by symbol; TTC_NONE: not so */
     slong *variable;        /* by symbol; -1: none */
     bool *freed;            /* by symbol: a root that is a variable */
+    bool *rooted;           /* by symbol: of `square` it is the positive root */
     const char **names;     /* by variable */
     bool *positive;
     uint32_t *basis; /* cosines of independent angles, of which all others are sums; plain valuations only */

@@ -59,7 +59,7 @@ const char *ttc_text_string(const ttc_text *text) { return text->bytes == NULL ?
 /* Octal escapes have at most three digits, so that a digit which follows is never swallowed. */
 void ttc_text_add_escaped(ttc_text *text, const char *bytes)
 {
-    for (const unsigned char *c = (const unsigned char *)bytes; *c != '\0'; c++) {
+    for (const unsigned char *c = (const unsigned char *)bytes; c != NULL && *c != '\0'; c++) {
         if (*c == '"' || *c == '\\' || *c == '?') ttc_text_format(text, "\\%c", *c);
         else if (*c == '\n') ttc_text_add(text, "\\n");
         else if (*c < 32 || *c > 126) ttc_text_format(text, "\\%03o", *c);

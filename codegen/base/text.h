@@ -23,7 +23,7 @@ void ttc_text_format(ttc_text *text, const char *format, ...);
 /* The bytes as a string; "" when nothing was added. Valid until the next change. */
 const char *ttc_text_string(const ttc_text *text);
 
-/* `bytes` as the inside of a C string literal. */
+/* `bytes` as the inside of a C string literal; nothing for NULL. */
 void ttc_text_add_escaped(ttc_text *text, const char *bytes);
 
 /* `bytes` as the inside of a C comment: the end mark is broken up, line ends become spaces. */

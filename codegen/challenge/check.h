@@ -14,7 +14,7 @@ typedef enum {
 } ttc_check_outcome;
 
 typedef struct {
-    const ttc_model *model, *target; /* target: of a reduction */
+    const ttc_model *model, *target; /* target: of a reduction or section */
     const ttc_claim *claim;          /* NULL for derived ones */
     uint32_t index;                  /* of what a derived one is about */
     ttc_probe *probe, *target_probe;
@@ -59,6 +59,8 @@ void ttc_check_matrix(ttc_check *check);
 void ttc_check_left_null(ttc_check *check);
 void ttc_check_obstructs(ttc_check *check);
 void ttc_check_reduction(ttc_check *check); /* and embeddings */
+void ttc_check_section(ttc_check *check);
+void ttc_check_pole(ttc_check *check);
 void ttc_check_root(ttc_check *check); /* and logarithms */
 void ttc_check_variant(ttc_check *check);
 void ttc_check_time(ttc_check *check);

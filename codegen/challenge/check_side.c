@@ -1,4 +1,4 @@
-/* What is derived from records that are no claims, at one point: roots, variants, times, eliminations. */
+/* What is derived from records that are no claims, at one point: roots, variants, times, eliminations, poles. */
 #include "challenge/check.h"
 
 #include <stdlib.h>
@@ -61,6 +61,29 @@ void ttc_check_time(ttc_check *check)
     const ttc_time *time = &check->model->times[check->index];
     arb_srcptr factor = ttc_check_at(check, time->factor);
     if (factor != NULL) ttc_check_positive(check, factor, "dt/dtau of", time->name);
+}
+
+/* With the state at an end of its interval, some lifted root is the root of zero. */
+static void check_end(ttc_check *check, uint32_t state, ttc_id end)
+{
+    const ttc_model *model = check->model;
+    arb_srcptr value = ttc_check_at(check, end);
+    bool vanishes = false;
+    if (value == NULL) return;
+    ttc_probe_set(check->probe, state, value);
+    for (size_t i = 0; i < model->time_count; i++)
+        for (size_t k = 0; k < model->times[i].lifted_count; k++) {
+            arb_srcptr radicand = ttc_probe_at(check->probe, model->symbols[model->times[i].lifted[k]].definition);
+            vanishes |= radicand == NULL || arb_contains_zero(radicand);
+        }
+    if (!vanishes) ttc_check_violate(check, "no lifted root is zero at an end of", model->symbols[state].name);
+}
+
+void ttc_check_pole(ttc_check *check)
+{
+    const uint32_t state = check->model->poles[check->index].state;
+    check_end(check, state, check->model->symbols[state].low);
+    check_end(check, state, check->model->symbols[state].high);
 }
 
 /* With the level at the integral's value, the solution is the state, and moves as the state does. */

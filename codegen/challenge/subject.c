@@ -16,7 +16,7 @@ static const struct {
     { TTC_CLAIM_MATRIX, ttc_check_matrix, true },         { TTC_CLAIM_LEFT_NULL, ttc_check_left_null, true },
     { TTC_CLAIM_OBSTRUCTS, ttc_check_obstructs, false },  { TTC_CLAIM_REDUCTION, ttc_check_reduction, false },
     { TTC_CLAIM_SYMMETRY, ttc_check_symmetry, false },    { TTC_CLAIM_EMBEDDING, ttc_check_reduction, false },
-    { TTC_CLAIM_PERIODIC, ttc_check_symmetry, false },
+    { TTC_CLAIM_PERIODIC, ttc_check_symmetry, false },    { TTC_CLAIM_SECTION, ttc_check_section, false },
 };
 
 static void bind(ttc_situation *situation, const ttc_bindings *list)
@@ -94,6 +94,9 @@ static bool find_derived(ttc_subject *subject, const ttc_model *model, const cha
     } else if (strcmp(kind, "eliminate") == 0) {
         for (uint32_t i = 0; i < model->elimination_count; i++)
             if (strcmp(model->eliminations[i].name, name) == 0) return use_derived(subject, ttc_check_elimination, i);
+    } else if (strcmp(kind, "pole") == 0) {
+        for (uint32_t i = 0; i < model->pole_count; i++)
+            if (strcmp(model->symbols[model->poles[i].state].name, name) == 0) return use_derived(subject, ttc_check_pole, i);
     }
     return false;
 }

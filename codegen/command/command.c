@@ -98,8 +98,19 @@ void ttc_command_warn(const ttc_model *model, ttc_place place, const char *forma
     va_end(arguments);
 }
 
+bool ttc_command_passes_over(const ttc_model *model, const ttc_options *options)
+{
+    return model->lift.file != NULL && options->file_count > 1;
+}
+
 bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status, json_t *problems)
 {
+    if (model->lift.file != NULL) {
+        ttc_command_complain(model, model->lift.place, problems, "the coordinates of a section have no kernels of their own (expected "
+                             "%s, with whose kernels theirs are written)", model->lift.file);
+        ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
+        return false;
+    }
     if (ttc_plan_create(plan, model, options->extent, options->effort)) return true;
     ttc_command_complain(model, plan->failed_at, problems, "the kernels asked for here cannot be made: %s", plan->failure);
     ttc_command_raise(status, TTC_EXIT_BAD_TABLE);

@@ -76,6 +76,9 @@ json_t *ttc_command_failure(const char *path, json_t *problems);
 /** The plan of a table, what cannot be planned told. False: *status is raised, and there is no plan. */
 bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status, json_t *problems);
 
+/* A table of coordinates, whose kernels are written with those of the model that it belongs to, among several tables. */
+bool ttc_command_passes_over(const ttc_model *model, const ttc_options *options);
+
 /** Prove a table in a process of its own, within bounds, six times as wide with --effort full; proofs leave no trace in kernels. NULL: memory is out, which is told. */
 ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, const ttc_options *options, int *status);
 

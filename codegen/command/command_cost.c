@@ -63,7 +63,8 @@ int ttc_command_cost(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) {
         json_t *problems = json_array();
         models[i] = ttc_command_read(options->files[i], &status, problems);
-        if (models[i] == NULL || !ttc_command_plan(plans + i, models[i], options, &status, problems))
+        const bool passes = models[i] != NULL && ttc_command_passes_over(models[i], options);
+        if (models[i] == NULL || (!passes && !ttc_command_plan(plans + i, models[i], options, &status, problems)))
             json_array_append_new(failures, ttc_command_failure(options->files[i], problems));
         else json_decref(problems);
     }

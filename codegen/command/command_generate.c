@@ -195,7 +195,7 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
     else if (resting->length > 0)
         ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: kernels that rest on it are marked as unproved "
                          "(%.200s%s)", proof->kind, proof->name, status, ttc_text_string(resting), cut);
-    else if (claim != NULL && claim->target != NULL)
+    else if (claim != NULL && (claim->kind == TTC_CLAIM_REDUCTION || claim->kind == TTC_CLAIM_EMBEDDING))
         ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: %s and this table no longer serve in place of each "
                          "other", proof->kind, proof->name, status, claim->target);
     else ttc_command_warn(model, proof->place, "the %s claim '%s' is %s", proof->kind, proof->name, status);
@@ -299,6 +299,7 @@ int ttc_command_generate(const ttc_options *options)
     ttc_model **models = calloc(options->file_count + 1, sizeof *models);
     ttc_plan *plans = calloc(options->file_count + 1, sizeof *plans);
     kept_lists kept = { 0 };
+    size_t count = 0;
     if (options->out == NULL) {
         fprintf(stderr, "ttc generate: no folder is given (expected --out DIR)\n");
         status = TTC_EXIT_USAGE;
@@ -309,16 +310,20 @@ int ttc_command_generate(const ttc_options *options)
         status = TTC_EXIT_MEMORY;
         goto done;
     }
-    for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status, NULL);
+    for (size_t i = 0; i < options->file_count; i++) {
+        models[count] = ttc_command_read(options->files[i], &status, NULL);
+        if (models[count] == NULL || !ttc_command_passes_over(models[count], options)) count++;
+        else ttc_model_destroy(models[count]), models[count] = NULL;
+    }
     if (options->keep) kept = (kept_lists){ read_list(options->out, "manifest.tsv"), read_list(options->out, "counts.tsv") };
-    for (size_t i = 0; i < options->file_count && status == TTC_EXIT_DONE; i++) {
+    for (size_t i = 0; i < count && status == TTC_EXIT_DONE; i++) {
         bool is_kept = kept.manifest != NULL && kept.counts != NULL && ttc_manifest_has(kept.manifest, models[i]);
         if (!is_kept) generate_table(&output, plans + i, models[i], options, &status);
         for (size_t k = 0; k < i && status == TTC_EXIT_DONE; k++)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
     }
     if (status == TTC_EXIT_DONE
-        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, options->file_count, &kept)
+        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, count, &kept)
             || is_failed(&output))) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_MEMORY;

@@ -156,7 +156,7 @@ static int prove(const ttc_model *model, const ttc_options *options, json_t *rep
     ttc_plan plan = { 0 };
     int status = TTC_EXIT_DONE;
     json_t *problems = json_array();
-    bool has_plan = options->kernels && ttc_command_plan(&plan, model, options, &status, problems);
+    bool has_plan = options->kernels && model->lift.file == NULL && ttc_command_plan(&plan, model, options, &status, problems);
     ttc_proof_report *report = ttc_command_prove_guarded(model, options, &status);
     if (report != NULL && has_plan && !ttc_prove_kernels(&plan, report)) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);

@@ -80,6 +80,18 @@ void ttc_emit_lanes_header(ttc_text *text);
 void ttc_emit_reversors(ttc_text *text, const ttc_field *field);
 void ttc_emit_reversor_member(ttc_text *text, const ttc_field *field);
 
+/* An array of quantities; nothing when there are none. is_angle: NULL, or shape (count,): states that are angles. */
+void ttc_emit_quantities(ttc_text *text, const char *name, const ttc_model *model, const uint32_t *symbols, size_t count,
+                         const bool *is_angle);
+
+/* The poles of the general field, with all its states: the array, and the descriptor's members. */
+void ttc_emit_poles(ttc_text *text, const ttc_field *field);
+void ttc_emit_pole_member(ttc_text *text, const ttc_field *field);
+
+/** Kernels and table of the sections that have coordinates, of the general field with all its states; the table is named
+ *  `sections`, and *count is its length. One whose table of coordinates does not fit is left out. False when memory is out. */
+bool ttc_emit_sections(ttc_text *text, ttc_kernels *kernels, size_t *count);
+
 /* The file of one descriptor. */
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
 

@@ -29,8 +29,6 @@ const char *ttc_emit_base_name(const ttc_model *model)
     return slash == NULL ? model->file : slash + 1;
 }
 
-static const char *or_empty(const char *string) { return string == NULL ? "" : string; }
-
 static void add_comment_line(ttc_text *text, const char *label, const char *content)
 {
     if (content == NULL || *content == '\0') return;
@@ -175,37 +173,6 @@ static bool add_impose(ttc_text *text, ttc_kernels *k)
     return program != NULL;
 }
 
-static void add_double(ttc_text *text, const ttc_graph *graph, ttc_id id, const char *otherwise)
-{
-    if (id != TTC_NONE && ttc_kind_of(graph, id) == TTC_NUMBER) ttc_emit_constant(text, ttc_coefficient(graph, id));
-    else ttc_text_add(text, otherwise);
-}
-
-static void add_quantities(ttc_text *text, const char *name, const ttc_field *field, const uint32_t *symbols, size_t count)
-{
-    static const char *const signs[] = { "JLT_ANY_SIGN", "JLT_POSITIVE", "JLT_NONNEGATIVE", "JLT_NONZERO" };
-    if (count == 0) return;
-    ttc_text_format(text, "static const jlt_quantity %s[] = {\n", name);
-    for (size_t i = 0; i < count; i++) {
-        const ttc_symbol_entry *s = field->model->symbols + symbols[i];
-        ttc_text_format(text, "    { \"%s\", \"", s->name);
-        ttc_text_add_escaped(text, or_empty(s->unit));
-        ttc_text_add(text, "\", \"");
-        ttc_text_add_escaped(text, or_empty(s->meaning));
-        ttc_text_add(text, "\", ");
-        add_double(text, field->graph, s->kind == TTC_STATE ? s->low : TTC_NONE, s->kind == TTC_ROOT ? "0.0" : "-INFINITY");
-        ttc_text_add(text, ", ");
-        add_double(text, field->graph, s->kind == TTC_STATE ? s->high : TTC_NONE, "INFINITY");
-        ttc_text_format(text, ", %s, ", s->kind == TTC_PARAM ? signs[s->sign] : signs[0]);
-        add_double(text, field->graph, s->kind == TTC_PARAM ? s->value : TTC_NONE, "NAN");
-        ttc_text_add(text, ", ");
-        add_double(text, field->graph, s->kind == TTC_STATE ? s->period : TTC_NONE, "0.0");
-        if (s->kind == TTC_STATE && s->in_pi) ttc_text_add(text, "*" TTC_PI_DOUBLE);
-        ttc_text_add(text, " },\n");
-    }
-    ttc_text_add(text, "};\n\n");
-}
-
 static void add_names(ttc_text *text, const char *name, ttc_field *field, const uint32_t *claims, size_t count)
 {
     if (count == 0) return;
@@ -224,9 +191,9 @@ static void add_validities(ttc_text *text, const ttc_model *model)
     ttc_text_add(text, "static const jlt_validity valids[] = {\n");
     for (size_t i = 0; i < model->validity_count; i++) {
         ttc_text_format(text, "    { \"%s\", \"", model->validities[i].name);
-        ttc_text_add_escaped(text, or_empty(model->validities[i].unit));
+        ttc_text_add_escaped(text, model->validities[i].unit);
         ttc_text_add(text, "\", \"");
-        ttc_text_add_escaped(text, or_empty(model->validities[i].meaning));
+        ttc_text_add_escaped(text, model->validities[i].meaning);
         ttc_text_add(text, "\" },\n");
     }
     ttc_text_add(text, "};\n\n");
@@ -261,11 +228,11 @@ static void add_kernel_member(ttc_text *text, ttc_kernels *k, ttc_kernel_kind ki
 static void add_string_member(ttc_text *text, const char *member, const char *value)
 {
     ttc_text_format(text, "    .%s = \"", member);
-    ttc_text_add_escaped(text, or_empty(value));
+    ttc_text_add_escaped(text, value);
     ttc_text_add(text, "\",\n");
 }
 
-static void add_descriptor(ttc_text *text, ttc_kernels *k)
+static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections)
 {
     const ttc_field *field = k->field;
     const ttc_model *model = field->model;
@@ -297,6 +264,8 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0)
         ttc_text_format(text, "    .valid_count = %zu, .valids = valids,\n", model->validity_count);
     ttc_emit_reversor_member(text, field);
+    ttc_emit_pole_member(text, field);
+    if (sections > 0) ttc_text_format(text, "    .section_count = %zu, .sections = sections,\n", sections);
     ttc_text_format(text, "    .integral_count = %zu, .measure_count = %zu, .equilibria_count = %zu,\n", k->integral_count,
                     k->measure_count, k->family_count);
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
@@ -317,6 +286,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
 {
     const ttc_field *field = k->field;
+    size_t sections = 0;
     add_header(text, k);
     ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
     ttc_emit_model_names(text, field->model);
@@ -342,15 +312,16 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     ttc_text_add(text, "\n");
     ttc_emit_complex(text, k->field);
     ttc_text_add(text, "\n");
-    if (!ttc_emit_equilibria(text, k)) return false;
-    add_quantities(text, "states", field, field->states, field->state_count);
-    add_quantities(text, "params", field, field->params, field->param_count);
+    if (!ttc_emit_equilibria(text, k) || !ttc_emit_sections(text, k, &sections)) return false;
+    ttc_emit_quantities(text, "states", field->model, field->states, field->state_count, NULL);
+    ttc_emit_quantities(text, "params", field->model, field->params, field->param_count, NULL);
     add_names(text, "integrals", k->field, k->integrals, k->integral_count);
     add_names(text, "measures", k->field, k->measures, k->measure_count);
     if (k->kernels[TTC_KERNEL_OBSERVE_VALUES].count > 0)
-        add_quantities(text, "observes", field, field->model->observed, field->model->observed_count);
+        ttc_emit_quantities(text, "observes", field->model, field->model->observed, field->model->observed_count, NULL);
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0) add_validities(text, field->model);
     ttc_emit_reversors(text, field);
-    add_descriptor(text, k);
+    ttc_emit_poles(text, field);
+    add_descriptor(text, k, sections);
     return !text->failed;
 }

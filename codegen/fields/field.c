@@ -241,7 +241,7 @@ static ttc_id lifted_rhs(ttc_field *field, uint32_t root, const ttc_id *rhs)
 static void make_rhs(ttc_field *field)
 {
     const ttc_model *model = field->model;
-    for (size_t i = 0; i < model->state_count && !field->failed; i++) {
+    for (size_t i = 0; i < model->equation_count && !field->failed; i++) {
         const ttc_field_symbol *s = field->symbols + model->states[i];
         if (s->role != TTC_ROLE_STATE) continue;
         uint32_t position = s->position;
@@ -299,6 +299,20 @@ ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const
     ttc_field_status status = status_of(field->graph);
     ttc_field_destroy(field);
     return status;
+}
+
+bool ttc_field_place_params(ttc_field *field, const uint32_t *places, size_t count)
+{
+    uint32_t *params = calloc(count + 1, sizeof *params);
+    if (params == NULL) return false;
+    for (size_t i = 0; i < field->param_count; i++) {
+        field->symbols[field->params[i]].position = places[i];
+        params[places[i]] = field->params[i];
+    }
+    free(field->params);
+    field->params = params;
+    field->param_count = count;
+    return true;
 }
 
 void ttc_field_destroy(ttc_field *field)

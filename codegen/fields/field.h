@@ -71,6 +71,9 @@ ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const
                                   const ttc_time *time, const ttc_elimination *elimination);
 void ttc_field_destroy(ttc_field *field); /* legal on NULL */
 
+/** The parameters of a field lie elsewhere, among `count` values: places, shape (param_count,). False when memory is out. */
+bool ttc_field_place_params(ttc_field *field, const uint32_t *places, size_t count);
+
 /* An expression of the model in the field's symbols. TTC_NONE, with the graph's error set, where it divides by zero. */
 ttc_id ttc_field_specialise(ttc_field *field, ttc_id expression);
 

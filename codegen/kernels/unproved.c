@@ -1,5 +1,5 @@
 /* A report of proofs lists the table's claims first, in its order, and then the derived ones (roots, variants, times,
- * eliminations), by kind and name; this order is relied on here. */
+ * eliminations, poles), by kind and name; this order is relied on here. */
 #include "kernels/unproved.h"
 
 #include <stdlib.h>
@@ -28,6 +28,8 @@ static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t numb
     else if (holds(k->measures, k->measure_count, number))
         add_kernels(text, TTC_KERNEL_MEASURE_VALUES, TTC_KERNEL_MEASURE_DIVERGENCES);
     else if (holds(k->families, k->family_count, family)) ttc_text_add(text, "equilibria");
+    else if (claim->kind == TTC_CLAIM_SECTION && k->field->variant == NULL && k->field->elimination == NULL)
+        ttc_text_add(text, "sections");
 }
 
 /* What follows from the table: every kernel of a variant, a time or an elimination needs it, and of a root all do. */

@@ -155,6 +155,7 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
     if (task->role == TTC_DIVIDES_VARIANT) return owner_counts(task, d);
+    if (task->role == TTC_DIVIDES_LIFT) return false; /* that they are not zero is what is to be shown */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
     case TTC_DIVIDES_SYMBOL: return symbol_counts(task->model, support, d->owner);
@@ -338,14 +339,39 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
     }
     unsigned char *used = ttc_model_uses(model);
     if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
-    for (size_t i = 0; used != NULL && i < model->divisor_count && ttc_task_open(task); i++) {
+    else ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_FIELD, 0, used, where);
+    free(used);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry)
+{
+    ttc_ratio root, radicand;
+    ttc_ratio_init(task->ring, &root);
+    ttc_ratio_init(task->ring, &radicand);
+    ttc_evaluate(map, &root, entry->node);
+    ttc_evaluate(map, &radicand, entry->definition);
+    ttc_task_require(task, &root, TTC_IS_POSITIVE, "not positive: the image of the root %s", entry->name);
+    ttc_ratio_multiply(task->ring, &root, &root, &root);
+    ttc_ratio_subtract(task->ring, &root, &root, &radicand);
+    ttc_task_require_zero(task, &root, "%s^2 - its radicand", entry->name);
+    ttc_ratio_clear(task->ring, &radicand);
+    ttc_ratio_clear(task->ring, &root);
+}
+
+void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+                                 const unsigned char *used, const char *where)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
         uint32_t root;
         const ttc_divisor *d = &model->divisors[i];
-        bool counts = d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, used, d->owner));
+        const bool counts = (d->role == role && d->owner == owner) ||
+                            (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, used, d->owner));
         if (!counts || is_root(model, d->divisor, &root)) continue;
-        ttc_evaluate(map, &value, model->divisors[i].divisor);
+        ttc_evaluate(map, &value, d->divisor);
         ttc_task_require(task, &value, TTC_IS_NONZERO, "a denominator vanishes%s", where);
     }
-    free(used);
     ttc_ratio_clear(task->ring, &value);
 }

@@ -20,6 +20,13 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
 /* Requires everything that the domain of `model`, seen through `map`, demands: of an image under a map. */
 void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where);
 
+/* Of a root of another model that is given as an expression: its square is the radicand, and it is positive. */
+void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry);
+
+/* That no divisor of this role and owner is zero, seen through `map`, and none of the definitions in `used`, by symbol. */
+void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+                                 const unsigned char *used, const char *where);
+
 /* Requires of the symbols under test what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task, const char *where);
 

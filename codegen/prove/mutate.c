@@ -107,6 +107,49 @@ static char *mutant_text(const ttc_model *model, const ttc_mutant *mutant)
     return text;
 }
 
+static const char *base_name(const ttc_model *model)
+{
+    const char *slash = strrchr(model->file, '/');
+    return slash == NULL ? model->file : slash + 1;
+}
+
+/* A mutant in the place of its table, among the others. */
+typedef struct {
+    const ttc_model *mutated;
+    ttc_resolver resolver;
+    void *context;
+} substitute;
+
+static ttc_model *resolve_mutant(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
+{
+    const substitute *s = context;
+    if (strcmp(target, base_name(s->mutated)) != 0) return s->resolver(s->context, model, target, diagnostics);
+    return ttc_model_parse(s->mutated->text, strlen(s->mutated->text), s->mutated->file, diagnostics);
+}
+
+/* Of a table of coordinates, the sections of the model that it lifts into tell: one that is no longer proved has noticed, as many a
+ * mutant has no points left to refute anything at. False: memory is out. */
+static bool prove_sections(const ttc_model *mutated, ttc_resolver resolver, void *context, ttc_mutant *mutant)
+{
+    substitute s = { mutated, resolver, context };
+    ttc_diagnostics *ignored = ttc_diagnostics_create();
+    ttc_model *owner = ignored == NULL || resolver == NULL ? NULL : resolver(context, mutated, mutated->lift.file, ignored);
+    ttc_proof_run *run = owner == NULL ? NULL : ttc_proof_run_create(owner, resolve_mutant, &s);
+    for (size_t i = 0; run != NULL && mutant->refuted == NULL && i < owner->section_count; i++) {
+        const uint32_t claim = owner->sections[i].claim;
+        if (strcmp(owner->claims[claim].target, base_name(mutated)) != 0) continue;
+        ttc_proof_run_prove(run, claim);
+        if (ttc_proof_run_proof(run, claim)->status == TTC_PROVED) continue;
+        mutant->fate = TTC_MUTANT_REFUTED;
+        mutant->refuted = strdup(owner->claims[claim].name);
+    }
+    const bool ok = ignored != NULL && (owner == NULL || run != NULL);
+    ttc_proof_run_destroy(run);
+    ttc_model_destroy(owner);
+    ttc_diagnostics_destroy(ignored);
+    return ok;
+}
+
 static bool prove_mutant(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutant *mutant)
 {
     bool done = false;
@@ -123,6 +166,8 @@ static bool prove_mutant(const ttc_model *model, ttc_resolver resolver, void *co
     if (report->refuted > 0) {
         mutant->refuted = report->proofs[report->proof_count - 1].name;
         report->proofs[report->proof_count - 1].name = NULL;
+    } else if (mutated->lift.file != NULL) {
+        done = prove_sections(mutated, resolver, context, mutant);
     }
 done:
     ttc_proof_report_destroy(report);

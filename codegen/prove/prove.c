@@ -18,7 +18,7 @@ static const struct {
     { TTC_CLAIM_LEFT_NULL, ttc_prove_left_null },   { TTC_CLAIM_EQUAL, ttc_prove_equal },
     { TTC_CLAIM_POSITIVE, ttc_prove_positive },     { TTC_CLAIM_REDUCTION, ttc_prove_reduction },
     { TTC_CLAIM_EMBEDDING, ttc_prove_reduction },   { TTC_CLAIM_SYMMETRY, ttc_prove_symmetry },
-    { TTC_CLAIM_PERIODIC, ttc_prove_symmetry },
+    { TTC_CLAIM_PERIODIC, ttc_prove_symmetry },     { TTC_CLAIM_SECTION, ttc_prove_section },
 };
 
 static ttc_prover prover_of(ttc_claim_kind kind)

@@ -15,22 +15,6 @@ static bool binding_of(const ttc_task *task, const char *name, ttc_id *expressio
     return false;
 }
 
-/* A target's root given as an expression: its square is the radicand, and it is evidently positive. */
-static void check_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry)
-{
-    ttc_ratio root, radicand;
-    ttc_ratio_init(task->ring, &root);
-    ttc_ratio_init(task->ring, &radicand);
-    ttc_evaluate(map, &root, entry->node);
-    ttc_evaluate(map, &radicand, entry->definition);
-    ttc_task_require(task, &root, TTC_IS_POSITIVE, "not positive: the image of the root %s", entry->name);
-    ttc_ratio_multiply(task->ring, &root, &root, &root);
-    ttc_ratio_subtract(task->ring, &root, &root, &radicand);
-    ttc_task_require_zero(task, &root, "%s^2 - its radicand", entry->name);
-    ttc_ratio_clear(task->ring, &radicand);
-    ttc_ratio_clear(task->ring, &root);
-}
-
 /* A target's parameter given as an expression is a quantity that our flow keeps. */
 static void check_parameter(ttc_task *task, const ttc_symbol_entry *entry, ttc_id expression)
 {
@@ -271,7 +255,7 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
         const ttc_symbol_entry *entry = &target->symbols[i];
         ttc_id expression;
         if (!binding_of(task, entry->name, &expression)) continue;
-        if (entry->kind == TTC_ROOT) check_root(task, map, entry);
+        if (entry->kind == TTC_ROOT) ttc_domain_require_root(task, map, entry);
         if (entry->kind == TTC_PARAM) check_parameter(task, entry, expression);
     }
     chain_rule(task, target, map);

@@ -58,6 +58,19 @@ void ttc_task_unsettle(ttc_task *task, const char *format, ...)
     va_end(arguments);
 }
 
+void ttc_task_adopt(ttc_task *task, ttc_task *other)
+{
+    task->relies_on_solver |= other->relies_on_solver;
+    if (other->status != TTC_PROVED) {
+        settle(task, other->status, other->remainder, other->point);
+    } else {
+        free(other->remainder);
+        free(other->point);
+    }
+    free(other->note);
+    other->remainder = other->point = other->note = NULL;
+}
+
 bool ttc_task_open(const ttc_task *task)
 {
     return task->status == TTC_PROVED && task->ring->status == TTC_RING_OK;

@@ -26,6 +26,8 @@ struct ttc_task {
     void *resolver_context;
     ttc_verdict_source verdict_of;
     void *verdict_context;
+    const ttc_task *section; /* in a table of coordinates: the claim that it is looked at for; NULL */
+    bool is_lifted;          /* of a section: its table of coordinates was looked at */
     const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none */
     uint32_t tested_root;       /* the root whose radicand is to be shown positive; 0: none */
     /* of the leaf in hand */
@@ -61,6 +63,8 @@ TTC_PRINTF(3, 4) void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder
 TTC_PRINTF(3, 4) void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
 /* In its relation to zero at every point of this leaf. */
 TTC_PRINTF(4, 5) void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...);
+/* What was found of a task that this one rests on, and what it holds then belongs to us. */
+void ttc_task_adopt(ttc_task *task, ttc_task *other);
 bool ttc_task_open(const ttc_task *task); /* nothing against the claim so far, and the ring is sound */
 
 /** Look for a point of the leaf at which a ratio stands in a relation to zero. text, when not NULL, receives the point. */
@@ -111,5 +115,6 @@ void ttc_prove_left_null(ttc_task *task);
 void ttc_prove_equal(ttc_task *task);
 void ttc_prove_positive(ttc_task *task);
 void ttc_prove_reduction(ttc_task *task);
+void ttc_prove_section(ttc_task *task);
 
 #endif

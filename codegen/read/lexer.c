@@ -49,6 +49,15 @@ static bool is_soft(ttc_keyword keyword)
     case TTC_KEYWORD_OBSERVE:
     case TTC_KEYWORD_VALID:
     case TTC_KEYWORD_PERIODIC:
+    case TTC_KEYWORD_POLE:
+    case TTC_KEYWORD_SECTION:
+    case TTC_KEYWORD_LIFT:
+    case TTC_KEYWORD_START:
+    case TTC_KEYWORD_TURNS:
+    case TTC_KEYWORD_AT:
+    case TTC_KEYWORD_BESIDE:
+    case TTC_KEYWORD_ENDING:
+    case TTC_KEYWORD_ATAN2:
     case TTC_KEYWORD_MODULO:
     case TTC_KEYWORD_ONTO:
     case TTC_KEYWORD_WITH: return true;

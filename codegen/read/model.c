@@ -3,11 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void clear_names(char **names, size_t count)
+{
+    for (size_t i = 0; i < count; i++) free(names[i]);
+    free(names);
+}
+
 void ttc_claim_clear(ttc_claim *claim)
 {
-    if (claim->target_names != NULL)
-        for (size_t i = 0; i < claim->bindings.count; i++) free(claim->target_names[i]);
-    free(claim->target_names);
+    if (claim->target_names != NULL) clear_names(claim->target_names, claim->bindings.count);
     free(claim->target);
     free(claim->bindings.items);
     free(claim->when.items);
@@ -15,6 +19,31 @@ void ttc_claim_clear(ttc_claim *claim)
     free(claim->entries);
     free(claim->members);
     free(claim->name);
+}
+
+/* What is said of sections, on either side. */
+static void clear_sections(ttc_model *model)
+{
+    for (size_t i = 0; i < model->pole_count; i++) free(model->poles[i].meaning);
+    for (size_t i = 0; i < model->section_count; i++) {
+        ttc_section *section = model->sections + i;
+        clear_names(section->coordinates, section->coordinate_count);
+        clear_names(section->levels, section->level_count);
+        free(section->is_angle);
+        free(section->beside);
+        free(section->ending);
+    }
+    for (size_t i = 0; i < model->start_count; i++) {
+        free(model->starts[i].name);
+        free(model->starts[i].point);
+    }
+    clear_names(model->lift.names, model->lift.bindings.count);
+    free(model->lift.bindings.items);
+    free(model->lift.file);
+    free(model->starts);
+    free(model->turn_meaning);
+    free(model->poles);
+    free(model->sections);
 }
 
 void ttc_model_destroy(ttc_model *model)
@@ -36,6 +65,7 @@ void ttc_model_destroy(ttc_model *model)
     }
     for (size_t i = 0; i < model->elimination_count; i++) free(model->eliminations[i].name);
     for (size_t i = 0; i < model->claim_count; i++) ttc_claim_clear(model->claims + i);
+    clear_sections(model);
     free(model->symbols);
     free(model->params);
     free(model->states);
@@ -126,6 +156,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_EMBEDDING: return "embedding";
     case TTC_CLAIM_SYMMETRY: return "symmetry";
     case TTC_CLAIM_PERIODIC: return "periodic";
+    case TTC_CLAIM_SECTION: return "section";
     }
     return "claim";
 }

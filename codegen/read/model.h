@@ -109,7 +109,8 @@ typedef enum {
     TTC_CLAIM_REDUCTION,  /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
     TTC_CLAIM_EMBEDDING,  /* the same; the target is the larger model */
     TTC_CLAIM_SYMMETRY,   /* as REVERSOR; named by its keyword where it has no name */
-    TTC_CLAIM_PERIODIC    /* the symmetry STATE = STATE + period; named by its state */
+    TTC_CLAIM_PERIODIC,   /* the symmetry STATE = STATE + period; named by its state */
+    TTC_CLAIM_SECTION     /* when: STATE = number; target: the table of coordinates; see ttc_section */
 } ttc_claim_kind;
 
 typedef struct {
@@ -126,9 +127,44 @@ typedef struct {
     size_t entry_count;
     uint32_t *members;
     size_t member_count;
-    char *target;         /* REDUCTION, EMBEDDING: file name of the other model, beside this one */
-    char **target_names;  /* and names in it, one a binding */
+    char *target;         /* REDUCTION, EMBEDDING, SECTION: file name of the other model, beside this one */
+    char **target_names;  /* of the first two: names in it, one a binding */
 } ttc_claim;
+
+/* An end of a state's interval at which orbits end. */
+typedef struct {
+    uint32_t state; /* symbol */
+    char *meaning;  /* may be NULL */
+    ttc_place place;
+} ttc_pole;
+
+/* A section and its coordinates, beside what its claim holds: `entries`, two a coordinate, which are the sine and the cosine of an
+ * angle times one positive number, otherwise the coordinate and 1; and `members`, the integrals whose values are `levels`. */
+typedef struct {
+    uint32_t claim;
+    char **coordinates; /* names in the table of coordinates, in the order of this record */
+    bool *is_angle;
+    size_t coordinate_count;
+    char **levels;      /* parameters of that table */
+    size_t level_count;
+    uint32_t *beside, *ending; /* symbols */
+    size_t beside_count, ending_count;
+} ttc_section;
+
+/* In a table of coordinates: the states and lifted roots of the model, as expressions in the coordinates. */
+typedef struct {
+    char *file;   /* the model's table; NULL: this is no table of coordinates */
+    char **names; /* in it, one a binding */
+    ttc_bindings bindings;
+    ttc_place place;
+} ttc_lift;
+
+/* In a table of coordinates: a point to begin with. */
+typedef struct {
+    char *name;
+    ttc_id *point; /* shape (state_count,), numbers */
+    ttc_place place;
+} ttc_start;
 
 /* `domain NAME : expression > 0`: a part of the domain that no sign of a parameter and no interval of a state can say. */
 typedef struct {
@@ -151,7 +187,8 @@ typedef enum {
     TTC_DIVIDES_CLAIM,  /* in claim `owner` */
     TTC_DIVIDES_VARIANT,
     TTC_DIVIDES_TIME,
-    TTC_DIVIDES_VALID   /* in validity `owner`, which is looked at where it is defined, and nowhere else */
+    TTC_DIVIDES_VALID,  /* in validity `owner`, which is looked at where it is defined, and nowhere else */
+    TTC_DIVIDES_LIFT    /* in what a table of coordinates says of its points, all of which it must be defined at */
 } ttc_divisor_role;
 
 typedef struct {
@@ -178,7 +215,7 @@ typedef struct ttc_model {
     uint32_t *params, *states; /* symbols in order of appearance */
     size_t param_count, state_count;
     ttc_equation *equations; /* in the order of states */
-    size_t equation_count;   /* equals state_count in a complete model */
+    size_t equation_count;   /* equals state_count in a complete model; 0 in a table of coordinates */
     ttc_variant *variants;
     size_t variant_count;
     ttc_time *times;
@@ -193,6 +230,15 @@ typedef struct ttc_model {
     size_t observed_count;
     ttc_validity *validities;
     size_t validity_count;
+    ttc_pole *poles;
+    size_t pole_count;
+    ttc_section *sections;
+    size_t section_count;
+    ttc_lift lift;
+    ttc_start *starts;
+    size_t start_count;
+    ttc_id turn;        /* of a table of coordinates, or TTC_NONE: what starts are called where it is negative */
+    char *turn_meaning;
     ttc_divisor *divisors;
     size_t divisor_count;
     ttc_use *uses;

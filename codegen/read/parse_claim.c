@@ -102,65 +102,12 @@ static bool parse_matrix(ttc_parser *parser, ttc_claim *claim)
     }
 }
 
-/* FILE.tt, as words joined by dots, or a text in quotes; beside this table. */
-static bool parse_target_file(ttc_parser *parser, ttc_claim *claim)
-{
-    const ttc_token *first = ttc_parse_peek(parser);
-    const char *end = first->text;
-    if (first->kind == TTC_TOKEN_STRING) {
-        parser->at++;
-        end = first->text + first->length;
-    } else {
-        const ttc_token *token = first;
-        while (token->kind == TTC_TOKEN_NAME || (token->kind == TTC_TOKEN_MARK && *token->text == '.')) {
-            if (token > first && token->text != end) break;
-            end = token->text + token->length;
-            token = parser->tokens + ++parser->at;
-        }
-    }
-    size_t length = (size_t)(end - first->text);
-    bool plain = length > 3 && memcmp(end - 3, ".tt", 3) == 0 && first->text[0] != '.' &&
-                 memchr(first->text, '/', length) == NULL && memchr(first->text, '\\', length) == NULL;
-    if (!plain)
-        return ttc_parse_error(parser, ttc_token_place(first), "not the name of a table (expected FILE.tt, beside this one)");
-    claim->target = ttc_parse_copy(parser, first->text, length);
-    return claim->target != NULL;
-}
-
-/* NAME = expr, ... with names of the target, which are looked up when the target is read */
-static bool parse_target_bindings(ttc_parser *parser, ttc_claim *claim)
-{
-    do {
-        const ttc_token *name = ttc_parse_name(parser, "a state or root of the target");
-        if (name == NULL || !ttc_parse_expect_mark(parser, '=', "the name")) return false;
-        if (claim->bindings.count >= TTC_SYMBOL_LIMIT)
-            return ttc_parse_error(parser, ttc_token_place(name), "too many names are set (expected at most %d)",
-                                   TTC_SYMBOL_LIMIT);
-        for (size_t i = 0; i < claim->bindings.count; i++)
-            if (strlen(claim->target_names[i]) == name->length &&
-                memcmp(claim->target_names[i], name->text, name->length) == 0)
-                return ttc_parse_error(parser, ttc_token_place(name), "'%.*s' is set twice", (int)name->length, name->text);
-        ttc_id expression = ttc_parse_expression(parser);
-        if (expression == TTC_NONE) return false;
-        size_t count = claim->bindings.count;
-        ttc_binding *items = ttc_parse_extend(claim->bindings.items, count, sizeof *items);
-        if (items != NULL) claim->bindings.items = items;
-        char **names = ttc_parse_extend(claim->target_names, count, sizeof *names);
-        if (names != NULL) claim->target_names = names;
-        if (items == NULL || names == NULL) return ttc_parse_no_memory(parser);
-        names[count] = ttc_parse_copy(parser, name->text, name->length);
-        if (names[count] == NULL) return false;
-        items[count] = (ttc_binding){ 0, expression, ttc_token_place(name) };
-        claim->bindings.count++;
-    } while (ttc_parse_accept_mark(parser, ','));
-    return true;
-}
-
 static bool parse_reduction(ttc_parser *parser, ttc_claim *claim)
 {
     ttc_keyword direction = claim->kind == TTC_CLAIM_REDUCTION ? TTC_KEYWORD_ONTO : TTC_KEYWORD_INTO;
-    return ttc_parse_expect_keyword(parser, direction, "':'") && parse_target_file(parser, claim) &&
-           ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") && parse_target_bindings(parser, claim);
+    return ttc_parse_expect_keyword(parser, direction, "':'") && ttc_parse_target_file(parser, &claim->target) &&
+           ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") &&
+           ttc_parse_target_bindings(parser, &claim->bindings, &claim->target_names, "a state or root of the target");
 }
 
 /* The period as a number, or pi times one; TTC_NONE: it is neither, or not positive. */
@@ -220,6 +167,8 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
     case TTC_CLAIM_REDUCTION:
     case TTC_CLAIM_EMBEDDING:
         return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
+    case TTC_CLAIM_SECTION:
+        return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_section(parser, claim);
     case TTC_CLAIM_MATRIX:
         return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
     case TTC_CLAIM_POSITIVE:
@@ -261,6 +210,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     case TTC_KEYWORD_POSITIVE: return TTC_CLAIM_POSITIVE;
     case TTC_KEYWORD_SYMMETRY: return TTC_CLAIM_SYMMETRY;
     case TTC_KEYWORD_PERIODIC: return TTC_CLAIM_PERIODIC;
+    case TTC_KEYWORD_SECTION: return TTC_CLAIM_SECTION;
     default: return TTC_CLAIM_REDUCTION;
     }
 }

@@ -177,6 +177,14 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
         return ttc_parse_observe(parser);
     case TTC_KEYWORD_VALID:
         return ttc_parse_valid(parser);
+    case TTC_KEYWORD_POLE:
+        return ttc_parse_pole(parser);
+    case TTC_KEYWORD_LIFT:
+        return ttc_parse_lift(parser, keyword);
+    case TTC_KEYWORD_START:
+        return ttc_parse_start(parser);
+    case TTC_KEYWORD_TURNS:
+        return ttc_parse_turns(parser, keyword);
     case TTC_KEYWORD_NONE:
         return false; /* reported by the lexer */
     default:
@@ -211,6 +219,7 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     else if (now.validities > before.validities) d = (ttc_divisor){ .role = TTC_DIVIDES_VALID, .owner = (uint32_t)before.validities };
     else if (now.symbols > before.symbols && defines_by_expression(keyword))
         d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)now.symbols - 1 };
+    else if (keyword == TTC_KEYWORD_LIFT || keyword == TTC_KEYWORD_TURNS) d.role = TTC_DIVIDES_LIFT;
     for (size_t i = 0; i < parser->divisor_count; i++) {
         ttc_divisor *divisors = ttc_parse_extend(model->divisors, model->divisor_count, sizeof *divisors);
         if (divisors == NULL) {

@@ -103,6 +103,10 @@ char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length); /* NU
 /* Lists shared by records. */
 bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kinds, const char *expected);
 void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings); /* warns of excluded values */
+/* FILE.tt, a table beside this one. */
+bool ttc_parse_target_file(ttc_parser *parser, char **file);
+/* NAME = expr, ... with names of that table, which are looked up when it is read; names, one a binding. */
+bool ttc_parse_target_bindings(ttc_parser *parser, ttc_bindings *bindings, char ***names, const char *expected);
 /* The symbols set in `bound` must not stand, through definitions, in the expressions of `in` (after `first` is substituted
  * into them, when it is not NULL). */
 bool ttc_parse_check_circle(ttc_parser *parser, const ttc_bindings *bound, const ttc_bindings *in, const ttc_bindings *first);
@@ -117,6 +121,11 @@ bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword);
 bool ttc_parse_region(ttc_parser *parser); /* domain */
 bool ttc_parse_observe(ttc_parser *parser);
 bool ttc_parse_valid(ttc_parser *parser);
+bool ttc_parse_pole(ttc_parser *parser);
+bool ttc_parse_section(ttc_parser *parser, ttc_claim *claim); /* what stands after the colon */
+bool ttc_parse_lift(ttc_parser *parser, const ttc_token *keyword);
+bool ttc_parse_start(ttc_parser *parser);
+bool ttc_parse_turns(ttc_parser *parser, const ttc_token *keyword);
 bool ttc_parse_unit_and_meaning(ttc_parser *parser, char **unit, char **meaning); /* [unit] "meaning", both optional */
 bool ttc_parse_positive(ttc_parser *parser, const char *rule); /* > 0 */
 

@@ -151,9 +151,47 @@ static void check_equations(ttc_parser *parser)
     if (model->state_count == 0 && is_right) ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
     for (size_t i = 0; i < model->state_count; i++) {
         const ttc_symbol_entry *state = model->symbols + model->states[i];
-        if (i >= model->equation_count || model->equations[i].place.line == 0)
+        const bool has_equation = i < model->equation_count && model->equations[i].place.line != 0;
+        if (has_equation && model->lift.file != NULL)
+            ttc_parse_error(parser, model->equations[i].place, "an equation for '%s' in a table of coordinates, whose points are "
+                            "lifted (expected 'lift', or equations, not both)", state->name);
+        if (!has_equation && model->lift.file == NULL)
             ttc_parse_error(parser, state->place, "the state '%s' has no equation (expected 'eq %s = ...')", state->name,
                             state->name);
+    }
+}
+
+/* A table of coordinates says where its points lie, and nothing of motion; and it alone has starts. */
+static void check_coordinates(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    const ttc_lift *lift = &model->lift;
+    if (lift->file == NULL) {
+        if (model->start_count > 0 || model->turn != TTC_NONE)
+            ttc_parse_error(parser, model->start_count > 0 ? model->starts->place : (ttc_place){ 1, 1 },
+                            "'start' and 'turns' belong to a table of coordinates (expected 'lift into FILE.tt with ...')");
+        return;
+    }
+    if (model->variant_count + model->time_count + model->elimination_count + model->pole_count + model->observed_count +
+            model->validity_count > 0)
+        ttc_parse_error(parser, lift->place, "a table of coordinates asks for no kernels, has no poles and observes nothing (expected "
+                        "these records in %s)", lift->file);
+    for (size_t i = 0; i < model->claim_count; i++)
+        if (model->claims[i].kind != TTC_CLAIM_EQUAL && model->claims[i].kind != TTC_CLAIM_POSITIVE)
+            ttc_parse_error(parser, model->claims[i].place, "a table of coordinates claims no '%s', as nothing moves in it (expected "
+                            "'equal' or 'positive')", ttc_claim_kind_name(model->claims[i].kind));
+}
+
+/* Levels of a section are those of integrals without a condition. */
+static void check_section_levels(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    for (size_t i = 0; i < model->section_count; i++) {
+        const ttc_claim *claim = model->claims + model->sections[i].claim;
+        for (size_t k = 0; k < claim->member_count; k++)
+            if (model->claims[claim->members[k]].when.count + model->claims[claim->members[k]].modulo_count > 0)
+                ttc_parse_error(parser, claim->place, "'%s' is an integral under a condition only (expected one that always holds)",
+                                model->claims[claim->members[k]].name);
     }
 }
 
@@ -174,7 +212,7 @@ static void warn_unused(ttc_parser *parser)
     const ttc_model *model = parser->model;
     for (size_t i = 1; i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = model->symbols + i;
-        const char *kind = entry->kind == TTC_PARAM  ? "parameter"
+        const char *kind = entry->kind == TTC_PARAM && model->lift.file == NULL ? "parameter"
                            : entry->kind == TTC_LET  ? "let"
                            : entry->kind == TTC_ROOT ? "root"
                            : entry->kind == TTC_EXP  ? "exponential"
@@ -192,6 +230,8 @@ void ttc_parse_resolve(ttc_parser *parser)
     for (size_t i = 0; i < parser->reference_count; i++) resolve_reference(parser, parser->references + i);
     check_equations(parser);
     check_matrices(parser);
+    check_coordinates(parser);
+    check_section_levels(parser);
     check_modulo_circles(parser);
     if (parser->out_of_memory || ttc_error_count(parser->diagnostics) > parser->errors_before) return;
     check_levels(parser);

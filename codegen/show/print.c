@@ -47,10 +47,15 @@ static void print_latex_symbol(FILE *stream, const char *name)
     fputc('}', stream);
 }
 
+void ttc_print_name(FILE *stream, const char *name, ttc_notation notation)
+{
+    if (notation == TTC_NOTATION_LATEX) print_latex_symbol(stream, name);
+    else fputs(name, stream);
+}
+
 void ttc_print_symbol(FILE *stream, const ttc_model *model, uint32_t symbol, ttc_notation notation)
 {
-    if (notation == TTC_NOTATION_LATEX) print_latex_symbol(stream, model->symbols[symbol].name);
-    else fputs(model->symbols[symbol].name, stream);
+    ttc_print_name(stream, model->symbols[symbol].name, notation);
 }
 
 static void print_sum(const printer *p, ttc_id id);

@@ -1,4 +1,4 @@
-/* The expression graph of the equations, for Graphviz: an edge leads from a whole to its part. */
+/* The expression graph of the equations, or of a lift, for Graphviz: an edge leads from a whole to its part. */
 #include "show/show.h"
 
 #include <stdlib.h>
@@ -61,7 +61,12 @@ bool ttc_show_dot(FILE *stream, const ttc_model *model)
     unsigned char *seen = calloc(size + 1, 1);
     if (seen == NULL) return false;
     fprintf(stream, "digraph \"%s\" {\n  rankdir=LR;\n", model->name);
-    for (size_t i = 0; i < model->state_count; i++) {
+    for (size_t i = 0; i < model->lift.bindings.count; i++) {
+        const ttc_id id = model->lift.bindings.items[i].expression;
+        seen[id] = 1;
+        fprintf(stream, "  f%zu [label=\"%s\", shape=box, style=bold];\n  f%zu -> n%u;\n", i, model->lift.names[i], i, (unsigned)id);
+    }
+    for (size_t i = 0; i < model->equation_count; i++) {
         seen[ttc_model_field(model, i)] = 1;
         fprintf(stream, "  f%zu [label=\"d %s/dt\", shape=box, style=bold];\n  f%zu -> n%u;\n", i,
                 model->symbols[model->states[i]].name, i, (unsigned)ttc_model_field(model, i));

@@ -1,8 +1,7 @@
 /* Equations and Jacobian as text and as LaTeX: one order of things, two notations. */
 #include "show/show.h"
 
-#include "show/print.h"
-
+#include "show/show_section.h"
 
 static bool show_definitions(FILE *stream, const ttc_model *model, ttc_notation notation)
 {
@@ -61,6 +60,10 @@ bool ttc_show_text(FILE *stream, const ttc_model *model)
     fprintf(stream, "# %s%s%s\n# sha256 %s\n\n", model->name, model->title == NULL ? "" : ": ",
             model->title == NULL ? "" : model->title, model->sha256);
     if (!show_definitions(stream, model, TTC_NOTATION_TEXT)) return false;
+    if (model->lift.file != NULL) {
+        fprintf(stream, "\n# lift into %s\n", model->lift.file);
+        return ttc_show_lift(stream, model, TTC_NOTATION_TEXT);
+    }
     fputs("\n# equations\n", stream);
     if (!show_equations(stream, model, TTC_NOTATION_TEXT)) return false;
     for (size_t i = 0; i < model->validity_count; i++) {
@@ -68,6 +71,7 @@ bool ttc_show_text(FILE *stream, const ttc_model *model)
         if (!ttc_print(stream, model, model->validities[i].expression, TTC_NOTATION_TEXT)) return false;
         fputs(" > 0\n", stream);
     }
+    if (!ttc_show_sections(stream, model, TTC_NOTATION_TEXT)) return false;
     fputs("\n# Jacobian, entries that are not zero: J[i, k] = d(d i/dt)/d k\n", stream);
     return show_jacobian(stream, model, TTC_NOTATION_TEXT);
 }
@@ -75,8 +79,17 @@ bool ttc_show_text(FILE *stream, const ttc_model *model)
 bool ttc_show_latex(FILE *stream, const ttc_model *model)
 {
     fprintf(stream, "%% %s, sha256 %s\n\\begin{align}\n", model->name, model->sha256);
-    if (!show_definitions(stream, model, TTC_NOTATION_LATEX) || !show_equations(stream, model, TTC_NOTATION_LATEX)) return false;
-    fputs("\\end{align}\n% Jacobian, entries that are not zero\n\\begin{align}\n", stream);
+    if (!show_definitions(stream, model, TTC_NOTATION_LATEX)) return false;
+    if (model->lift.file != NULL) {
+        fprintf(stream, "%% lift into %s\n", model->lift.file);
+        if (!ttc_show_lift(stream, model, TTC_NOTATION_LATEX)) return false;
+        fputs("\\end{align}\n", stream);
+        return true;
+    }
+    if (!show_equations(stream, model, TTC_NOTATION_LATEX)) return false;
+    fputs("\\end{align}\n", stream);
+    if (!ttc_show_sections(stream, model, TTC_NOTATION_LATEX)) return false;
+    fputs("% Jacobian, entries that are not zero\n\\begin{align}\n", stream);
     if (!show_jacobian(stream, model, TTC_NOTATION_LATEX)) return false;
     fputs("\\end{align}\n", stream);
     return true;

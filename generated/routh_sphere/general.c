@@ -1,7 +1,7 @@
 /* Sphere with displaced centre of mass rolling without slipping, reduced system
  *
  *  Source:     E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243
- *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
+ *  Table:      routh_sphere, SHA-256 3411ed6d53d99c328220ac4c0d992bf489a81f74d3bcee4f47f68fdd4a704bc2
  *  Command:    ttc generate --effort full --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -952,6 +952,10 @@ static const jlt_reversor reversors[] = {
     { signs_5, 5 },
 };
 
+static const jlt_pole poles[] = {
+    { 0, "the symmetry axis is vertical" },
+};
+
 const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .model = "routh_sphere",
     .variant = "",
@@ -959,7 +963,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .elimination = "",
     .title = "Sphere with displaced centre of mass rolling without slipping, reduced system",
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
-    .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
+    .sha256 = "3411ed6d53d99c328220ac4c0d992bf489a81f74d3bcee4f47f68fdd4a704bc2",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere, .family = jlt_family_routh_sphere, .claims = jlt_claims_routh_sphere,
     .state_count = 4, .param_count = 6, .block_count = 56,
@@ -987,6 +991,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
+    .pole_count = 1, .poles = poles,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 2,
     .integrals = integrals,
     .measures = measures,

@@ -1,4 +1,4 @@
-/* routh_sphere: its table byte for byte (SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* routh_sphere: its table byte for byte (SHA-256 3411ed6d53d99c328220ac4c0d992bf489a81f74d3bcee4f47f68fdd4a704bc2), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_routh_sphere[];
@@ -54,6 +54,7 @@ const char jlt_table_routh_sphere[] = {
     ' ',' ',' ',' ','+',' ','m','*','R','*','s','*','(','R','*','g','a','m','m','a','3','*','(','I','1',' ','-',' ','I','3',')',' ','-',' ','a','3','*','I','3',')','*','o','m','e','g','a','3','*','o','m','e','g','a','_','t','a','u','/','T','h','e','t','a','\n',
     '\n',
     'v','a','r','i','a','n','t',' ','b','a','l','a','n','c','e','d',' ',':',' ','a','3',' ','=',' ','0','\n',
+    'p','o','l','e',' ','g','a','m','m','a','3',' ','"','t','h','e',' ','s','y','m','m','e','t','r','y',' ','a','x','i','s',' ','i','s',' ','v','e','r','t','i','c','a','l','"','\n',
     't','i','m','e',' ','r','e','g','u','l','a','r',' ',':',' ','s',' ','l','i','f','t','i','n','g',' ','s','\n',
     '\n',
     'i','n','t','e','g','r','a','l',' ','E',' ','=',' ','m','*','(','e','^','2','*','o','m','e','g','a','_','t','a','u','^','2',' ','+',' ','v','_','t','a','u','^','2',' ','+',' ','a','3','^','2','*','s','^','2','*','o','m','e','g','a','_','t','a','u','^','2',')','/','2',' ','+',' ','I','1','*','(','o','m','e','g','a','_','t','a','u','^','2',' ','+',' ','o','m','e','g','a','_','n','^','2',')','/','2','\n',
@@ -92,6 +93,7 @@ const jlt_claim jlt_claims_routh_sphere[] = {
     { "root", "h", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

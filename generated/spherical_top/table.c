@@ -1,4 +1,4 @@
-/* spherical_top: its table byte for byte (SHA-256 afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top: its table byte for byte (SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top[];
@@ -68,6 +68,7 @@ const char jlt_table_spherical_top[] = {
     'v','a','r','i','a','n','t',' ','b','a','l','a','n','c','e','d','_','e','q','u','a','l',' ',':',' ','a','3',' ','=',' ','0',',',' ','I','3',' ','=',' ','I','1','\n',
     '\n',
     '#',' ','T','h','e',' ','p','o','l','e','s',' ','s',' ','=',' ','0',' ','a','r','e',' ','r','e','a','c','h','e','d',' ','i','n',' ','f','i','n','i','t','e',' ','t','i','m','e',':',' ','w','i','t','h',' ','s',' ','a',' ','s','t','a','t','e',' ','o','f',' ','i','t','s',' ','o','w','n',' ','a','n','d',' ','d','t',' ','=',' ','s',' ','d','t','a','u',' ','t','h','e',' ','f','i','e','l','d',' ','i','s',' ','f','r','e','e',' ','o','f',' ','1','/','s','.','\n',
+    'p','o','l','e',' ','g','a','m','m','a','3',' ','"','t','h','e',' ','s','y','m','m','e','t','r','y',' ','a','x','i','s',' ','i','s',' ','v','e','r','t','i','c','a','l','"','\n',
     't','i','m','e',' ','r','e','g','u','l','a','r',' ',':',' ','s',' ','l','i','f','t','i','n','g',' ','s','\n',
     '\n',
     '#',' ','B','o','t','h',' ','c','h','a','r','t','s',' ','o','f',' ','a',' ','l','e','v','e','l',' ','o','f',' ','J','e','l','l','e','t','t','\'','s',' ','i','n','t','e','g','r','a','l',':',' ','t','h','e',' ','f','i','r','s','t',' ','l','o','s','e','s',' ','d','i','g','i','t','s',' ','n','e','a','r',' ','t','h','e',' ','p','o','l','e','s',',',' ','t','h','e',' ','s','e','c','o','n','d',' ','n','e','a','r',' ','b',' ','=',' ','0','.','\n',
@@ -150,7 +151,7 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "E2", "I3 = 0", JLT_PROVED, "", NULL },
     { "measure", "rho", "I3 = 0", JLT_PROVED, "", NULL },
-    { "reduction", "on_level", "", JLT_PROVED, "", "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca" },
+    { "reduction", "on_level", "", JLT_PROVED, "", "58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319" },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
     { "equilibria", "spin", "a3 = 0", JLT_PROVED, "", NULL },
     { "matrix", "spin", "", JLT_PROVED, "", NULL },
@@ -176,6 +177,7 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "time", "regular", "", JLT_PROVED, "", NULL },
     { "eliminate", "level_G", "", JLT_PROVED, "", NULL },
     { "eliminate", "level_G_omega3", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

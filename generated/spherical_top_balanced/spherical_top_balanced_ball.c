@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_balanced, SHA-256 df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d
+ *  Table:      spherical_top_balanced, SHA-256 a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

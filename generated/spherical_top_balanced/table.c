@@ -1,4 +1,4 @@
-/* spherical_top_balanced: its table byte for byte (SHA-256 df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_balanced: its table byte for byte (SHA-256 a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_balanced[];
@@ -51,6 +51,7 @@ const char jlt_table_spherical_top_balanced[] = {
     'e','q',' ','p','s','i',' ','=','\n',
     ' ',' ',' ',' ','+',' ','o','m','e','g','a','_','n','/','s','\n',
     '\n',
+    'p','o','l','e',' ','g','a','m','m','a','3',' ','"','t','h','e',' ','s','y','m','m','e','t','r','y',' ','a','x','i','s',' ','i','s',' ','v','e','r','t','i','c','a','l','"','\n',
     't','i','m','e',' ','r','e','g','u','l','a','r',' ',':',' ','s',' ','l','i','f','t','i','n','g',' ','s','\n',
     '\n',
     'v','a','r','i','a','n','t',' ','e','q','u','a','l','_','m','o','m','e','n','t','s',' ',':',' ','I','3',' ','=',' ','I','1','\n',
@@ -77,11 +78,12 @@ const jlt_claim jlt_claims_spherical_top_balanced[] = {
     { "equal", "jellett", "", JLT_PROVED, "", NULL },
     { "equal", "horizontal_momentum", "", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
-    { "embedding", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
+    { "embedding", "reduced", "", JLT_PROVED, "", "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a" },
     { "periodic", "psi", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

@@ -193,7 +193,7 @@ const jlt_claim jlt_claims_spherical_top_full[] = {
     { "rate", "transport1", "", JLT_PROVED, "", NULL },
     { "rate", "transport2", "", JLT_PROVED, "", NULL },
     { "rate", "transport3", "", JLT_PROVED, "", NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
+    { "reduction", "reduced", "", JLT_PROVED, "", "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a" },
     { "equal", "normal_reaction", "", JLT_PROVED, "", NULL },
     { "equal", "constraint_force", "", JLT_PROVED, "", NULL },
     { "equal", "v_gamma", "", JLT_PROVED, "", NULL },

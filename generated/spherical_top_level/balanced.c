@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
+ *  Table:      spherical_top_level, SHA-256 58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   25    7    1    1    0     15    7   (94)
- *  jacobian            9   47   21    1    1    0     17   17   (464)
- *  rhs_jacobian        9   49   25    1    1    0     17   25   (541)
+ *  jacobian            8   45   22    1    1    0     16   21   (464)
+ *  rhs_jacobian        11   51   23    1    1    0     17   21   (541)
  *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  3   27    7    1    1    0     12    9   (123)
@@ -21,12 +21,12 @@
  *    digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s,
  *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3),
  *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      d(d(v_nu)/dt)/d(v_tau), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(v_tau),
- *      a part of d(v_tau)/dt, v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3),
- *      d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(omega_tau)/dt,
- *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
+ *      v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3),
+ *      d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt,
+ *      a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(v_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -231,72 +231,70 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t18 = x[3]*p[11]; /* v_tau*R*I3 */
     const double t19 = JLT_FMA(x[0], t18, t17); /* gamma3*v_tau*R*I3 + s*R*G */
     const double t20 = t2*t11; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
-    const double t21 = t13*t20; /* Theta/m*1/(Theta/m*s^2*K)*s*K*1/K */
-    const double t22 = t19*t21; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta/m*1/(Theta/m*s^2*K)*s*K*1/K */
+    const double t21 = t19*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t22 = t13*t21; /* Theta/m*1/(Theta/m*s^2*K)*s*K*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
     const double t23 = t13*t22; /* Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
-    const double t24 = t14*t23; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t24 = x[0]*t23; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
     const double t25 = JLT_FMS(t14, p[10], t18); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 */
     const double t26 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t27 = t19*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t28 = t26*t27; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t29 = t25 - t28; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - gamma3*(2*R^2*I1 - 2*R^2*I3)*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t30 = JLT_FNMA(t21, t29, t24); /* t24 - Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*t29 */
-    const double t31 = x[3]*t30; /* v_tau*(t24 - Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*t29) */
+    const double t27 = t21*t26; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t28 = t25 - t27; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t29 = JLT_FNMA(t20, t28, t24); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - 1/K*t28 */
+    const double t30 = t13*t29; /* Theta/m*1/(Theta/m*s^2*K)*s*K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - 1/K*t28) */
+    const double t31 = x[3]*t30; /* v_tau*t30 */
     out[4] = t31;
-    const double t32 = x[0]*p[11]; /* gamma3*R*I3 */
-    const double t33 = t21*t32; /* Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*gamma3*R*I3 */
-    const double t34 = JLT_FMA(x[3], t33, t22); /* v_tau*Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*gamma3*R*I3 + t22 */
+    const double t32 = p[11]*t20; /* R*I3*1/K */
+    const double t33 = t14*t32; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K */
+    const double t34 = JLT_FMA(x[3], t33, t22); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K + t22 */
     out[7] = t34;
-    const double t35 = x[0]*t20; /* gamma3*1/K */
-    const double t36 = 2.0*t35; /* 2*gamma3*1/K */
-    const double t37 = JLT_FNMA(t29, t36, t23); /* Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - t29*2*gamma3*1/K */
-    const double t38 = t22*t37; /* t22*(Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - t29*2*gamma3*1/K) */
+    const double t35 = t22*t23; /* t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t36 = x[0]*t20; /* gamma3*1/K */
+    const double t37 = t22*t36; /* t22*gamma3*1/K */
+    const double t38 = 2.0*t37; /* 2*t22*gamma3*1/K */
     const double t39 = JLT_FMA(t14, x[3], p[12]); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1 */
-    const double t40 = t27*t39; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
-    const double t41 = JLT_FNMA(t28, 2.0, t25); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - gamma3*(2*R^2*I1 - 2*R^2*I3)*(gamma3*v_tau*R*I3 + s*R*G)*1/K*2 */
-    const double t42 = t3*x[3]; /* s*v_tau */
-    const double t43 = JLT_FNMA(x[0], p[12], t42); /* s*v_tau - gamma3*G/I1 */
-    const double t44 = t20*t43; /* 1/K*(s*v_tau - gamma3*G/I1) */
-    const double t45 = JLT_FMA(t41, t44, t40); /* t41*1/K*(s*v_tau - gamma3*G/I1) + t40 */
-    const double t46 = p[11]*t20; /* R*I3*1/K */
-    const double t47 = JLT_FMS(t45, t46, t38); /* (t41*1/K*(s*v_tau - gamma3*G/I1) + t40)*R*I3*1/K - t22*(Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - t29*2*gamma3*1/K) */
+    const double t40 = t21*t39; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
+    const double t41 = t3*x[3]; /* s*v_tau */
+    const double t42 = JLT_FNMA(x[0], p[12], t41); /* s*v_tau - gamma3*G/I1 */
+    const double t43 = t20*t42; /* 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t44 = JLT_FNMA(t27, 2.0, t25); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3)*2 */
+    const double t45 = JLT_FMA(t43, t44, t40); /* 1/K*(s*v_tau - gamma3*G/I1)*t44 + t40 */
+    const double t46 = JLT_FMS(t28, t38, t35); /* t28*2*t22*gamma3*1/K - t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t47 = JLT_FMA(t32, t45, t46); /* R*I3*1/K*(1/K*(s*v_tau - gamma3*G/I1)*t44 + t40) + t28*2*t22*gamma3*1/K - t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
     out[8] = t47;
     const double t48 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t49 = t35*t48; /* gamma3*1/K*gamma3*2*R*I3 */
-    const double t50 = t22*t49; /* t22*gamma3*1/K*gamma3*2*R*I3 */
-    const double t51 = t3*t27; /* s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t52 = t35*t43; /* gamma3*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t53 = JLT_FMA(p[11], t52, t51); /* R*I3*gamma3*1/K*(s*v_tau - gamma3*G/I1) + s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t54 = JLT_FMA(t46, t53, t50); /* R*I3*1/K*t53 + t22*gamma3*1/K*gamma3*2*R*I3 */
-    const double t55 = -t54; /* -(R*I3*1/K*t53 + t22*gamma3*1/K*gamma3*2*R*I3) */
-    out[11] = t55;
-    const double t56 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t57 = t8*t10; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
-    const double t58 = p[9]*t56; /* I1*I3/m*V */
-    const double t59 = t57*t58; /* 1/(Theta/m)*I1*I3/m*V */
-    const double t60 = x[1] - t59; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t61 = t22*t57; /* t22*1/(Theta/m) */
-    const double t62 = t59*t61; /* 1/(Theta/m)*I1*I3/m*V*t22*1/(Theta/m) */
-    const double t63 = t20 + t57; /* 1/K + 1/(Theta/m) */
-    const double t64 = t57*p[13]; /* 1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    const double t65 = x[2]*t64; /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    const double t66 = t63*t65; /* (1/K + 1/(Theta/m))*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    const double t67 = JLT_FNMA(t52, t66, t62); /* 1/(Theta/m)*I1*I3/m*V*t22*1/(Theta/m) - gamma3*1/K*(s*v_tau - gamma3*G/I1)*t66 */
-    const double t68 = t26*t67; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t67 */
-    const double t69 = JLT_FNMA(t35, t39, t44); /* 1/K*(s*v_tau - gamma3*G/I1) - gamma3*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
-    const double t70 = JLT_FNMA(t65, t69, t68); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t67 - omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*t69 */
-    const double t71 = JLT_FNMA(t30, t60, t70); /* t70 - (t24 - Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*t29)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    out[12] = t71;
-    const double t72 = JLT_FMS(p[9], t61, t22); /* I1*I3/m*t22*1/(Theta/m) - t22 */
-    out[13] = t72;
-    const double t73 = t61*p[16]; /* t22*1/(Theta/m)*R*I1*I3/m */
-    const double t74 = JLT_FNMA(t52, t64, t73); /* t22*1/(Theta/m)*R*I1*I3/m - gamma3*1/K*(s*v_tau - gamma3*G/I1)*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    out[14] = t74;
-    const double t75 = t33*t60; /* Theta/m*1/(Theta/m*s^2*K)*s*K*1/K*gamma3*R*I3*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t76 = t3*t35; /* s*gamma3*1/K */
-    const double t77 = JLT_FMA(t65, t76, t75); /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*s*gamma3*1/K + t75 */
-    const double t78 = -t77; /* -t77 */
-    out[15] = t78;
+    const double t49 = t37*t48; /* t22*gamma3*1/K*gamma3*2*R*I3 */
+    const double t50 = t3*t21; /* s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t51 = t36*t42; /* gamma3*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t52 = JLT_FMA(p[11], t51, t50); /* R*I3*gamma3*1/K*(s*v_tau - gamma3*G/I1) + s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
+    const double t53 = JLT_FMA(t32, t52, t49); /* R*I3*1/K*t52 + t22*gamma3*1/K*gamma3*2*R*I3 */
+    const double t54 = -t53; /* -(R*I3*1/K*t52 + t22*gamma3*1/K*gamma3*2*R*I3) */
+    out[11] = t54;
+    const double t55 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t56 = t8*t10; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
+    const double t57 = p[9]*t55; /* I1*I3/m*V */
+    const double t58 = t56*t57; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t59 = x[1] - t58; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t60 = t22*t56; /* t22*1/(Theta/m) */
+    const double t61 = t26*t58; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
+    const double t62 = t60*t61; /* t22*1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
+    const double t63 = JLT_FMA(t42, t56, t43); /* (s*v_tau - gamma3*G/I1)*1/(Theta/m) + 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t64 = JLT_FMS(t26, t63, t39); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t63 - (gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
+    const double t65 = JLT_FMA(t36, t64, t43); /* gamma3*1/K*t64 + 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t66 = t56*p[13]; /* 1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t67 = x[2]*t66; /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t68 = JLT_FNMA(t65, t67, t62); /* t62 - (gamma3*1/K*t64 + 1/K*(s*v_tau - gamma3*G/I1))*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t69 = JLT_FNMA(t30, t59, t68); /* t68 - t30*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    out[12] = t69;
+    const double t70 = JLT_FMS(p[9], t60, t22); /* I1*I3/m*t22*1/(Theta/m) - t22 */
+    out[13] = t70;
+    const double t71 = t60*p[16]; /* t22*1/(Theta/m)*R*I1*I3/m */
+    const double t72 = JLT_FNMA(t51, t66, t71); /* t22*1/(Theta/m)*R*I1*I3/m - gamma3*1/K*(s*v_tau - gamma3*G/I1)*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    out[14] = t72;
+    const double t73 = t33*t59; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t74 = t3*t36; /* s*gamma3*1/K */
+    const double t75 = JLT_FMA(t67, t74, t73); /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*s*gamma3*1/K + t73 */
+    const double t76 = -t75; /* -t75 */
+    out[15] = t76;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -328,84 +326,86 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t17 = x[3]*p[11]; /* v_tau*R*I3 */
     const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
     const double t19 = t10*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t20 = x[3]*t12; /* v_tau*s */
-    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
-    const double t22 = t14*t19; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t23 = x[3]*t22; /* v_tau*t22 */
-    out[1] = t23;
-    const double t24 = p[13]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t25 = x[0]*t10; /* gamma3*1/K */
-    const double t26 = x[0]*t14; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t27 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t28 = t24*t25; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t29 = x[2]*t24; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t30 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t31 = p[9]*t30; /* I1*I3/m*V */
-    const double t32 = t14*t22; /* K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
-    const double t33 = JLT_FMS(p[10], t26, t17); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 */
-    const double t34 = t19*t27; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t35 = t10*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t36 = p[11]*t10; /* R*I3*1/K */
-    const double t37 = t21*t28; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t38 = t26*t32; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
-    const double t39 = t33 - t34; /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t40 = JLT_FNMA(2.0, t34, t33); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t41 = t10*t14; /* 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t42 = JLT_FNMA(t39, t41, t38); /* t38 - t39*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t43 = t14*t25; /* K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K */
-    const double t44 = JLT_FMA(t17, t43, t22); /* v_tau*R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K + t22 */
-    out[11] = t44;
-    const double t45 = p[11]*t43; /* R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K */
-    const double t46 = x[3]*t42; /* v_tau*(t38 - t39*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s) */
-    out[8] = t46;
-    const double t47 = p[17]*t35; /* R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t48 = t25*t47; /* gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t49 = t19*t36; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t50 = t21*t49; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t51 = t35*t36; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
-    const double t52 = JLT_FMA(t12, t49, t48); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t53 = x[2]*t12; /* omega_tau*s */
-    out[0] = t53;
-    const double t54 = x[2]*t37; /* omega_tau*t37 */
-    const double t55 = t10*t54; /* 1/K*omega_tau*t37 */
-    const double t56 = JLT_FNMA(t15, t31, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t57 = t42*t56; /* (t38 - t39*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t58 = t45*t56; /* R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s*gamma3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t59 = JLT_FMA(t28, t53, t58); /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s + t58 */
-    const double t60 = -t59; /* -t59 */
-    out[19] = t60;
-    const double t61 = JLT_FMA(t22, t56, t54); /* t22*(v_nu - 1/(Theta/m)*I1*I3/m*V) + omega_tau*t37 */
-    const double t62 = -t61; /* -(t22*(v_nu - 1/(Theta/m)*I1*I3/m*V) + omega_tau*t37) */
-    out[3] = t62;
-    const double t63 = JLT_FMA(x[3], t26, p[12]); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1 */
-    const double t64 = t49*t63; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) */
-    const double t65 = JLT_FMA(t40, t51, t64); /* t40*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t64 */
-    const double t66 = JLT_FMS(t25, t63, t35); /* gamma3*1/K*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t67 = JLT_FMS(t29, t66, t57); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t66 - t57 */
-    const double t68 = x[2]*t26; /* omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t69 = -t68; /* -omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    out[4] = t69;
-    const double t70 = t15*t22; /* 1/(Theta/m)*t22 */
-    const double t71 = JLT_FNMA(t31, t70, t54); /* omega_tau*t37 - I1*I3/m*V*1/(Theta/m)*t22 */
-    const double t72 = JLT_FMA(t15, t71, t55); /* 1/(Theta/m)*(omega_tau*t37 - I1*I3/m*V*1/(Theta/m)*t22) + 1/K*omega_tau*t37 */
-    const double t73 = JLT_FNMA(t27, t72, t67); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t66 - t57 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t72 */
-    out[16] = t73;
-    const double t74 = JLT_FMS(p[16], t70, t37); /* R*I1*I3/m*1/(Theta/m)*t22 - t37 */
-    out[18] = t74;
-    const double t75 = JLT_FMS(p[9], t70, t22); /* I1*I3/m*1/(Theta/m)*t22 - t22 */
-    out[17] = t75;
-    const double t76 = x[0]*t22; /* gamma3*t22 */
-    const double t77 = JLT_FMA(t19, t76, t50); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t22 + t50 */
-    const double t78 = -t77; /* -(1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t22 + t50) */
-    out[2] = t78;
-    const double t79 = 2.0*t25; /* 2*gamma3*1/K */
-    const double t80 = JLT_FNMA(t39, t79, t32); /* K*1/(K*s^2*Theta/m)*Theta/m*s*t22 - t39*2*gamma3*1/K */
-    const double t81 = JLT_FNMA(t22, t80, t65); /* t40*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t64 - t22*(K*1/(K*s^2*Theta/m)*Theta/m*s*t22 - t39*2*gamma3*1/K) */
-    out[12] = t81;
-    const double t82 = p[15]*t25; /* 2*R*I3*gamma3*1/K */
-    const double t83 = JLT_FMA(t76, t82, t52); /* gamma3*t22*2*R*I3*gamma3*1/K + t52 */
-    const double t84 = -t83; /* -(gamma3*t22*2*R*I3*gamma3*1/K + t52) */
-    out[15] = t84;
+    const double t20 = t15*t18; /* 1/(Theta/m)*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t21 = t14*t20; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/(Theta/m)*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t22 = -t21; /* -t21 */
+    out[17] = t22;
+    const double t23 = x[3]*t12; /* v_tau*s */
+    const double t24 = JLT_FNMA(x[0], p[12], t23); /* v_tau*s - gamma3*G/I1 */
+    const double t25 = t14*t19; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t26 = x[3]*t25; /* v_tau*t25 */
+    out[1] = t26;
+    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t28 = p[9]*t27; /* I1*I3/m*V */
+    const double t29 = t15*t28; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t30 = x[0]*t14; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t31 = JLT_FMS(p[10], t30, t17); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 */
+    const double t32 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t33 = t14*t25; /* K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t34 = t10*t14; /* 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t35 = t19*t32; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t36 = t10*t24; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t37 = p[11]*t10; /* R*I3*1/K */
+    const double t38 = x[0]*t10; /* gamma3*1/K */
+    const double t39 = p[13]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t40 = t30*t33; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t41 = t31 - t35; /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t42 = JLT_FNMA(t34, t41, t40); /* t40 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t41 */
+    const double t43 = JLT_FNMA(2.0, t35, t31); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t44 = x[3]*t42; /* v_tau*(t40 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t41) */
+    out[8] = t44;
+    const double t45 = JLT_FMA(x[3], t30, p[12]); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1 */
+    const double t46 = p[17]*t36; /* R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t47 = t38*t46; /* gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t48 = JLT_FMA(t15, t24, t36); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t49 = JLT_FMS(t32, t48, t45); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t48 - (v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) */
+    const double t50 = t15*t25; /* 1/(Theta/m)*t25 */
+    const double t51 = t29*t32; /* 1/(Theta/m)*I1*I3/m*V*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t52 = x[1] - t29; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t53 = t42*t52; /* (t40 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t41)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t54 = JLT_FMS(t50, t51, t53); /* 1/(Theta/m)*t25*1/(Theta/m)*I1*I3/m*V*gamma3*(2*R^2*I1 - 2*R^2*I3) - t53 */
+    const double t55 = t19*t37; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t56 = t45*t55; /* (v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t57 = JLT_FMA(t12, t55, t47); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t58 = x[2]*t12; /* omega_tau*s */
+    out[0] = t58;
+    const double t59 = t24*t55; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t60 = t38*t39; /* gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t61 = t24*t60; /* (v_tau*s - gamma3*G/I1)*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t62 = JLT_FMS(p[16], t50, t61); /* R*I1*I3/m*1/(Theta/m)*t25 - t61 */
+    out[18] = t62;
+    const double t63 = t49*t60; /* t49*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t64 = JLT_FMA(t36, t39, t63); /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t49*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t65 = JLT_FNMA(x[2], t64, t54); /* t54 - omega_tau*t64 */
+    out[16] = t65;
+    const double t66 = t36*t37; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
+    const double t67 = JLT_FMA(t43, t66, t56); /* t43*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t56 */
+    const double t68 = t30*t37; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K */
+    const double t69 = x[2]*t30; /* omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t70 = -t69; /* -omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    out[4] = t70;
+    const double t71 = JLT_FMA(x[3], t68, t25); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K + t25 */
+    out[11] = t71;
+    const double t72 = t52*t68; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K */
+    const double t73 = JLT_FMA(t58, t60, t72); /* omega_tau*s*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t72 */
+    const double t74 = -t73; /* -t73 */
+    out[19] = t74;
+    const double t75 = t25*t52; /* t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t76 = JLT_FMA(x[2], t61, t75); /* omega_tau*t61 + t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t77 = -t76; /* -(omega_tau*t61 + t25*(v_nu - 1/(Theta/m)*I1*I3/m*V)) */
+    out[3] = t77;
+    const double t78 = x[0]*t25; /* gamma3*t25 */
+    const double t79 = JLT_FMA(t19, t78, t59); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t25 + t59 */
+    const double t80 = -t79; /* -(1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t25 + t59) */
+    out[2] = t80;
+    const double t81 = 2.0*t38; /* 2*gamma3*1/K */
+    const double t82 = JLT_FNMA(t41, t81, t33); /* K*1/(K*s^2*Theta/m)*Theta/m*s*t25 - t41*2*gamma3*1/K */
+    const double t83 = JLT_FNMA(t25, t82, t67); /* t43*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t56 - t25*(K*1/(K*s^2*Theta/m)*Theta/m*s*t25 - t41*2*gamma3*1/K) */
+    out[12] = t83;
+    const double t84 = p[15]*t38; /* 2*R*I3*gamma3*1/K */
+    const double t85 = JLT_FMA(t78, t84, t57); /* gamma3*t25*2*R*I3*gamma3*1/K + t57 */
+    const double t86 = -t85; /* -(gamma3*t25*2*R*I3*gamma3*1/K + t57) */
+    out[15] = t86;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -852,7 +852,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca",
+    .sha256 = "58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .state_count = 4, .param_count = 7, .block_count = 36,
@@ -862,10 +862,10 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 25, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau*s - gamma3*(G/I1), v_tau*gamma3*(R*I3) + (R*G)*s, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(omega_tau)/dt, a part of d(v_tau)/dt" },
-    .jacobian = { jacobian, 16, { 9, 47, 21, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*(R*G) - v_tau*(R*I3), 2*R^2*I1 - 2*R^2*I3, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*v_tau + G/I1, a part of d(d(omega_tau)/dt)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 49, 25, 1, 1, 0, 17, 25 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
+    .jacobian = { jacobian, 16, { 8, 45, 22, 1, 1, 0, 16, 21 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*(R*G) - v_tau*(R*I3), 2*R^2*I1 - 2*R^2*I3, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*v_tau + G/I1, s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 11, 51, 23, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
     .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of the divergence, V = R*omega_tau + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 12, 7, 1, 1, 0, 8, 6 }, { 10, 36, 0, 3, 1, 0, 14, 7 },

@@ -3,16 +3,16 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
+ *  Table:      spherical_top_level, SHA-256 58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   22    7    1    0    0     12    7   (93)
- *  jacobian            9   57   26    1    0    0     14   21   (644)
- *  rhs_jacobian        12   56   26    1    0    0     14   19   (723)
- *  divergence          3    8    4    1    0    0     10    5   (41)
+ *  jacobian            8   57   27    1    0    0     14   19   (644)
+ *  rhs_jacobian        14   60   24    1    0    0     14   21   (723)
+ *  divergence          2    8    4    1    0    0      9    5   (41)
  *  integral_values     1   12    7    1    0    0      7    5   (47)
- *  integral_gradients  0   24    9    1    0    0     11    7   (195)
+ *  integral_gradients  0   24    9    1    0    0     10    7   (195)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
@@ -20,13 +20,13 @@
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1),
  *      s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V,
- *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(v_tau),
- *      d(d(v_nu)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau),
- *      a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3),
+ *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau),
+ *      d(d(v_tau)/dtau)/d(omega_tau),
  *      a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s),
  *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
- *      (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), d(d(v_tau)/dtau)/d(s),
- *      a part of d(v_tau)/dtau, d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3),
+ *      d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(v_tau),
+ *      a part of d(v_tau)/dtau, d(d(v_tau)/dtau)/d(s),
+ *      (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), a part of d(d(omega_tau)/dtau)/d(gamma3),
  *      d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -77,7 +77,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t4 = params[4]*t2; /* I3*R*R */
     out[10] = t4;
     const double t5 = params[4]*params[3]; /* I3*I1 */
-    out[35] = t5;
+    out[34] = t5;
     const double t6 = t5/params[0]; /* I3*I1/m */
     out[11] = t6;
     const double t7 = params[6]/params[3]; /* G/I1 */
@@ -135,6 +135,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t42 = t2*params[0]; /* R*R*m */
     const double t43 = params[3]*t42; /* I1*R*R*m */
     const double t44 = params[6]*params[6]; /* G*G */
+    out[35] = t44;
     const double t45 = t44/t43; /* G*G/(I1*R*R*m) */
     out[29] = t45;
     const double t46 = params[4]/t42; /* I3/(R*R*m) */
@@ -146,34 +147,29 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t49 = params[3]*params[0]; /* I1*m */
     const double t50 = t9*t49; /* (I1 - I3)*I1*m */
     out[33] = t50;
-    const double t51 = 1.0/params[0]; /* 1/m */
-    out[34] = t51;
-    const double t52 = t44/params[0]; /* G*G/m */
-    out[36] = t52;
-    const double t53 = t2*t2; /* R*R*R*R */
-    const double t54 = (-4.0)*t53; /* (-4)*R*R*R*R */
-    const double t55 = t34*t54; /* I1*I1*(-4)*R*R*R*R */
-    const double t56 = params[4]*t55; /* I3*I1*I1*(-4)*R*R*R*R */
-    const double t57 = t9*t56; /* (I1 - I3)*I3*I1*I1*(-4)*R*R*R*R */
+    const double t51 = params[0]*2.0; /* m*2 */
+    const double t52 = t2*t2; /* R*R*R*R */
+    const double t53 = t51*t52; /* m*2*R*R*R*R */
+    const double t54 = t34*t53; /* I1*I1*m*2*R*R*R*R */
+    const double t55 = params[4]*t54; /* I3*I1*I1*m*2*R*R*R*R */
+    const double t56 = t9*t55; /* (I1 - I3)*I3*I1*I1*m*2*R*R*R*R */
+    out[36] = t56;
+    const double t57 = 2.0/params[0]; /* 2/m */
     out[37] = t57;
-    const double t58 = t2*(-2.0); /* R*R*(-2) */
-    const double t59 = params[3]*t58; /* I1*R*R*(-2) */
-    const double t60 = params[6]*t59; /* G*I1*R*R*(-2) */
-    const double t61 = t9*t60; /* (I1 - I3)*G*I1*R*R*(-2) */
-    out[38] = t61;
-    const double t62 = params[0]*2.0; /* m*2 */
-    const double t63 = t34*t62; /* I1*I1*m*2 */
-    out[39] = t63;
-    const double t64 = params[1]*t62; /* R*m*2 */
-    const double t65 = t34*t64; /* I1*I1*R*m*2 */
-    out[40] = t65;
-    const double t66 = t9*t35; /* (I1 - I3)*R*R*2*I1*I1 */
-    out[41] = t66;
-    const double t67 = 4.0*t53; /* 4*R*R*R*R */
-    const double t68 = params[3]*t34; /* I1*I1*I1 */
-    const double t69 = t67*t68; /* 4*R*R*R*R*I1*I1*I1 */
-    const double t70 = t9*t69; /* (I1 - I3)*4*R*R*R*R*I1*I1*I1 */
-    out[42] = t70;
+    const double t58 = params[6]*t14; /* G*I1*R*R*2 */
+    const double t59 = t9*t58; /* (I1 - I3)*G*I1*R*R*2 */
+    out[38] = t59;
+    const double t60 = t34*t51; /* I1*I1*m*2 */
+    out[39] = t60;
+    const double t61 = params[1]*t51; /* R*m*2 */
+    const double t62 = t34*t61; /* I1*I1*R*m*2 */
+    out[40] = t62;
+    const double t63 = t9*t35; /* (I1 - I3)*R*R*2*I1*I1 */
+    out[41] = t63;
+    const double t64 = params[3]*t34; /* I1*I1*I1 */
+    const double t65 = t53*t64; /* m*2*R*R*R*R*I1*I1*I1 */
+    const double t66 = t9*t65; /* (I1 - I3)*m*2*R*R*R*R*I1*I1*I1 */
+    out[42] = t66;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -243,93 +239,93 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t8 = t6*t7; /* K*Theta/m */
     const double t9 = 1.0/t8; /* 1/(K*Theta/m) */
     const double t10 = t7*t9; /* 1/K = Theta/m*1/(K*Theta/m) */
-    const double t11 = x[4]*p[7]; /* s*R*G */
-    const double t12 = JLT_FMA(t3, x[0], t11); /* v_tau*R*I3*gamma3 + s*R*G */
-    const double t13 = t10*t12; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t14 = x[0]*t10; /* gamma3*1/K */
-    const double t15 = t13*t14; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
-    const double t16 = p[14]*t15; /* 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
-    const double t17 = JLT_FMS(t3, t10, t16); /* v_tau*R*I3*1/K - 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
+    const double t11 = x[0]*t10; /* gamma3*1/K */
+    const double t12 = x[4]*p[7]; /* s*R*G */
+    const double t13 = JLT_FMA(t3, x[0], t12); /* v_tau*R*I3*gamma3 + s*R*G */
+    const double t14 = t10*t13; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t15 = t11*t14; /* gamma3*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t16 = p[14]*t15; /* 2*R^2*I3*gamma3*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t17 = JLT_FMS(t3, t10, t16); /* v_tau*R*I3*1/K - 2*R^2*I3*gamma3*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
     const double t18 = x[3]*t17; /* v_tau*t17 */
     out[5] = t18;
-    const double t19 = JLT_FMA(t3, t14, t13); /* v_tau*R*I3*gamma3*1/K + 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t19 = JLT_FMA(t3, t11, t14); /* v_tau*R*I3*gamma3*1/K + 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
     out[8] = t19;
-    const double t20 = t10*p[7]; /* 1/K*R*G */
-    const double t21 = x[4]*t10; /* s*1/K */
-    const double t22 = t13*t21; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
-    const double t23 = p[15]*t22; /* 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
-    const double t24 = t20 - t23; /* 1/K*R*G - 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
-    const double t25 = x[3]*t24; /* v_tau*(1/K*R*G - 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K) */
-    out[9] = t25;
-    const double t26 = x[0]*p[16]; /* gamma3*4*R^2*I3 */
-    const double t27 = JLT_FMS(t15, t26, t13); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*gamma3*4*R^2*I3 - 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t28 = p[8]*t10; /* R*I3*1/K */
-    const double t29 = x[4]*x[3]; /* s*v_tau */
-    const double t30 = JLT_FNMA(x[0], p[12], t29); /* s*v_tau - gamma3*G/I1 */
-    const double t31 = t21*t30; /* s*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t32 = t28*t31; /* R*I3*1/K*s*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t33 = JLT_FMA(2.0, t15, t32); /* 2*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K + R*I3*1/K*s*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t34 = t30*p[17]; /* (s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
-    const double t35 = t14*t34; /* gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
-    const double t36 = t22*t35; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
-    const double t37 = JLT_FMA(t22, p[18], t36); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*R*I3*G/I1 + t36 */
-    const double t38 = JLT_FMA(t13, t27, t37); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*t27 + 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*R*I3*G/I1 + t36 */
+    const double t20 = t10*t14; /* 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t21 = x[4]*t20; /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t22 = p[15]*t21; /* 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t23 = JLT_FMS(t10, p[7], t22); /* 1/K*R*G - 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t24 = x[3]*t23; /* v_tau*(1/K*R*G - 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)) */
+    out[9] = t24;
+    const double t25 = t11*p[16]; /* gamma3*1/K*4*R^2*I3 */
+    const double t26 = JLT_FMS(t15, t25, t20); /* gamma3*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*4*R^2*I3 - 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t27 = x[4]*x[3]; /* s*v_tau */
+    const double t28 = JLT_FNMA(x[0], p[12], t27); /* s*v_tau - gamma3*G/I1 */
+    const double t29 = x[4]*p[8]; /* s*R*I3 */
+    const double t30 = t28*t29; /* (s*v_tau - gamma3*G/I1)*s*R*I3 */
+    const double t31 = t10*t30; /* 1/K*(s*v_tau - gamma3*G/I1)*s*R*I3 */
+    const double t32 = t10*t31; /* 1/K*1/K*(s*v_tau - gamma3*G/I1)*s*R*I3 */
+    const double t33 = JLT_FMA(2.0, t15, t32); /* 2*gamma3*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) + 1/K*1/K*(s*v_tau - gamma3*G/I1)*s*R*I3 */
+    const double t34 = t28*p[17]; /* (s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t35 = t11*t34; /* gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t36 = t21*t35; /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t37 = JLT_FMA(t21, p[18], t36); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*G/I1 + t36 */
+    const double t38 = JLT_FMA(t13, t26, t37); /* (v_tau*R*I3*gamma3 + s*R*G)*t26 + s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*G/I1 + t36 */
     const double t39 = JLT_FNMA(t3, t33, t38); /* t38 - v_tau*R*I3*t33 */
     out[10] = t39;
-    const double t40 = x[4]*t22; /* s*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
-    const double t41 = JLT_FMA(x[0], t33, t40); /* gamma3*t33 + s*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K */
-    const double t42 = p[19]*t41; /* (-R*I3)*(gamma3*t33 + s*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K) */
+    const double t40 = x[4]*t21; /* s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t41 = JLT_FMA(x[0], t33, t40); /* gamma3*t33 + s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t42 = p[19]*t41; /* (-R*I3)*(gamma3*t33 + s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)) */
     out[13] = t42;
-    const double t43 = t29 + t30; /* s*v_tau + s*v_tau - gamma3*G/I1 */
-    const double t44 = t13*t43; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t45 = t28*t44; /* R*I3*1/K*t44 */
-    const double t46 = t12*t14; /* (v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
-    const double t47 = JLT_FMA(p[8], t31, t46); /* R*I3*s*1/K*(s*v_tau - gamma3*G/I1) + (v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
-    const double t48 = t22*p[20]; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*4*R^2*I1 */
-    const double t49 = JLT_FMS(t47, t48, t45); /* t47*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*4*R^2*I1 - R*I3*1/K*t44 */
-    const double t50 = JLT_FNMA(p[7], t33, t49); /* t49 - R*G*t33 */
-    out[14] = t50;
+    const double t43 = t27 + t28; /* s*v_tau + s*v_tau - gamma3*G/I1 */
+    const double t44 = p[8]*t43; /* R*I3*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t45 = t20*t44; /* 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t46 = JLT_FMA(t11, t13, t31); /* gamma3*1/K*(v_tau*R*I3*gamma3 + s*R*G) + 1/K*(s*v_tau - gamma3*G/I1)*s*R*I3 */
+    const double t47 = p[20]*t46; /* 4*R^2*I1*t46 */
+    const double t48 = JLT_FMS(t21, t47, t45); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*4*R^2*I1*t46 - t45 */
+    const double t49 = JLT_FNMA(p[7], t33, t48); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*4*R^2*I1*t46 - t45 - R*G*t33 */
+    out[14] = t49;
+    const double t50 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t51 = t6*t9; /* 1/(Theta/m) = K*1/(K*Theta/m) */
-    const double t52 = t1*t30; /* s*omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t53 = t51*t52; /* 1/(Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t54 = p[13]*t53; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1) */
-    const double t55 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t56 = t51*t55; /* 1/(Theta/m)*V */
-    const double t57 = JLT_FNMA(p[11], t56, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t58 = JLT_FMA(t3, t57, t54); /* v_tau*R*I3*(v_nu - I1*I3/m*1/(Theta/m)*V) + t54 */
-    const double t59 = t16*x[1]; /* 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*v_nu */
-    const double t60 = t10 + t51; /* 1/K + 1/(Theta/m) */
-    const double t61 = x[0]*p[22]; /* gamma3*R^2*(I1 - I3) */
-    const double t62 = t53*t61; /* 1/(Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) */
-    const double t63 = JLT_FNMA(t12, t56, t62); /* t62 - (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*V */
-    const double t64 = t60*t63; /* (1/K + 1/(Theta/m))*(t62 - (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*V) */
-    const double t65 = t14*p[21]; /* gamma3*1/K*2*R^2*I1*I3^2/m */
-    const double t66 = t14*t51; /* gamma3*1/K*1/(Theta/m) */
-    const double t67 = t1*p[23]; /* s*omega_tau*R^2*I3*G*(I1 - I3)/m */
-    const double t68 = JLT_FMA(t66, t67, t59); /* gamma3*1/K*1/(Theta/m)*s*omega_tau*R^2*I3*G*(I1 - I3)/m + 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*v_nu */
-    const double t69 = JLT_FMA(t64, t65, t68); /* t64*gamma3*1/K*2*R^2*I1*I3^2/m + t68 */
-    const double t70 = JLT_FNMA(t10, t58, t69); /* t64*gamma3*1/K*2*R^2*I1*I3^2/m + t68 - 1/K*(v_tau*R*I3*(v_nu - I1*I3/m*1/(Theta/m)*V) + t54) */
-    out[15] = t70;
-    const double t71 = t12*t51; /* (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
-    const double t72 = -t71; /* -(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
-    out[16] = t72;
-    const double t73 = t51*p[24]; /* 1/(Theta/m)*R*I1*I3/m */
-    const double t74 = t13*t73; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m */
-    const double t75 = p[13]*t66; /* R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    const double t76 = x[4]*t75; /* s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    const double t77 = JLT_FNMA(t30, t76, t74); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m - (s*v_tau - gamma3*G/I1)*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    out[17] = t77;
-    const double t78 = t1*t76; /* s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    const double t79 = p[8]*t14; /* R*I3*gamma3*1/K */
-    const double t80 = JLT_FMA(t57, t79, t78); /* (v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*gamma3*1/K + s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
-    const double t81 = -t80; /* -t80 */
-    out[18] = t81;
-    const double t82 = t20*t57; /* 1/K*R*G*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t83 = x[2]*t43; /* omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t84 = t21*p[25]; /* s*1/K*2*R^2*I1^2*I3/m */
-    const double t85 = JLT_FMS(t23, x[1], t82); /* 2*R^2*I1*1/K*(v_tau*R*I3*gamma3 + s*R*G)*s*1/K*v_nu - 1/K*R*G*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t86 = JLT_FNMA(t75, t83, t85); /* t85 - R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m)*omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t87 = JLT_FMA(t64, t84, t86); /* t64*s*1/K*2*R^2*I1^2*I3/m + t86 */
+    const double t52 = p[11]*t50; /* I1*I3/m*V */
+    const double t53 = JLT_FNMA(t51, t52, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t54 = t10*t53; /* 1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t55 = t1*t28; /* s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t56 = x[0]*p[22]; /* gamma3*R^2*(I1 - I3) */
+    const double t57 = t55*t56; /* s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) */
+    const double t58 = JLT_FNMA(t13, t50, t57); /* s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) - (v_tau*R*I3*gamma3 + s*R*G)*V */
+    const double t59 = t10 + t51; /* 1/K + 1/(Theta/m) */
+    const double t60 = t58*t59; /* t58*(1/K + 1/(Theta/m)) */
+    const double t61 = t11*t51; /* gamma3*1/K*1/(Theta/m) */
+    const double t62 = p[21]*t60; /* 2*R^2*I1*I3^2/m*t58*(1/K + 1/(Theta/m)) */
+    const double t63 = t55*p[13]; /* s*omega_tau*(s*v_tau - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t64 = t9*t63; /* 1/(K*Theta/m)*s*omega_tau*(s*v_tau - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t65 = t1*p[23]; /* s*omega_tau*R^2*I3*G*(I1 - I3)/m */
+    const double t66 = JLT_FMS(t61, t65, t64); /* gamma3*1/K*1/(Theta/m)*s*omega_tau*R^2*I3*G*(I1 - I3)/m - t64 */
+    const double t67 = JLT_FNMA(t3, t54, t66); /* t66 - v_tau*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t68 = JLT_FMA(t16, x[1], t67); /* 2*R^2*I3*gamma3*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*v_nu + t66 - v_tau*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t69 = JLT_FMA(t61, t62, t68); /* gamma3*1/K*1/(Theta/m)*2*R^2*I1*I3^2/m*t58*(1/K + 1/(Theta/m)) + t68 */
+    out[15] = t69;
+    const double t70 = t13*t51; /* (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
+    const double t71 = -t70; /* -(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
+    out[16] = t71;
+    const double t72 = t51*p[24]; /* 1/(Theta/m)*R*I1*I3/m */
+    const double t73 = t14*t72; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m */
+    const double t74 = t61*p[13]; /* gamma3*1/K*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t75 = x[4]*t74; /* s*gamma3*1/K*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t76 = JLT_FNMA(t28, t75, t73); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m - (s*v_tau - gamma3*G/I1)*s*gamma3*1/K*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    out[17] = t76;
+    const double t77 = p[8]*t11; /* R*I3*gamma3*1/K */
+    const double t78 = t53*t77; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
+    const double t79 = JLT_FMA(t1, t75, t78); /* s*omega_tau*s*gamma3*1/K*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m + (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
+    const double t80 = -t79; /* -t79 */
+    out[18] = t80;
+    const double t81 = p[7]*t54; /* R*G*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t82 = x[2]*t43; /* omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t83 = x[4]*p[25]; /* s*2*R^2*I1^2*I3/m */
+    const double t84 = t9*t83; /* 1/(K*Theta/m)*s*2*R^2*I1^2*I3/m */
+    const double t85 = JLT_FMS(t60, t84, t81); /* t58*(1/K + 1/(Theta/m))*1/(K*Theta/m)*s*2*R^2*I1^2*I3/m - R*G*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t86 = JLT_FNMA(t74, t82, t85); /* t85 - gamma3*1/K*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t87 = JLT_FMA(t22, x[1], t86); /* 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*v_nu + t86 */
     out[19] = t87;
     const double t88 = -t1; /* -s*omega_tau */
     out[20] = t88;
@@ -367,107 +363,111 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t11 = JLT_FMA(x[0], t10, t9); /* gamma3*v_tau*R*I3 + s*R*G */
     const double t12 = x[4]*x[3]; /* s*v_tau */
     const double t13 = x[4]*x[2]; /* s*omega_tau */
-    const double t14 = 2.0*t13; /* 2*s*omega_tau */
-    out[9] = t14;
-    const double t15 = -t13; /* -s*omega_tau */
-    out[25] = t15;
-    const double t16 = JLT_FNMA(x[0], p[12], t12); /* s*v_tau - gamma3*G/I1 */
-    const double t17 = t12 + t16; /* s*v_tau + s*v_tau - gamma3*G/I1 */
-    const double t18 = t7*t17; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t19 = x[4]*t7; /* s*1/K */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = t7*t11; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t22 = t11*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
-    const double t23 = p[11]*t20; /* I1*I3/m*V */
-    const double t24 = JLT_FNMA(t8, t23, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t25 = x[3]*t21; /* v_tau*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[1] = t25;
-    const double t26 = t16*t19; /* (s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t27 = p[22]*t16; /* R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
-    const double t28 = x[0]*t13; /* gamma3*s*omega_tau */
-    const double t29 = JLT_FNMA(t27, t28, t22); /* (gamma3*v_tau*R*I3 + s*R*G)*V - R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1)*gamma3*s*omega_tau */
-    const double t30 = -t28; /* -gamma3*s*omega_tau */
-    out[4] = t30;
-    const double t31 = t8*t29; /* 1/(Theta/m)*t29 */
-    const double t32 = x[4]*t13; /* s*s*omega_tau */
-    out[0] = t32;
-    const double t33 = p[23]*t13; /* R^2*I3*G*(I1 - I3)/m*s*omega_tau */
-    const double t34 = t8*t33; /* 1/(Theta/m)*R^2*I3*G*(I1 - I3)/m*s*omega_tau */
-    const double t35 = p[8]*t26; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t36 = x[0]*t21; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t37 = p[13]*t8; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t38 = t26*t37; /* (s*v_tau - gamma3*G/I1)*s*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t39 = t32*t37; /* s*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t40 = JLT_FMA(p[8], t24, t39); /* R*I3*(v_nu - 1/(Theta/m)*I1*I3/m*V) + s*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t41 = p[7]*t7; /* R*G*1/K */
-    const double t42 = t19*t21; /* s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t43 = p[25]*t19; /* 2*R^2*I1^2*I3/m*s*1/K */
-    const double t44 = t7*t10; /* 1/K*v_tau*R*I3 */
-    const double t45 = x[0]*t7; /* gamma3*1/K */
-    const double t46 = JLT_FMA(t10, t45, t21); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[13] = t46;
-    const double t47 = t7 + t8; /* 1/K + 1/(Theta/m) */
-    const double t48 = t31*t47; /* 1/(Theta/m)*t29*(1/K + 1/(Theta/m)) */
-    const double t49 = t8*t21; /* 1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t50 = t40*t45; /* t40*gamma3*1/K */
-    const double t51 = -t50; /* -t40*gamma3*1/K */
-    out[23] = t51;
-    const double t52 = JLT_FMS(p[11], t49, t21); /* I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[21] = t52;
-    const double t53 = p[24]*t49; /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t54 = JLT_FNMA(x[0], t38, t53); /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - gamma3*t38 */
-    out[22] = t54;
-    const double t55 = x[2]*t38; /* omega_tau*t38 */
-    const double t56 = p[14]*t21; /* 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t57 = JLT_FMA(x[1], t56, t34); /* v_nu*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + 1/(Theta/m)*R^2*I3*G*(I1 - I3)/m*s*omega_tau */
-    const double t58 = JLT_FNMA(t45, t56, t44); /* 1/K*v_tau*R*I3 - gamma3*1/K*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t59 = x[3]*t58; /* v_tau*t58 */
-    out[10] = t59;
-    const double t60 = JLT_FNMA(p[21], t48, t57); /* t57 - 2*R^2*I1*I3^2/m*1/(Theta/m)*t29*(1/K + 1/(Theta/m)) */
-    const double t61 = p[15]*t42; /* 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t62 = JLT_FMA(2.0, t36, t35); /* 2*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t63 = t35 + t36; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K + gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t64 = p[8]*t21; /* R*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t65 = t18*t64; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*R*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t66 = t24*t41; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t67 = JLT_FMS(x[1], t61, t66); /* v_nu*2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t68 = t41 - t61; /* R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t69 = x[3]*t68; /* v_tau*(R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
-    out[14] = t69;
-    const double t70 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t71 = t37*t70; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*omega_tau*gamma3 */
-    const double t72 = JLT_FNMA(t18, t71, t67); /* t67 - 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*omega_tau*gamma3 */
-    const double t73 = JLT_FNMA(t43, t48, t72); /* t72 - 2*R^2*I1^2*I3/m*s*1/K*1/(Theta/m)*t29*(1/K + 1/(Theta/m)) */
-    out[24] = t73;
-    const double t74 = -t70; /* -omega_tau*gamma3 */
-    out[29] = t74;
-    const double t75 = t21*t24; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t76 = JLT_FMA(x[0], t55, t75); /* gamma3*omega_tau*t38 + t75 */
-    const double t77 = JLT_FMA(t24, t44, t55); /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 + omega_tau*t38 */
-    const double t78 = JLT_FMS(t45, t60, t77); /* gamma3*1/K*(t57 - 2*R^2*I1*I3^2/m*1/(Theta/m)*t29*(1/K + 1/(Theta/m))) - t77 */
-    out[20] = t78;
-    const double t79 = -t76; /* -(gamma3*omega_tau*t38 + t75) */
-    out[3] = t79;
-    const double t80 = t44*t62; /* 1/K*v_tau*R*I3*t62 */
-    const double t81 = JLT_FMS(p[18], t42, t80); /* R*I3*G/I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*v_tau*R*I3*t62 */
-    const double t82 = p[16]*t45; /* 4*R^2*I3*gamma3*1/K */
-    const double t83 = JLT_FMS(t63, t82, t21); /* t63*4*R^2*I3*gamma3*1/K - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t84 = JLT_FMA(t21, t83, t81); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(t63*4*R^2*I3*gamma3*1/K - 1/K*(gamma3*v_tau*R*I3 + s*R*G)) + t81 */
-    out[15] = t84;
-    const double t85 = t21*t63; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t63 */
-    const double t86 = -t85; /* -1/K*(gamma3*v_tau*R*I3 + s*R*G)*t63 */
-    out[2] = t86;
-    const double t87 = x[4]*t42; /* s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t88 = JLT_FMA(t45, t62, t87); /* gamma3*1/K*t62 + s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t89 = p[19]*t88; /* (-R*I3)*(gamma3*1/K*t62 + s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
-    out[18] = t89;
-    const double t90 = p[20]*t42; /* 4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t91 = JLT_FMS(t63, t90, t65); /* t63*4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t65 */
-    const double t92 = JLT_FNMA(t41, t62, t91); /* t63*4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t65 - R*G*1/K*t62 */
-    out[19] = t92;
-    const double t93 = x[4]*x[0]; /* s*gamma3 */
-    const double t94 = -t93; /* -s*gamma3 */
-    out[27] = t94;
+    const double t14 = x[4]*t13; /* s*s*omega_tau */
+    out[0] = t14;
+    const double t15 = 2.0*t13; /* 2*s*omega_tau */
+    out[9] = t15;
+    const double t16 = -t13; /* -s*omega_tau */
+    out[25] = t16;
+    const double t17 = x[0]*t13; /* gamma3*s*omega_tau */
+    const double t18 = -t17; /* -gamma3*s*omega_tau */
+    out[4] = t18;
+    const double t19 = JLT_FNMA(x[0], p[12], t12); /* s*v_tau - gamma3*G/I1 */
+    const double t20 = t12 + t19; /* s*v_tau + s*v_tau - gamma3*G/I1 */
+    const double t21 = t7*t20; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t23 = x[4]*t7; /* s*1/K */
+    const double t24 = p[11]*t22; /* I1*I3/m*V */
+    const double t25 = t11*t22; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
+    const double t26 = JLT_FNMA(t8, t24, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t27 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t28 = -t27; /* -omega_tau*gamma3 */
+    out[29] = t28;
+    const double t29 = p[22]*t19; /* R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
+    const double t30 = JLT_FNMA(t17, t29, t25); /* (gamma3*v_tau*R*I3 + s*R*G)*V - gamma3*s*omega_tau*R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
+    const double t31 = t19*t23; /* (s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t32 = t8*t30; /* 1/(Theta/m)*t30 */
+    const double t33 = t7*t11; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t34 = t8*t11; /* 1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t35 = -t34; /* -1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[21] = t35;
+    const double t36 = x[3]*t33; /* v_tau*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[1] = t36;
+    const double t37 = t7*t10; /* 1/K*v_tau*R*I3 */
+    const double t38 = p[23]*t27; /* R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 */
+    const double t39 = t8*t38; /* 1/(Theta/m)*R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 */
+    const double t40 = x[0]*t33; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t41 = p[8]*t31; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t42 = x[0]*t7; /* gamma3*1/K */
+    const double t43 = JLT_FMA(t10, t42, t33); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[13] = t43;
+    const double t44 = p[7]*t7; /* R*G*1/K */
+    const double t45 = t7 + t8; /* 1/K + 1/(Theta/m) */
+    const double t46 = t32*t45; /* 1/(Theta/m)*t30*(1/K + 1/(Theta/m)) */
+    const double t47 = t23*t33; /* s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t48 = t26*t37; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
+    const double t49 = JLT_FMS(t23, t39, t48); /* s*1/K*1/(Theta/m)*R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
+    const double t50 = p[13]*t8; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t51 = t31*t50; /* (s*v_tau - gamma3*G/I1)*s*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t52 = p[24]*t8; /* R*I1*I3/m*1/(Theta/m) */
+    const double t53 = t17*t50; /* gamma3*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t54 = t27*t50; /* omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t55 = t33*t52; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I1*I3/m*1/(Theta/m) */
+    const double t56 = JLT_FNMA(x[0], t51, t55); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I1*I3/m*1/(Theta/m) - gamma3*t51 */
+    out[22] = t56;
+    const double t57 = p[14]*t33; /* 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t58 = t42*t57; /* gamma3*1/K*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t59 = p[15]*t47; /* 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t60 = JLT_FMA(2.0, t40, t41); /* 2*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t61 = t40 + t41; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t62 = p[8]*t21; /* R*I3*1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t63 = t33*t62; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I3*1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t64 = p[21]*t42; /* 2*R^2*I1*I3^2/m*gamma3*1/K */
+    const double t65 = JLT_FNMA(t46, t64, t49); /* t49 - 1/(Theta/m)*t30*(1/K + 1/(Theta/m))*2*R^2*I1*I3^2/m*gamma3*1/K */
+    const double t66 = JLT_FMA(x[1], t58, t65); /* v_nu*gamma3*1/K*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + t65 */
+    const double t67 = JLT_FNMA(x[2], t51, t66); /* t66 - omega_tau*t51 */
+    out[20] = t67;
+    const double t68 = t37 - t58; /* 1/K*v_tau*R*I3 - gamma3*1/K*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t69 = x[3]*t68; /* v_tau*t68 */
+    out[10] = t69;
+    const double t70 = t37*t60; /* 1/K*v_tau*R*I3*t60 */
+    const double t71 = JLT_FMS(p[18], t47, t70); /* R*I3*G/I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*v_tau*R*I3*t60 */
+    const double t72 = p[8]*t42; /* R*I3*gamma3*1/K */
+    const double t73 = t26*t72; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
+    const double t74 = JLT_FMA(t23, t53, t73); /* s*1/K*gamma3*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
+    const double t75 = -t74; /* -t74 */
+    out[23] = t75;
+    const double t76 = p[25]*t23; /* 2*R^2*I1^2*I3/m*s*1/K */
+    const double t77 = t26*t44; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
+    const double t78 = t26*t33; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t79 = JLT_FMA(t27, t51, t78); /* omega_tau*gamma3*t51 + t78 */
+    const double t80 = -t79; /* -(omega_tau*gamma3*t51 + t78) */
+    out[3] = t80;
+    const double t81 = JLT_FMS(x[1], t59, t77); /* v_nu*2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
+    const double t82 = JLT_FNMA(t21, t54, t81); /* t81 - 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t83 = JLT_FNMA(t46, t76, t82); /* t82 - 1/(Theta/m)*t30*(1/K + 1/(Theta/m))*2*R^2*I1^2*I3/m*s*1/K */
+    out[24] = t83;
+    const double t84 = t44 - t59; /* R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t85 = x[3]*t84; /* v_tau*(R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
+    out[14] = t85;
+    const double t86 = p[16]*t42; /* 4*R^2*I3*gamma3*1/K */
+    const double t87 = JLT_FMS(t61, t86, t33); /* t61*4*R^2*I3*gamma3*1/K - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t88 = JLT_FMA(t33, t87, t71); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(t61*4*R^2*I3*gamma3*1/K - 1/K*(gamma3*v_tau*R*I3 + s*R*G)) + t71 */
+    out[15] = t88;
+    const double t89 = t33*t61; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t61 */
+    const double t90 = -t89; /* -1/K*(gamma3*v_tau*R*I3 + s*R*G)*t61 */
+    out[2] = t90;
+    const double t91 = x[4]*t47; /* s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t92 = JLT_FMA(t42, t60, t91); /* gamma3*1/K*t60 + s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t93 = p[19]*t92; /* (-R*I3)*(gamma3*1/K*t60 + s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
+    out[18] = t93;
+    const double t94 = p[20]*t47; /* 4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t95 = JLT_FMS(t61, t94, t63); /* t61*4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t63 */
+    const double t96 = JLT_FNMA(t44, t60, t95); /* t61*4*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t63 - R*G*1/K*t60 */
+    out[19] = t96;
+    const double t97 = x[4]*x[0]; /* s*gamma3 */
+    const double t98 = -t97; /* -s*gamma3 */
+    out[27] = t98;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -485,10 +485,9 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t10 = t3*t8; /* K*Theta/m */
     const double t11 = p[8]*t9; /* R*I3*(I1*I3/m*V - s*s*omega_tau*R*I1*(I1 - I3)/m - v_nu*Theta/m) */
     const double t12 = t11/t10; /* t11/(K*Theta/m) */
-    const double t13 = x[2] - t12; /* omega_tau - t11/(K*Theta/m) */
-    const double t14 = x[0]*t13; /* gamma3*(omega_tau - t11/(K*Theta/m)) */
-    const double t15 = -t14; /* -gamma3*(omega_tau - t11/(K*Theta/m)) */
-    out[0] = t15;
+    const double t13 = t12 - x[2]; /* t11/(K*Theta/m) - omega_tau */
+    const double t14 = x[0]*t13; /* gamma3*(t11/(K*Theta/m) - omega_tau) */
+    out[0] = t14;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -525,32 +524,32 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0]*p[10]; /* gamma3*R^2*I3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + s*s*R^2*I1 */
     const double t4 = 1.0/t3; /* 1/K */
-    const double t5 = JLT_FMA(p[0], t3, p[35]); /* Theta = m*K + I1*I3 */
-    const double t6 = t4*t5; /* 1/K*Theta */
-    const double t7 = x[3]*t6; /* v_tau*1/K*Theta */
-    out[3] = t7;
-    const double t8 = JLT_FNMA(p[34], t7, x[3]); /* v_tau - 1/m*v_tau*1/K*Theta */
-    const double t9 = x[3]*t8; /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) */
-    const double t10 = JLT_FNMA(t4, p[36], t9); /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m */
-    const double t11 = p[0]*t4; /* m*1/K */
-    const double t12 = t10*t11; /* (v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
-    const double t13 = t2*t12; /* gamma3*R^2*I3*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
+    const double t5 = p[0]*x[3]; /* m*v_tau */
+    const double t6 = x[3]*t5; /* v_tau*m*v_tau */
+    const double t7 = JLT_FMA(t3, p[0], p[34]); /* Theta = K*m + I1*I3 */
+    const double t8 = t4*t7; /* 1/K*Theta */
+    const double t9 = x[3]*t8; /* v_tau*1/K*Theta */
+    out[3] = t9;
+    const double t10 = JLT_FNMA(t4, p[35], t6); /* v_tau*m*v_tau - 1/K*G^2 */
+    const double t11 = JLT_FNMA(x[3], t9, t10); /* v_tau*m*v_tau - 1/K*G^2 - v_tau*v_tau*1/K*Theta */
+    const double t12 = t4*t11; /* 1/K*(v_tau*m*v_tau - 1/K*G^2 - v_tau*v_tau*1/K*Theta) */
+    const double t13 = t2*t12; /* gamma3*R^2*I3*1/K*(v_tau*m*v_tau - 1/K*G^2 - v_tau*v_tau*1/K*Theta) */
     out[0] = t13;
     const double t14 = p[0]*x[1]; /* m*v_nu */
     out[1] = t14;
     const double t15 = p[3]*x[2]; /* I1*omega_tau */
     out[2] = t15;
-    const double t16 = t0*t12; /* s*R^2*I1*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
+    const double t16 = t0*t12; /* s*R^2*I1*1/K*(v_tau*m*v_tau - 1/K*G^2 - v_tau*v_tau*1/K*Theta) */
     out[4] = t16;
     const double t17 = x[4]*x[3]; /* s*v_tau */
     const double t18 = JLT_FNMA(x[0], p[12], t17); /* s*v_tau - gamma3*G/I1 */
     const double t19 = t4*t18; /* 1/K*(s*v_tau - gamma3*G/I1) */
-    const double t20 = t6*t19; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t21 = JLT_FNMA(t19, p[27], t20); /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) - 1/K*(s*v_tau - gamma3*G/I1)*1/2*m */
+    const double t20 = t8*t19; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t21 = JLT_FNMA(p[37], t20, t19); /* 1/K*(s*v_tau - gamma3*G/I1) - 2/m*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
     const double t22 = t19*t21; /* 1/K*(s*v_tau - gamma3*G/I1)*t21 */
-    const double t23 = x[0]*p[37]; /* gamma3*(-4*R^4*I1^2*I3*(I1 - I3)) */
-    const double t24 = t22*t23; /* 1/K*(s*v_tau - gamma3*G/I1)*t21*gamma3*(-4*R^4*I1^2*I3*(I1 - I3)) */
-    const double t25 = JLT_FMA(t20, p[38], t24); /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*(-2*R^2*I1*G*(I1 - I3)) + t24 */
+    const double t23 = x[0]*p[36]; /* gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
+    const double t24 = t22*t23; /* 1/K*(s*v_tau - gamma3*G/I1)*t21*gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
+    const double t25 = JLT_FNMA(t20, p[38], t24); /* t24 - 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1*G*(I1 - I3) */
     out[5] = t25;
     const double t26 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t27 = p[39]*t26; /* 2*m*I1^2*(omega_tau*R + v_nu) */
@@ -561,8 +560,8 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t30 = x[4]*t29; /* s*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
     out[8] = t30;
     const double t31 = x[3]*t29; /* v_tau*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
-    const double t32 = x[4]*p[42]; /* s*4*R^4*I1^3*(I1 - I3) */
-    const double t33 = JLT_FNMA(t22, t32, t31); /* t31 - 1/K*(s*v_tau - gamma3*G/I1)*t21*s*4*R^4*I1^3*(I1 - I3) */
+    const double t32 = x[4]*p[42]; /* s*2*m*R^4*I1^3*(I1 - I3) */
+    const double t33 = JLT_FMA(t22, t32, t31); /* 1/K*(s*v_tau - gamma3*G/I1)*t21*s*2*m*R^4*I1^3*(I1 - I3) + t31 */
     out[9] = t33;
 }
 
@@ -730,7 +729,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca",
+    .sha256 = "58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .state_count = 5, .param_count = 7, .block_count = 43,
@@ -740,16 +739,16 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 22, 7, 1, 0, 0, 12, 7 }, { 16, 71, 0, 6, 0, 0, 10, 8 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), a part of d(omega_tau)/dtau, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(v_tau)/dtau" },
-    .jacobian = { jacobian, 25, { 9, 57, 26, 1, 0, 0, 14, 21 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in v_tau*(R*I3)*gamma3 + s*(R*G), a part of d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), 1/K*(R*G) - (2*R^2*I1)*1/K*(v_tau*(R*I3)*gamma3 + s*(R*G))*s*1/K, a part of d(d(omega_tau)/dtau)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), s*v_tau + s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), V = omega_tau*R + v_nu, v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 12, 56, 26, 1, 0, 0, 14, 19 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(v_tau), d(d(v_nu)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), d(d(v_tau)/dtau)/d(s), a part of d(v_tau)/dtau, d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(s)" },
-    .divergence = { divergence, 1, { 3, 8, 4, 1, 0, 0, 10, 5 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
+    .jacobian = { jacobian, 25, { 8, 57, 27, 1, 0, 0, 14, 19 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in v_tau*(R*I3)*gamma3 + s*(R*G), a part of d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), 1/K*(R*G) - (2*R^2*I1)*s*1/K*1/K*(v_tau*(R*I3)*gamma3 + s*(R*G)), a part of d(d(omega_tau)/dtau)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), s*v_tau + s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 14, 60, 24, 1, 0, 0, 14, 21 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(v_tau), a part of d(v_tau)/dtau, d(d(v_tau)/dtau)/d(s), (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(s)" },
+    .divergence = { divergence, 1, { 2, 8, 4, 1, 0, 0, 9, 5 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, (I1*I3/m)*V - s*s*omega_tau*(R*I1*(I1 - I3)/m) - v_nu*Theta/m, a part of the divergence" },
     .integral_values = { integral_values, 2, { 1, 12, 7, 1, 0, 0, 7, 5 }, { 9, 35, 0, 3, 0, 0, 12, 6 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in omega_tau*R + v_nu, s*v_tau - gamma3*(G/I1), F0" },
-    .integral_gradients = { integral_gradients, 10, { 0, 24, 9, 1, 0, 0, 11, 7 }, { 26, 155, 0, 14, 0, 0, 13, 8 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau - (1/m)*v_tau*((1)/K)*Theta, v_tau*(v_tau - (1/m)*v_tau*((1)/K)*Theta) - ((1)/K)*(G^2/m), s*v_tau - gamma3*(G/I1), a part of d(F0)/d(gamma3) and of d(F0)/d(s), d(F0)/d(gamma3), omega_tau*R + v_nu, d(F0)/d(s)" },
+    .integral_gradients = { integral_gradients, 10, { 0, 24, 9, 1, 0, 0, 10, 7 }, { 26, 155, 0, 14, 0, 0, 13, 8 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau*m*v_tau - ((1)/K)*(G^2) - v_tau*v_tau*((1)/K)*Theta, s*v_tau - gamma3*(G/I1), a part of d(F0)/d(gamma3) and of d(F0)/d(s), d(F0)/d(gamma3), omega_tau*R + v_nu, d(F0)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_level, SHA-256 a0362d7aafe4ac095061c9e2c7f9417b05b6c21c51ed0a0e3c3f227f5c7cacca
+ *  Table:      spherical_top_level, SHA-256 58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Variant:    equal_moments: I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_plane, SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e
+ *  Table:      spherical_top_plane, SHA-256 b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -338,7 +338,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e",
+    .sha256 = "b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
     .state_count = 3, .param_count = 7, .block_count = 24,

@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Table:      spherical_top_plane, SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e
+ *  Table:      spherical_top_plane, SHA-256 b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -437,6 +437,10 @@ static const jlt_quantity params[] = {
     { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
+static const jlt_pole poles[] = {
+    { 0, "the symmetry axis is vertical" },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .model = "spherical_top_plane",
     .variant = "",
@@ -444,7 +448,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e",
+    .sha256 = "b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
     .state_count = 2, .param_count = 7, .block_count = 34,
@@ -467,6 +471,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .pole_count = 1, .poles = poles,
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
 #ifndef JLT_WITHOUT_BALLS
     .balls = &jlt_balls_spherical_top_plane_general,

@@ -1,4 +1,4 @@
-/* spherical_top_plane: its table byte for byte (SHA-256 1fa869b1aa4800043f109f8cbe7865c0f6fe78296f907fe6ce8b9253a31a8b9e), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_plane: its table byte for byte (SHA-256 b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_plane[];
@@ -46,6 +46,7 @@ const char jlt_table_spherical_top_plane[] = {
     'e','q',' ','p','s','i',' ','=','\n',
     ' ',' ',' ',' ','+',' ','o','m','e','g','a','_','n','/','s','\n',
     '\n',
+    'p','o','l','e',' ','g','a','m','m','a','3',' ','"','t','h','e',' ','s','y','m','m','e','t','r','y',' ','a','x','i','s',' ','i','s',' ','v','e','r','t','i','c','a','l','"','\n',
     't','i','m','e',' ','r','e','g','u','l','a','r',' ',':',' ','s',' ','l','i','f','t','i','n','g',' ','s','\n',
     '\n',
     'v','a','r','i','a','n','t',' ','e','q','u','a','l','_','m','o','m','e','n','t','s',' ',':',' ','I','3',' ','=',' ','I','1','\n',
@@ -63,12 +64,13 @@ const char jlt_table_spherical_top_plane[] = {
 const jlt_claim jlt_claims_spherical_top_plane[] = {
     { "equal", "jellett", "", JLT_PROVED, "", NULL },
     { "equal", "third_integral", "", JLT_PROVED, "", NULL },
-    { "embedding", "balanced", "", JLT_PROVED, "", "df4c6382bfc3ec0089c3f4fcc7561fab0a5521bed8cf56cf071b901698c3762d" },
+    { "embedding", "balanced", "", JLT_PROVED, "", "a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c" },
     { "periodic", "psi", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "root", "v_slip", "", JLT_PROVED, "", NULL },
     { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

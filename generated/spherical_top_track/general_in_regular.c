@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5
+ *  Table:      spherical_top_track, SHA-256 4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -1073,6 +1073,10 @@ static const jlt_named integrals[] = {
     { "G", "" },
 };
 
+static const jlt_pole poles[] = {
+    { 0, "the symmetry axis is vertical" },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular = {
     .model = "spherical_top_track",
     .variant = "",
@@ -1080,7 +1084,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5",
+    .sha256 = "4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .block_count = 59,
@@ -1106,6 +1110,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .pole_count = 1, .poles = poles,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -1,4 +1,4 @@
-/* spherical_top_track: its table byte for byte (SHA-256 85b137e5cfd8fa323a7b8d60ae3178d9968ae7e92f7eb00daa8d862498d343c5), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_track: its table byte for byte (SHA-256 4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_track[];
@@ -75,6 +75,7 @@ const char jlt_table_spherical_top_track[] = {
     ' ',' ',' ',' ','+',' ','v','_','n','u','*','S','\n',
     ' ',' ',' ',' ','-',' ','v','_','t','a','u','*','C','\n',
     '\n',
+    'p','o','l','e',' ','g','a','m','m','a','3',' ','"','t','h','e',' ','s','y','m','m','e','t','r','y',' ','a','x','i','s',' ','i','s',' ','v','e','r','t','i','c','a','l','"','\n',
     't','i','m','e',' ','r','e','g','u','l','a','r',' ',':',' ','s',' ','l','i','f','t','i','n','g',' ','s','\n',
     '\n',
     'v','a','r','i','a','n','t',' ','b','a','l','a','n','c','e','d',' ',':',' ','a','3',' ','=',' ','0','\n',
@@ -118,13 +119,14 @@ const jlt_claim jlt_claims_spherical_top_track[] = {
     { "integral", "v_x", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "afc576ab127168bf2425247fd9967cb04c82f730b981997edc784098d7172029" },
+    { "reduction", "reduced", "", JLT_PROVED, "", "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a" },
     { "periodic", "chi", "", JLT_PROVED, "", NULL },
     { "periodic", "spin", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "variant", "rod", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

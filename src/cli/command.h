@@ -26,31 +26,14 @@ typedef struct {
     jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME" */
 } jlt_command;
 
-extern const jlt_command jlt_command_verify;
-extern const jlt_command jlt_command_eigen;
-extern const jlt_command jlt_command_measure;
-extern const jlt_command jlt_command_models;
-extern const jlt_command jlt_command_simulate;
-extern const jlt_command jlt_command_run;
-extern const jlt_command jlt_command_plan;
-extern const jlt_command jlt_command_rod;
-extern const jlt_command jlt_command_portrait;
-extern const jlt_command jlt_command_section;
-extern const jlt_command jlt_command_orbits;
-extern const jlt_command jlt_command_fates;
-extern const jlt_command jlt_command_manifolds;
-extern const jlt_command jlt_command_lyapunov;
-extern const jlt_command jlt_command_continue;
-extern const jlt_command jlt_command_separation;
-extern const jlt_command jlt_command_drift;
-extern const jlt_command jlt_command_bench;
+extern const jlt_command
+    jlt_command_verify, jlt_command_eigen, jlt_command_measure, jlt_command_models, jlt_command_simulate,
+    jlt_command_run, jlt_command_plan, jlt_command_rod, jlt_command_portrait, jlt_command_section, jlt_command_orbits,
+    jlt_command_fates, jlt_command_manifolds, jlt_command_lyapunov, jlt_command_continue, jlt_command_separation,
+    jlt_command_drift, jlt_command_bench;
 
 /* By name, from the table of main.c; NULL when there is none. */
 const jlt_command *jlt_command_find(const char *name);
-
-/* Run it, with its name for argv[0]. A command that was interrupted does not return: it has finished its row, and ends the
- * program by the signal. */
-jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv);
 
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)

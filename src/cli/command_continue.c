@@ -1,9 +1,9 @@
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
+#include "dynamics/tree.h"
 #include "report/csv.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,63 +68,20 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* What a branch's points go to. */
+/* Where points go to. */
 typedef struct {
     FILE *file, *points;
     const jlt_chart *chart;
-    unsigned shown; /* the coordinate in pictures */
-    size_t branch, generation, rows, capacity, count;
-    struct landmark *landmarks; /* the bifurcations listed, in order */
-    size_t joined;              /* the branch that a run met again; NONE while it has not */
-} sink;
+    unsigned shown;      /* the coordinate in pictures */
+    size_t rows, branch; /* branch: of the last row */
+} table;
 
-/* A bifurcation listed, and whether the branches that begin there are. */
-typedef struct landmark {
-    jlt_continuation_point point;
-    size_t branch, generation; /* on which it lies */
-    bool followed;
-} landmark;
-
-static const size_t NONE = SIZE_MAX;
-
-static jlt_status keep_landmark(sink *self, const jlt_continuation_point *point)
-{
-    if (self->count == self->capacity) {
-        const size_t capacity = self->capacity == 0 ? 8 : 2 * self->capacity;
-        landmark *grown = realloc(self->landmarks, capacity * sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        self->landmarks = grown;
-        self->capacity = capacity;
-    }
-    self->landmarks[self->count++] = (landmark){ *point, self->branch, self->generation, false };
-    return JLT_OK;
-}
-
-/* Two rows of one bifurcation: located well enough to compare, by whichever points of the orbit. */
-static bool same_bifurcation(const sink *self, const jlt_continuation_point *a, const jlt_continuation_point *b)
-{
-    return a->kind == b->kind && fabs(a->value - b->value) < 1e-7 * fmax(1, fabs(a->value)) &&
-           jlt_periodic_same(self->chart, &a->orbit, &b->orbit, 1e-5);
-}
-
-/* A branch that comes to a period doubling of another ends there: it is the one that begins there. */
-static void mark_followed(sink *self, const jlt_continuation_point *end)
-{
-    for (size_t i = 0; i < self->count; i++) {
-        landmark *l = &self->landmarks[i];
-        if (l->point.kind == JLT_BIFURCATION_DOUBLING && 2 * l->point.orbit.period == end->orbit.period &&
-            fabs(l->point.value - end->value) < 1e-4 * fmax(1, fabs(end->value)) &&
-            jlt_chart_distance(self->chart, l->point.orbit.points, end->orbit.points) < 1e-2)
-            l->followed = true;
-    }
-}
-
-static void write_point(const sink *self, const jlt_continuation_point *point)
+static void write_point(const table *self, size_t branch, const jlt_continuation_point *point)
 {
     const bool ends = point->kind != JLT_BIFURCATION_NONE;
     FILE *file = self->file;
 
-    fprintf(file, "%zu,", self->branch);
+    fprintf(file, "%zu,", branch);
     jlt_csv_value(file, point->value);
     fprintf(file, ",%.9g,", point->arc);
     jlt_orbit_columns_write(file, self->chart, &point->orbit);
@@ -132,103 +89,46 @@ static void write_point(const sink *self, const jlt_continuation_point *point)
     jlt_csv_row(file, (const double[]){ ends ? point->low : NAN, ends ? point->high : NAN }, 2);
 }
 
-static jlt_status take(void *context, const jlt_continuation_point *point)
+static jlt_status take(void *context, size_t branch, const jlt_continuation_point *point)
 {
-    sink *self = context;
-    const jlt_periodic *orbit = &point->orbit;
+    table *self = context;
 
-    for (size_t i = 0; point->kind != JLT_BIFURCATION_NONE && i < self->count; i++)
-        if (self->landmarks[i].branch != self->branch && same_bifurcation(self, &self->landmarks[i].point, point)) {
-            self->joined = self->landmarks[i].branch;
-            return JLT_ERR_EMPTY; /* ends the run */
-        }
-    write_point(self, point);
+    write_point(self, branch, point);
     if (self->points != NULL)
-        fprintf(self->points, "%.9g %.9g %d %d\n", point->value, orbit->points[self->shown], (int)point->kind,
-                (int)orbit->type);
+        fprintf(self->points, "%s%.9g %.9g %d %d\n", branch != self->branch ? "\n" : "", point->value,
+                point->orbit.points[self->shown], (int)point->kind, (int)point->orbit.type);
+    self->branch = branch;
     self->rows++;
-    if (ferror(self->file)) return JLT_ERR_IO;
-    return point->kind == JLT_BIFURCATION_NONE ? JLT_OK : keep_landmark(self, point);
+    return ferror(self->file) ? JLT_ERR_IO : JLT_OK;
 }
 
 static const char *const ends[] = { "the range ends", "the number of points is reached",
                                     "no shorter step converges (a pole, an empty level, a tangency, or a family: levels may tell its orbits apart)",
                                     "interrupted", "it closes", "it ends at a period doubling" };
 
-/* One branch, from its first point to its end, which is said. */
-static jlt_status run_branch(sink *to, const jlt_family *family, const jlt_continuation_point *first, int direction,
-                             const jlt_continuation_options *run, const jlt_continuation_point *origin)
+static void tell_end(void *unused, const jlt_tree_end *e)
 {
-    jlt_continuation_end end = JLT_CONTINUATION_RANGE;
-    jlt_status st;
-
-    to->joined = NONE;
-    st = jlt_continuation_run(&end, family, first, direction, run, take, to);
-    if (st == JLT_ERR_NOMEM || st == JLT_ERR_IO || (origin == NULL && st != JLT_OK)) return st;
-    fprintf(stderr, "jellett: branch %zu", to->branch);
-    if (origin != NULL)
-        fprintf(stderr, ", from the %s at %.10g", jlt_continuation_bifurcation_name(origin->kind), origin->value);
-    if (to->joined != NONE) fprintf(stderr, ": the rest is branch %zu\n", to->joined);
-    else fprintf(stderr, ": %s\n", st == JLT_OK ? ends[end] : jlt_status_text(st));
-    if (st == JLT_OK && end == JLT_CONTINUATION_HALVED) mark_followed(to, &to->landmarks[to->count - 1].point);
-    return JLT_OK;
-}
-
-/* Is there another branch, and is it short enough? */
-static bool begins(const landmark *l)
-{
-    return l->point.kind == JLT_BIFURCATION_BRANCH || l->point.kind == JLT_BIFURCATION_DOUBLING;
-}
-
-static bool too_long(const landmark *l)
-{
-    return l->point.kind == JLT_BIFURCATION_DOUBLING && 2 * l->point.orbit.period > JLT_PERIODIC_MAX;
-}
-
-/* Bifurcations whose branches are left alone. */
-static void tell_of_others(const sink *to, size_t generations)
-{
-    size_t left = 0, longer = 0;
-
-    for (size_t i = 0; i < to->count; i++) {
-        const landmark *l = &to->landmarks[i];
-        longer += !l->followed && too_long(l);
-        left += l->generation == generations && !l->followed && begins(l) && !too_long(l);
+    (void)unused;
+    if (!e->found) {
+        fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
+                jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value, e->side);
+        return;
     }
-    if (longer > 0)
+    fprintf(stderr, "jellett: branch %zu", e->branch);
+    if (e->origin != NULL)
+        fprintf(stderr, ", from the %s at %.10g", jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value);
+    if (e->is_known) fprintf(stderr, ": the rest is branch %zu\n", e->known);
+    else fprintf(stderr, ": %s\n", e->status == JLT_OK ? ends[e->end] : jlt_status_text(e->status));
+}
+
+static void tell_left(const jlt_tree_left *left, size_t generations)
+{
+    if (left->longer > 0)
         fprintf(stderr, "jellett: not followed: what begins at %zu period doublings of orbits longer than %d returns\n",
-                longer, JLT_PERIODIC_MAX / 2);
-    if (left > 0)
+                left->longer, JLT_PERIODIC_MAX / 2);
+    if (left->last > 0)
         fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of the last branches; "
-                "ask for more with --generations %zu\n", left, generations + 1);
-}
-
-/* Branches that begin at a bifurcation: both sides of a branch point, and of a period doubling one, as the other is the same orbit
- * one return later. */
-static jlt_status follow_branches(sink *to, size_t from, const jlt_family *family, const jlt_continuation_options *run)
-{
-    const jlt_continuation_point origin = to->landmarks[from].point;
-    const bool doubling = origin.kind == JLT_BIFURCATION_DOUBLING;
-    jlt_continuation_point first;
-    jlt_status st = JLT_OK;
-
-    if (!begins(&to->landmarks[from]) || too_long(&to->landmarks[from])) return JLT_OK;
-    to->generation = to->landmarks[from].generation + 1;
-    for (int side = 1; st == JLT_OK && side >= (doubling ? 1 : -1) && !to->landmarks[from].followed; side -= 2) {
-        if (run->interrupt != NULL && *run->interrupt) return JLT_OK;
-        st = jlt_continuation_switch(&first, family, &origin, side, run->step, run);
-        if (st == JLT_ERR_NOMEM) return st;
-        if (st != JLT_OK) {
-            fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
-                    jlt_continuation_bifurcation_name(origin.kind), origin.value, side);
-            st = JLT_OK;
-            continue;
-        }
-        to->branch++;
-        if (to->points != NULL) fputs("\n", to->points);
-        st = run_branch(to, family, &first, 1, run, &origin);
-    }
-    return st;
+                "ask for more with --generations %zu\n", left->last, generations + 1);
 }
 
 static jlt_exit draw(const options *o, const jlt_system *system, const char *name, unsigned shown, const char *points)
@@ -286,28 +186,27 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
 }
 
-static jlt_exit run_all(sink *to, jlt_motion_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
+static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
                         const options *o, const jlt_system *system)
 {
     const jlt_family maps = { jlt_system_map_at, &family->systems };
     const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
                                            .points_max = o->points, .interrupt = o->motion.flow.interrupt };
-    jlt_status st;
+    const jlt_tree_sink sink = { take, tell_end, to };
+    jlt_tree_left left;
 
     to->chart = system->flow.chart;
     while (to->shown + 1 < to->chart->dim && to->chart->period[to->shown] != 0) to->shown++;
-    st = run_branch(to, &maps, first, o->direction, &run, NULL);
-    for (size_t i = 0; st == JLT_OK && i < to->count; i++)
-        if (to->landmarks[i].generation < o->generations) st = follow_branches(to, i, &maps, &run);
-    if (st == JLT_OK && o->generations > 0) tell_of_others(to, o->generations);
+    const jlt_status st = jlt_tree_grow(&left, to->chart, &maps, first, o->direction, o->generations, &run, &sink);
+    if (st == JLT_OK && o->generations > 0) tell_left(&left, o->generations);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
 
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
-    jlt_motion_family family = { .known = NULL };
-    sink to = { .branch = 0 };
+    jlt_motion_family family = { .surface = NULL };
+    table to = { .rows = 0 };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
@@ -323,7 +222,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.max_steps = 20000;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);
@@ -353,7 +252,6 @@ done:
     jlt_motion_family_clear(&family);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
-    free(to.landmarks);
     free(points);
     return code;
 }

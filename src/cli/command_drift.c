@@ -1,6 +1,8 @@
-#include "cli/drift.h"
+#include "cli/motion.h"
+#include "cli/progress.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "top/drift_top.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,6 +15,18 @@ typedef struct {
     size_t returns;
     bool project;
 } options;
+
+/* What is followed, and where it is told. */
+typedef struct {
+    jlt_drift drift;
+    jlt_drift_top five;                    /* of the spherical top: all states, in which what levels fix are integrals */
+    const char *names[JLT_INVARIANTS_MAX]; /* of the integrals that are watched */
+    FILE *file, *points;                   /* points: the same for a picture, or NULL */
+    jlt_progress progress;
+    const jlt_method *method;              /* of the rows under way */
+    jlt_drift_row rows[JLT_DRIFT_ROWS_MAX];
+    size_t row_count;
+} report;
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0, "Start on the section, every coordinate; of the spherical top a regular orbit by default", 1 },
@@ -50,17 +64,25 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Power of the returns with which the drift grows: the slope of a line through the logarithms. */
-static double slope(const jlt_drift_row *rows, size_t count, unsigned k)
+static bool tell(void *context, const jlt_drift_row *row, bool due)
 {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    report *r = context;
 
-    for (size_t i = 0; i < count; i++) {
-        if (!(rows[i].drift[k] > 0) || rows[i].returns * 16 < rows[count - 1].returns) continue;
-        const double u = log((double)rows[i].returns), v = log(rows[i].drift[k]);
-        n++, x += u, y += v, xx += u * u, xy += u * v;
+    if (due) {
+        r->rows[r->row_count++] = *row;
+        fprintf(r->file, "%s,%zu,", r->method->name, row->returns);
+        jlt_csv_value(r->file, row->t);
+        fprintf(r->file, ",%zu", row->evaluations);
+        if (r->points != NULL) fprintf(r->points, "%zu", row->returns);
+        for (unsigned k = 0; k < r->drift.count; k++) {
+            fprintf(r->file, ",%.3g", row->drift[k]);
+            if (r->points != NULL) fprintf(r->points, " %.4g", row->drift[k]);
+        }
+        fputc('\n', r->file);
+        if (r->points != NULL) fputc('\n', r->points);
     }
-    return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);
+    jlt_progress_show(&r->progress, row->returns, r->drift.returns);
+    return !ferror(r->file);
 }
 
 static bool asked(const options *o, const jlt_method *method)
@@ -70,20 +92,21 @@ static bool asked(const options *o, const jlt_method *method)
 }
 
 /* The slopes, of integrals with three rows that drift to fit a line. */
-static void write_slopes(FILE *notes, const jlt_drift *r, const char *method, const jlt_drift_row *rows, size_t count)
+static void write_slopes(FILE *notes, const report *r)
 {
     unsigned told = 0;
 
-    for (unsigned k = 0; k < r->count; k++) {
-        const double power = slope(rows, count, k);
+    for (unsigned k = 0; k < r->drift.count; k++) {
+        const double power = jlt_drift_slope(r->rows, r->row_count, k);
         if (isnan(power)) continue;
-        fprintf(notes, told++ == 0 ? "# %s: %s drifts as returns^%.2f" : "%.0s, %s as returns^%.2f", method, r->names[k], power);
+        fprintf(notes, told++ == 0 ? "# %s: %s drifts as returns^%.2f" : "%.0s, %s as returns^%.2f", r->method->name,
+                r->names[k], power);
     }
     if (told > 0) fputc('\n', notes);
 }
 
 /* *drawn: bit m, method m has points in the picture. */
-static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
+static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 {
     char *slopes = NULL;
     size_t size;
@@ -92,30 +115,30 @@ static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
 
     if (notes == NULL) return jlt_command_no_memory();
     for (size_t m = 0; jlt_method_at(m) != NULL && !jlt_motion_interrupted(&o->motion); m++) {
-        const jlt_method *method = jlt_method_at(m);
-        jlt_drift_row rows[JLT_DRIFT_ROWS_MAX];
+        const jlt_method *method = r->method = jlt_method_at(m);
         jlt_drift_end end;
-        size_t count;
         if (!asked(o, method)) continue;
+        r->row_count = 0;
         if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
         jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = (r->system->known != NULL ? jlt_drift_top : jlt_drift_section)(r, rows, &count, &end, method);
+        const jlt_status st = r->five.instance == NULL ? jlt_drift_section(&r->drift, &end, method)
+                                                       : jlt_drift_top_follow(&r->drift, &end, method, &r->five, o->project);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
-        if (count > 0) *drawn |= 1u << m;
+        if (r->row_count > 0) *drawn |= 1u << m;
         if (st == JLT_ERR_UNSUPPORTED)
             code = jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", method->name);
         else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
         else if (end.name[0] != '\0')
             fprintf(notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", method->name, end.name, end.t, end.returns);
-        else write_slopes(notes, r, method->name, rows, count);
+        else write_slopes(notes, r);
     }
     if (fclose(notes) == 0) fputs(slopes, r->file);
     free(slopes);
     return code;
 }
 
-static jlt_exit draw(const jlt_drift *r, const options *o, unsigned drawn, const char *points)
+static jlt_exit draw(const report *r, const options *o, unsigned drawn, const char *points)
 {
     jlt_command_output script;
     size_t colour = 0;
@@ -124,18 +147,18 @@ static jlt_exit draw(const jlt_drift *r, const options *o, unsigned drawn, const
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n%sset title \"Drift of the integrals, ", points);
-    jlt_motion_caption(stream, r->system, NULL);
+    jlt_motion_caption(stream, r->drift.system, NULL);
     fprintf(stream, "\\nstart %s, tolerance %.3g%s\" noenhanced\n", o->start, o->motion.flow.tolerance,
             o->project ? ", projected" : "");
     fputs("set logscale xy\nset format '10^{%T}'\nset xlabel \"returns\"\nset ylabel \"relative drift: ", stream);
-    for (unsigned k = 0; k < r->count; k++)
+    for (unsigned k = 0; k < r->drift.count; k++)
         fprintf(stream, "%s%s %s", k == 0 ? "" : ", ", r->names[k], k == 0 ? "solid" : k == 1 ? "dashed" : "dotted");
     fputs("\" noenhanced\nset grid\nset key top left\nplot ", stream);
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const char *name = jlt_method_at(m)->name;
         if ((drawn >> m & 1u) == 0) continue;
         colour++;
-        for (unsigned k = 0; k < r->count; k++) {
+        for (unsigned k = 0; k < r->drift.count; k++) {
             fprintf(stream, "%s$%s using 1:%u with lines ", colour > 1 || k > 0 ? ", " : "", name, k + 2);
             if (k == 0) fprintf(stream, "lw 2 lc %zu title '%s'", colour, name);
             else fprintf(stream, "dt %d lc %zu notitle", k == 1 ? 2 : 3, colour);
@@ -146,60 +169,58 @@ static jlt_exit draw(const jlt_drift *r, const options *o, unsigned drawn, const
 }
 
 /* The integrals that the table of a section proves. */
-static jlt_exit watch_proved(jlt_drift *r)
+static jlt_exit watch_proved(report *r)
 {
-    const jlt_descriptor *d = r->system->instance->descriptor;
+    const jlt_descriptor *d = r->drift.system->instance->descriptor;
 
     for (unsigned i = 0; i < d->integral_count; i++) {
         if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED) continue;
-        if (r->count == JLT_INVARIANTS_MAX)
+        if (r->drift.count == JLT_INVARIANTS_MAX)
             return jlt_command_fail(JLT_EXIT_USAGE, "%s proves more than %d integrals; drift serves up to so many", d->model, JLT_INVARIANTS_MAX);
-        r->names[r->count] = d->integrals[i].name;
-        r->watched[r->count++] = i;
+        r->names[r->drift.count] = d->integrals[i].name;
+        r->drift.watched[r->drift.count++] = i;
     }
-    return r->count > 0 ? JLT_EXIT_DONE
-                        : jlt_command_fail(JLT_EXIT_INPUT, "%s proves no integral at these parameters: write 'integral NAME = ...' in its "
-                                           "table", d->model);
+    if (r->drift.count > 0) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s proves no integral at these parameters: write 'integral NAME = ...' in its table",
+                            d->model);
 }
 
 /* What is watched, and from where. */
-static jlt_exit open_integrals(jlt_drift *r, options *o)
+static jlt_exit open_integrals(report *r, options *o)
 {
-    const jlt_known *known = r->system->known;
+    const jlt_surface *surface = r->drift.system->surface;
     jlt_exit code = JLT_EXIT_DONE;
 
-    code = jlt_motion_default_start(&o->start, r->system, JLT_START_REGULAR, "say where to start: --start");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->q, r->system, o->start);
+    code = jlt_motion_default_start(&o->start, &o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->drift.q, r->drift.system, o->start);
     if (code != JLT_EXIT_DONE) return code;
-    if (known == NULL) return watch_proved(r);
-    r->count = known->count - known->params;
-    for (unsigned k = 0; k < r->count; k++) r->watched[k] = k, r->names[k] = known->names[known->params + k];
-    const jlt_status st = jlt_top_five_open(&r->five, r->system, r->q);
-    if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of %s is not the one this command knows", known->subject);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->system, o->start);
+    const jlt_status st = surface != NULL ? jlt_drift_top_open(&r->five, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
+    if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
+    r->drift.count = surface->count - surface->params;
+    for (unsigned k = 0; k < r->drift.count; k++) r->drift.watched[k] = k, r->names[k] = surface->names[surface->params + k];
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->drift.system, o->start);
 }
 
-static void write_header(const jlt_drift *r, const options *o)
+static void write_header(const report *r, const options *o)
 {
-    const jlt_known *known = r->system->known;
+    const jlt_surface *surface = r->drift.system->surface;
     FILE *file = r->file;
 
-    if (known != NULL) {
-        const double *levels = r->system->values + known->params;
+    if (r->five.instance != NULL) {
+        const double *levels = r->drift.system->values + surface->params;
         jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->five.instance->descriptor,
-                                                  .params = r->five.instance->params, .level_count = r->count,
+                                                  .params = r->five.instance->params, .level_count = r->drift.count,
                                                   .level_names = r->names, .levels = levels });
         fputs("# levels", file);
-        for (unsigned k = 0; k < r->count; k++) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
+        for (unsigned k = 0; k < r->drift.count; k++) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
         fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->start, o->motion.flow.tolerance,
                 o->project ? ", projected" : "");
     } else {
-        jlt_motion_header(file, &o->motion, r->system);
+        jlt_motion_header(file, &o->motion, r->drift.system);
         fprintf(file, "# start %s%s\n", o->start, o->project ? ", projected" : "");
     }
     fputs("method,returns,t,evaluations", file);
-    for (unsigned k = 0; k < r->count; k++) fprintf(file, ",drift_%s", r->names[k]);
+    for (unsigned k = 0; k < r->drift.count; k++) fprintf(file, ",drift_%s", r->names[k]);
     fputc('\n', file);
 }
 
@@ -207,7 +228,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 10000 };
     jlt_stream stream = { 0 };
-    jlt_drift r = { .count = 0 };
+    report r = { .row_count = 0 };
     unsigned drawn = 0;
     jlt_system *system = NULL;
     char *points = NULL;
@@ -219,11 +240,9 @@ static jlt_exit run(int argc, char **argv)
     o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    r.system = system;
-    r.returns = o.returns;
-    r.project = o.project;
-    if (code == JLT_EXIT_DONE && o.project && system->known == NULL) code = jlt_motion_project(system);
+    r.drift = (jlt_drift){ .system = system, .returns = o.returns, .tell = tell, .context = &r };
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
+    if (code == JLT_EXIT_DONE && o.project && r.five.instance == NULL) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     r.file = stream.file;
@@ -239,7 +258,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && drawn != 0 && points != NULL) code = draw(&r, &o, drawn, points);
 done:
     jlt_stream_discard(&stream);
-    jlt_top_five_close(&r.five);
+    jlt_drift_top_close(&r.five);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     free(points);

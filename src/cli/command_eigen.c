@@ -2,9 +2,7 @@
 
 #include "kernel/descriptor.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { KEY_FIND = 256, KEY_SWEEP };
 
@@ -25,7 +23,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &r->common; break;
     case 'a': jlt_common_list(&r->at, value, "--at"); break;
-    case KEY_FIND: r->find = true; break;
+    case KEY_FIND: r->question.find = true; break;
     case KEY_SWEEP: code = jlt_eigen_parse_sweep(r, value); break;
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
@@ -57,96 +55,22 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-static void explain(jlt_eigen_row *row, const char *text)
-{
-    snprintf(row->reason, sizeof row->reason, "%s", text);
-}
-
-/* Bounds on the errors of the Jacobian and of the integrals' gradients against the exact values typed. */
-static jlt_status entry_errors(double *errors, double *gradient_errors, jlt_eigen_row *row, const double *params,
-                               const double *x)
-{
-    const jlt_eigen_request *q = row->request;
-    const size_t n = q->descriptor->state_count;
-    ttc_enclosure *exact = calloc(n * n, sizeof *exact);
-    jlt_status st = exact == NULL ? JLT_ERR_NOMEM : JLT_OK;
-
-    if (st == JLT_OK) st = jlt_linearization_residual(&row->result, q->descriptor, params, x);
-    if (st == JLT_OK) {
-        const bool moved = q->find || q->axis_count > 0;
-        jlt_oracle_set_params(q->oracle, params, q->axis_count > 0 ? NULL : &q->common.set);
-        jlt_oracle_set_states(q->oracle, x, moved ? NULL : &q->at);
-        st = jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n);
-    }
-    for (size_t i = 0; st == JLT_OK && i < n * n; i++) {
-        errors[i] = jlt_oracle_error(row->result.jacobian[i], &exact[i]);
-        if (!isfinite(errors[i])) st = JLT_ERR_NONFINITE;
-    }
-    free(exact);
-    if (st != JLT_OK) return st;
-    return jlt_oracle_gradient_errors(q->oracle, gradient_errors, row->result.gradients, row->result.descriptor->integrals,
-                                      row->result.integrals);
-}
-
-void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, double *params, double *x,
-                       const unsigned char *given)
-{
-    const jlt_descriptor *d = request->descriptor;
-    double errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
-    double gradient_errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
-    size_t index = 0;
-
-    row->request = request;
-    row->params = params;
-    row->x = x;
-    row->reason[0] = '\0';
-    row->status = jlt_descriptor_check_params(d, params, &index);
-    if (row->status != JLT_OK) {
-        snprintf(row->reason, sizeof row->reason, "%s = %.17g is no value that %s allows", d->params[index].name,
-                 params[index], d->model);
-        return;
-    }
-    jlt_linearization_complete(x, given, d, params);
-    row->status = jlt_descriptor_check_state(d, x, &index);
-    if (row->status != JLT_OK) {
-        snprintf(row->reason, sizeof row->reason, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[index].name,
-                 x[index], d->states[index].low, d->states[index].high, d->model);
-        return;
-    }
-    if (request->find) row->status = jlt_linearization_find(x, d, params, request->order, request->held);
-    if (row->status != JLT_OK) {
-        explain(row, "Newton's method finds no equilibrium from here (try another guess with --at)");
-        return;
-    }
-    row->status = entry_errors(errors, gradient_errors, row, params, x);
-    if (row->status == JLT_OK)
-        row->status = jlt_linearization_compute(&row->result, d, params, x, errors, gradient_errors);
-    /* Where balls settle nothing, the report is what doubles know. */
-    if (row->status == JLT_OK && jlt_eigen_enclose(row) == JLT_ERR_NOMEM) row->status = JLT_ERR_NOMEM;
-    if (row->status == JLT_ERR_EMPTY)
-        snprintf(row->reason, sizeof row->reason,
-                 "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",
-                 row->result.residual, row->result.residual_ratio);
-    else if (row->status == JLT_ERR_NONFINITE)
-        explain(row, "a value overflows or underflows on the way: use units in which parameters and states are nearer one");
-    else if (row->status == JLT_ERR_DOMAIN)
-        explain(row, "the field has a pole at this state");
-    else if (row->status != JLT_OK) explain(row, jlt_status_text(row->status));
-}
-
 static jlt_exit single(jlt_eigen_request *r)
 {
     jlt_eigen_row *row = calloc(1, sizeof *row);
     jlt_command_output output = { 0 };
+    char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_NUMERICAL;
 
     if (row == NULL || jlt_command_open(&output) != JLT_OK) {
         free(row);
         return jlt_command_no_memory();
     }
-    jlt_eigen_compute(row, r, r->params, r->x, r->given);
-    if (row->status != JLT_OK) {
-        code = jlt_command_fail(jlt_command_exit(row->status), "%s", row->reason);
+    *row = (jlt_eigen_row){ .descriptor = r->question.descriptor, .params = r->params, .x = r->x };
+    jlt_equilibrium_compute(&row->found, &r->question, r->params, r->x);
+    if (row->found.status != JLT_OK) {
+        jlt_eigen_reason(reason, row);
+        code = jlt_command_fail(jlt_command_exit(row->found.status), "%s", reason);
         goto done;
     }
     if (r->json) {
@@ -155,8 +79,7 @@ static jlt_exit single(jlt_eigen_request *r)
             goto done;
         }
     } else if (r->csv) {
-        jlt_eigen_write_csv_header(output.stream, r);
-        jlt_eigen_write_csv_row(output.stream, row);
+        jlt_eigen_write_csv(output.stream, r, row, 1);
     } else {
         jlt_eigen_write_text(output.stream, row);
     }
@@ -168,25 +91,47 @@ done:
     return code;
 }
 
+/* Values as typed, which count and not the doubles they were rounded to; a sweep's are doubles, and so is what was found. */
+static jlt_exit take_exact(jlt_eigen_request *r)
+{
+    jlt_equilibrium_question *q = &r->question;
+    const jlt_descriptor *d = q->descriptor;
+
+    q->params = calloc(d->param_count + 1, sizeof *q->params);
+    if (q->params == NULL) return jlt_command_no_memory();
+    for (size_t i = 0; i < d->param_count; i++) {
+        q->params[i] = jlt_assign_fraction(&r->common.set, d->params[i].name);
+        if (q->params[i] == NULL) q->params[i] = q->oracle->defaults[i];
+    }
+    for (size_t i = 0; !q->find && i < d->state_count; i++) q->x[i] = jlt_assign_fraction(&r->at, d->states[i].name);
+    for (size_t i = 0; i < r->axis_count; i++) {
+        const jlt_eigen_target *target = &r->targets[i];
+        *(target->is_state ? &q->x[target->index] : &q->params[target->index]) = NULL;
+        if (target->is_state) q->given[target->index] = 1;
+    }
+    return JLT_EXIT_DONE;
+}
+
 /* The list of states as given, the axes by name. */
 static jlt_exit prepare(jlt_eigen_request *r)
 {
+    jlt_equilibrium_question *q = &r->question;
     const jlt_descriptor *d;
-    jlt_exit code = jlt_common_open(&r->common, &r->descriptor, &r->params);
-    if (code == JLT_EXIT_DONE && r->common.plan) code = jlt_common_still();
+    jlt_exit code = jlt_common_open(&r->common, &q->descriptor, &r->params);
 
+    if (code == JLT_EXIT_DONE && r->common.plan) code = jlt_common_still();
     if (code != JLT_EXIT_DONE) return code;
-    d = r->descriptor;
+    d = q->descriptor;
     if (d->state_count > JLT_LINEARIZATION_SIZE_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; eigen serves up to %d", d->model, d->state_count,
                                 JLT_LINEARIZATION_SIZE_MAX);
-    code = jlt_assign_apply(r->x, r->given, &r->at, d->states, d->state_count, "state", d->model);
+    code = jlt_assign_apply(r->x, q->given, &r->at, d->states, d->state_count, "state", d->model);
     if (code != JLT_EXIT_DONE) return code;
     for (size_t i = 0; i < r->at.count; i++) {
         size_t index = 0, known = 0;
         (void)jlt_descriptor_state(d, r->at.items[i].name, &index);
-        while (known < r->held && r->order[known] != index) known++;
-        if (known == r->held) r->order[r->held++] = index;
+        while (known < q->held && q->order[known] != index) known++;
+        if (known == q->held) q->order[q->held++] = index;
     }
     for (size_t i = 0; i < r->axis_count; i++) {
         jlt_eigen_target *target = &r->targets[i];
@@ -194,18 +139,10 @@ static jlt_exit prepare(jlt_eigen_request *r)
         if (!target->is_state && !jlt_descriptor_param(d, r->axes[i].name, &target->index))
             return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, r->axes[i].name);
     }
-    if (jlt_oracle_create(&r->oracle, d) != JLT_OK)
+    if (jlt_oracle_create(&q->oracle, d) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,
                                 jlt_status_text(JLT_ERR_NOMEM));
-    return JLT_EXIT_DONE;
-}
-
-void jlt_eigen_clear(jlt_eigen_request *request)
-{
-    free(request->params);
-    jlt_common_end(&request->common);
-    jlt_assign_clear(&request->at);
-    jlt_oracle_destroy(request->oracle);
+    return take_exact(r);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -217,7 +154,11 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &request);
     code = prepare(&request);
     if (code == JLT_EXIT_DONE) code = request.axis_count > 0 ? jlt_eigen_sweep(&request) : single(&request);
-    jlt_eigen_clear(&request);
+    free(request.params);
+    free(request.question.params);
+    jlt_oracle_destroy(request.question.oracle);
+    jlt_assign_clear(&request.at);
+    jlt_common_end(&request.common);
     return code;
 }
 

@@ -66,11 +66,11 @@ static const struct argp parser = {
 /* NULL: none. */
 static const char *grid_of(const options *o, const jlt_system *system)
 {
-    return o->grid != NULL ? o->grid : o->start_count > 0 || system->known == NULL ? NULL : "60x40";
+    return o->grid != NULL ? o->grid : o->start_count > 0 || system->surface == NULL ? NULL : "60x40";
 }
 
 /* All starts of one system; file NULL: only count. */
-static jlt_exit follow_all(jlt_fates_shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
+static jlt_exit follow_all(jlt_shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
                            jlt_progress *progress, size_t before, size_t whole)
 {
     const char *grid = grid_of(o, system);
@@ -98,7 +98,7 @@ static jlt_exit follow_all(jlt_fates_shares *sum, FILE *file, FILE *points, cons
             break;
         }
         if (end.interrupted) break;
-        jlt_fates_shares_add(sum, system, q, &end);
+        jlt_shares_add(sum, system, q, &end);
         if (file != NULL) jlt_fates_table_row(file, &o->motion, system, q, &end);
         if (points != NULL) fprintf(points, "%.7g %.7g %d %.7g\n", q[0], q[1], (int)end.fate, end.t);
         jlt_progress_show(progress, before + i + 1, whole > 0 ? whole * all : all);
@@ -114,7 +114,7 @@ static double half_cell(const jlt_grid_axis *axis, double period)
 }
 
 /* A grid as cells, single starts as points. */
-static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const jlt_fates_shares *sum)
+static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const jlt_shares *sum)
 {
     static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#40a040", "#a060c0", "#909090",
                                           "#c0c0c0", "#c0c0c0", "#c0c0c0" };
@@ -153,7 +153,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
 
 static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system)
 {
-    jlt_fates_shares sum = { .empty = 0 };
+    jlt_shares sum = { .empty = 0 };
     jlt_progress progress;
     char *points = NULL;
     size_t size;
@@ -175,7 +175,8 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
         jlt_fates_table_summary(stderr, &o->motion, system, &sum);
         if (points != NULL) code = draw_fates(o, system, points, &sum);
     }
-    if (code == JLT_EXIT_DONE && jlt_fates_shares_failed(&sum) > 0) code = jlt_motion_failures(jlt_fates_shares_failed(&sum), sum.all.starts);
+    const size_t failed = jlt_shares_failed(&sum);
+    if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, sum.all.starts);
     free(points);
     return code;
 }
@@ -189,12 +190,12 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that %s as %s runs; otherwise ",
-            points, system->known != NULL ? "turn over" : "go on", name);
+            points, jlt_shares_turn(system) ? "turn over" : "go on", name);
     jlt_motion_caption(stream, system, name);
     fprintf(stream, "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts%s%s\"\n"
-            "set yrange [0:1]\nset key tmargin center horizontal\nplot ", name, system->known != NULL ? " " : "",
-            system->known != NULL ? system->known->low : "");
-    if (system->known != NULL)
+            "set yrange [0:1]\nset key tmargin center horizontal\nplot ", name, jlt_shares_turn(system) ? " " : "",
+            jlt_shares_turn(system) ? system->surface->section->turn_meaning : "");
+    if (jlt_shares_turn(system))
         fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
               "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over, the model valid all the way'\n", stream);
     else fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'alive'\n", stream);
@@ -218,7 +219,7 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
 
 static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *base)
 {
-    jlt_motion_family family = { .known = NULL };
+    jlt_motion_family family = { .surface = NULL };
     jlt_grid_axis axes[JLT_FAMILY_AXES_MAX];
     jlt_progress progress;
     char *points = NULL;
@@ -235,7 +236,7 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     jlt_fates_table_share_names(stream->file, base, axes, count);
     jlt_progress_start(&progress, "starts");
     for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
-        jlt_fates_shares sum = { .empty = 0 };
+        jlt_shares sum = { .empty = 0 };
         jlt_system *system = NULL;
         double at[JLT_FAMILY_AXES_MAX];
         jlt_grid_point(at, axes, count, i);
@@ -247,7 +248,7 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;
         starts += sum.all.starts;
-        failed += jlt_fates_shares_failed(&sum);
+        failed += jlt_shares_failed(&sum);
         jlt_fates_table_shares(stream->file, copy, base, at, count, &sum);
     }
     jlt_progress_end(&progress);
@@ -282,7 +283,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL && o.sweep == NULL && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: fates are drawn over two coordinates, and the section has %u",
                                 system->flow.chart->dim);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, o.grid, "--grid");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, grid_of(&o, system), "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system);

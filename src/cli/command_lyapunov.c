@@ -221,7 +221,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
+    if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
     if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;

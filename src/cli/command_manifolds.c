@@ -1,12 +1,10 @@
 #include "cli/motion.h"
-#include "dynamics/homoclinic.h"
+#include "dynamics/separatrices.h"
 #include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { BRANCHES = 4 }; /* unstable +, unstable -, stable +, stable - */
 
 typedef struct {
     jlt_motion_options motion;
@@ -74,69 +72,7 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-typedef struct {
-    jlt_branch branch[BRANCHES];
-    jlt_manifold curve[BRANCHES];
-    jlt_homoclinic *crossings[2][2]; /* side of the unstable, of the stable branch */
-    size_t count[2][2];
-    const jlt_chart *chart;
-} portrait;
-
-static void clear(portrait *p)
-{
-    for (int k = 0; k < BRANCHES; k++) jlt_manifold_clear(&p->curve[k]);
-    for (int u = 0; u < 2; u++)
-        for (int s = 0; s < 2; s++) free(p->crossings[u][s]);
-}
-
-/* The unstable branch whose mirror image stable branch k is: where the saddle lies on the reversor's line. BRANCHES: none. */
-static int mirror_of(const portrait *p, const jlt_chart *chart, int k)
-{
-    double q[2], v[2];
-
-    jlt_chart_mirror(chart, q, p->branch[0].q);
-    if (k < 2 || !chart->reversible || jlt_chart_distance(chart, q, p->branch[0].q) > 1e-9) return BRANCHES;
-    for (int i = 0; i < 2; i++) {
-        for (int c = 0; c < 2; c++) v[c] = chart->mirror[c] * p->branch[i].v[c];
-        if (hypot(v[0] - p->branch[k].v[0], v[1] - p->branch[k].v[1]) < 1e-6) return i;
-    }
-    return BRANCHES;
-}
-
-static jlt_status grow(portrait *p, jlt_map *map, const jlt_periodic *saddle, const options *o)
-{
-    const jlt_chart *chart = jlt_map_flow(map)->chart;
-    jlt_status st = JLT_OK;
-
-    for (int k = 0; k < BRANCHES; k++) {
-        int image;
-        JLT_TRY(jlt_branch_init(&p->branch[k], map, saddle, 0, k >= 2, k % 2 == 0 ? 1 : -1, o->seed));
-        image = mirror_of(p, chart, k);
-        if (image < BRANCHES) JLT_TRY(jlt_manifold_reflect(&p->curve[k], &p->curve[image], chart));
-        else JLT_TRY(jlt_manifold_grow(&p->curve[k], &p->branch[k], &o->growth));
-    }
-done:
-    return st;
-}
-
-static jlt_status cross(portrait *p, const jlt_system *system)
-{
-    jlt_flow coarse = system->flow;
-    jlt_map *map = NULL;
-    jlt_status st = JLT_OK;
-
-    coarse.tolerance *= 10;
-    JLT_TRY(jlt_map_create(&map, &coarse));
-    for (int u = 0; u < 2; u++)
-        for (int s = 0; s < 2; s++)
-            JLT_TRY(jlt_homoclinic_find(&p->crossings[u][s], &p->count[u][s], &p->curve[u], &p->branch[u], &p->curve[2 + s],
-                                        &p->branch[2 + s], map));
-done:
-    jlt_map_destroy(map);
-    return st;
-}
-
-static void write_crossings(FILE *file, const portrait *p, const char *prefix)
+static void write_crossings(FILE *file, const jlt_separatrices *p, const char *prefix)
 {
     fprintf(file, "%s%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe\n", prefix,
             p->chart->names[0], p->chart->names[1]);
@@ -159,7 +95,7 @@ static const char *branch_name(int k)
     return k < 2 ? "unstable" : "stable";
 }
 
-static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
+static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic *saddle)
 {
     static const char *const ends[] = { "length reached", "number of points reached", "runs into orbits that end",
                                         "interrupted" };
@@ -167,13 +103,13 @@ static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
     fprintf(file, "# saddle of period %zu: %s=%.17g %s=%.17g, multipliers %.15g, %.15g, residual %.2g\n", saddle->period,
             p->chart->names[0], saddle->points[0], p->chart->names[1], saddle->points[1], saddle->re[0], saddle->re[1],
             saddle->residual);
-    for (int k = 0; k < BRANCHES; k++)
+    for (int k = 0; k < JLT_SEPARATRICES; k++)
         fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
                 p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end]);
     fputs("# homoclinic points:\n", file);
     write_crossings(file, p, "# ");
     fprintf(file, "branch,side,sigma,length,%s,%s\n", p->chart->names[0], p->chart->names[1]);
-    for (int k = 0; k < BRANCHES; k++)
+    for (int k = 0; k < JLT_SEPARATRICES; k++)
         for (size_t i = 0; i < p->curve[k].count; i++) {
             fprintf(file, "%s,%d,%.12g,%.12g,", branch_name(k), k % 2 == 0 ? 1 : -1, p->curve[k].sigma[i],
                     p->curve[k].length[i]);
@@ -181,7 +117,7 @@ static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
         }
 }
 
-static jlt_exit draw(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)
+static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separatrices *p, const jlt_periodic *saddle)
 {
     jlt_command_output script;
     FILE *stream;
@@ -215,8 +151,8 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
     return jlt_common_draw(&o->motion.common, &script);
 }
 
-static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o, const jlt_system *system, const portrait *p,
-                     const jlt_periodic *saddle)
+static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o, const jlt_system *system,
+                     const jlt_separatrices *p, const jlt_periodic *saddle)
 {
     jlt_exit code;
 
@@ -237,7 +173,7 @@ static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .seed = 1e-4 };
-    portrait p = { .count = { { 0 } } };
+    jlt_separatrices p = { .count = { { 0 } } };
     jlt_stream stream = { 0 }, crossings = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
@@ -253,14 +189,13 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.start);
     if (code != JLT_EXIT_DONE) goto done;
     if (system->flow.chart->dim != 2) {
         code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
         goto done;
     }
-    p.chart = system->flow.chart;
     code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
     if (code != JLT_EXIT_DONE) goto done;
@@ -271,23 +206,24 @@ static jlt_exit run(int argc, char **argv)
                                                  : jlt_motion_no_orbit(st, system, o.start);
         goto done;
     }
+    const char *const *names = system->flow.chart->names;
     if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
         code = jlt_command_fail(JLT_EXIT_INPUT,
                                 "the orbit near %s (%s=%.10g, %s=%.10g) is no saddle but %s; 'jellett orbits' lists what there is",
-                                o.start, p.chart->names[0], saddle.points[0], p.chart->names[1], saddle.points[1],
+                                o.start, names[0], saddle.points[0], names[1], saddle.points[1],
                                 jlt_periodic_type_name(saddle.type));
         goto done;
     }
-    st = grow(&p, map, &saddle, &o);
+    st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth);
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
-        st = cross(&p, system);
+        st = jlt_separatrices_cross(&p);
         if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are there */
     }
     code = st == JLT_OK ? save(&stream, &crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
 done:
     jlt_stream_discard(&stream);
     jlt_stream_discard(&crossings);
-    clear(&p);
+    jlt_separatrices_clear(&p);
     jlt_map_destroy(map);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);

@@ -1,8 +1,5 @@
+#include "analysis/measure.h"
 #include "cli/common.h"
-#include "cli/measure.h"
-
-#include "analysis/linearization.h"
-#include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
@@ -11,26 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEY_SEED = 256, KEY_POINTS, POINTS = 41 };
-enum { POINTS_MAX = 100001, RESIDUAL_SAMPLES = 1000, MEASURES_MAX = 64, TRIES = 64 };
+enum { KEY_SEED = 256, KEY_POINTS, POINTS = 41, POINTS_MAX = 100001 };
 
 typedef struct {
     jlt_common common;
     bool json, csv;
     size_t seed, points;
 } request;
-
-/* What was found. */
-typedef struct {
-    const jlt_descriptor *general;
-    double *params;
-    jlt_instance *instance;   /* the most special kernel that serves */
-    jlt_measure_attempt attempt;
-    double residual[MEASURES_MAX];
-    bool obstructed;          /* an equilibrium with nonzero trace was found */
-    jlt_linearization obstruction;
-    double x[JLT_LINEARIZATION_SIZE_MAX];
-} finding;
 
 static const struct argp_option option_table[] = {
     { "points", KEY_POINTS, "N", 0, "Rows of the density's table (41)", 1 },
@@ -71,61 +55,19 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
-static jlt_status find_obstruction(finding *f, jlt_random *random)
-{
-    const jlt_descriptor *d = f->general;
-    const unsigned char none[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
-    unsigned char given[JLT_LINEARIZATION_SIZE_MAX];
-
-    if (d->state_count > JLT_LINEARIZATION_SIZE_MAX) return JLT_OK;
-    for (unsigned k = 0; k < d->equilibria_count; k++) {
-        memcpy(given, none, sizeof given);
-        for (unsigned i = 0; i < d->state_count; i++) given[i] = d->equilibria[k].is_free[i];
-        for (int attempt = 0; attempt < TRIES && d->equilibria[k].obstructs; attempt++) {
-            jlt_status st;
-            jlt_density_draw_state(f->x, d, random);
-            jlt_linearization_complete(f->x, given, d, f->params);
-            st = jlt_linearization_compute(&f->obstruction, d, f->params, f->x, NULL, NULL);
-            if (st == JLT_ERR_NOMEM) return st;
-            if (st == JLT_OK && f->obstruction.obstructs) {
-                f->obstructed = true;
-                return JLT_OK;
-            }
-        }
-    }
-    return JLT_OK;
-}
-
-static jlt_status investigate(finding *f, const request *r)
-{
-    const jlt_descriptor *special = jlt_descriptor_choose(f->general, NULL, NULL, f->params);
-    jlt_random random;
-    jlt_status st;
-
-    jlt_random_seed(&random, r->seed);
-    if (special == NULL || special->measure_count > MEASURES_MAX) return JLT_ERR_UNSUPPORTED;
-    JLT_TRY(jlt_instance_create(&f->instance, special, f->params));
-    JLT_TRY(jlt_measure_try(&f->attempt, f->instance, r->points, &random));
-    JLT_TRY(jlt_density_residual(f->residual, f->instance, RESIDUAL_SAMPLES, &random));
-    JLT_TRY(find_obstruction(f, &random));
-done:
-    return st;
-}
-
-static const char *along_name(const finding *f)
+static const char *along_name(const jlt_measure_finding *f)
 {
     return f->instance->descriptor->states[f->attempt.along].name;
 }
 
-static void write_attempt(FILE *stream, const finding *f)
+static void write_attempt(FILE *stream, const jlt_measure_finding *f)
 {
     const jlt_measure_attempt *a = &f->attempt;
 
     if (!a->found) {
         fputs("\nno density of one state q alone: at fixed q, -div f/f_q varies with the other states, relative to its size, by\n  ",
               stream);
-        jlt_measure_write_defects(stream, a->defects, f->instance->descriptor);
+        jlt_decimal_write_rounded(stream, f->instance->descriptor->states, a->defects, f->instance->descriptor->state_count);
         fputc('\n', stream);
         return;
     }
@@ -147,18 +89,18 @@ static void write_attempt(FILE *stream, const finding *f)
     }
 }
 
-static void write_text(FILE *stream, const finding *f)
+static void write_text(FILE *stream, const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;
 
     fprintf(stream, "%s: %s\nkernels      %s, table %.12s\nparameters  ", d->model, d->title,
             d->variant[0] == '\0' ? "general" : d->variant, d->sha256);
-    jlt_decimal_write_named(stream, d->params, f->params, d->param_count);
+    jlt_decimal_write_named(stream, d->params, f->instance->params, d->param_count);
     fputc('\n', stream);
     if (d->measure_count == 0) fputs("table        claims no invariant density at these parameters\n", stream);
     for (unsigned i = 0; i < d->measure_count; i++)
         fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of |rho div f| over %d random states\n",
-                d->measures[i].name, f->residual[i], RESIDUAL_SAMPLES);
+                d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES);
     write_attempt(stream, f);
     if (!f->obstructed) return;
     fprintf(stream, "\nobstruction: at the equilibrium");
@@ -167,16 +109,16 @@ static void write_text(FILE *stream, const finding *f)
             f->obstruction.trace, f->obstruction.trace_error);
 }
 
-static json_t *obstruction_json(const finding *f)
+static json_t *obstruction_json(const jlt_measure_finding *f)
 {
-    const jlt_descriptor *d = f->general;
+    const jlt_descriptor *d = f->instance->descriptor;
 
     if (!f->obstructed) return json_null();
     return json_pack("{s:o,s:o,s:o}", "state", jlt_json_named(d->states, f->x, d->state_count), "trace",
                      jlt_json_number(f->obstruction.trace), "trace_error", jlt_json_number(f->obstruction.trace_error));
 }
 
-static jlt_status write_json(FILE *stream, const finding *f)
+static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;
     const jlt_measure_attempt *a = &f->attempt;
@@ -193,7 +135,7 @@ static jlt_status write_json(FILE *stream, const finding *f)
                                                jlt_json_number(a->closed == NULL ? NAN : a->closed[i])));
     st = jlt_json_text(&text, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
                                         d->sha256, "variant", d->variant, "parameters",
-                                        jlt_json_named(d->params, f->params, d->param_count), "measures", measures, "along",
+                                        jlt_json_named(d->params, f->instance->params, d->param_count), "measures", measures, "along",
                                         along_name(f), "defect", jlt_json_number(a->defect), "defects",
                                         jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
                                         a->singular, "closed_form",
@@ -205,12 +147,12 @@ static jlt_status write_json(FILE *stream, const finding *f)
     return st;
 }
 
-static void write_csv(FILE *stream, const finding *f, const request *r)
+static void write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
 {
     const jlt_measure_attempt *a = &f->attempt;
 
     jlt_csv_header(stream, &(jlt_csv_settings){ .command = r->common.command, .descriptor = f->instance->descriptor,
-                                                .params = f->params });
+                                                .params = f->instance->params });
     fprintf(stream, "# defect of %s: %.17g\n%s,density,error,closed_form\n", along_name(f), a->defect, along_name(f));
     for (size_t i = 0; a->points != NULL && i < a->count; i++) {
         const double row[4] = { a->points[i].at, a->points[i].density, a->points[i].error,
@@ -219,7 +161,7 @@ static void write_csv(FILE *stream, const finding *f, const request *r)
     }
 }
 
-static jlt_exit draw(const finding *f, const request *r)
+static jlt_exit draw(const jlt_measure_finding *f, const request *r)
 {
     const jlt_descriptor *d = f->instance->descriptor;
     const jlt_measure_attempt *a = &f->attempt;
@@ -235,7 +177,7 @@ static jlt_exit draw(const finding *f, const request *r)
         fprintf(stream, "%.17g %.17g %.17g\n", a->points[i].at, a->points[i].density,
                 a->closed == NULL ? a->points[i].density : a->closed[i]);
     fprintf(stream, "EOD\nset title \"Density of an invariant measure of %s\\n", d->model);
-    for (unsigned i = 0; i < d->param_count; i++) fprintf(stream, " %s=%.6g", d->params[i].name, f->params[i]);
+    for (unsigned i = 0; i < d->param_count; i++) fprintf(stream, " %s=%.6g", d->params[i].name, f->instance->params[i]);
     fprintf(stream, "\" noenhanced\nset xlabel '%s [%s]' noenhanced\nset ylabel 'density, 1 in the middle'\nset grid\n",
             along_name(f), d->states[a->along].unit[0] == '\0' ? "1" : d->states[a->along].unit);
     fputs("plot ", stream);
@@ -244,7 +186,7 @@ static jlt_exit draw(const finding *f, const request *r)
     return jlt_common_draw(&r->common, &script);
 }
 
-static jlt_exit deliver(const finding *f, const request *r)
+static jlt_exit deliver(const jlt_measure_finding *f, const request *r)
 {
     jlt_command_output output;
     jlt_status st = jlt_command_open(&output);
@@ -262,9 +204,11 @@ static jlt_exit deliver(const finding *f, const request *r)
 static jlt_exit run(int argc, char **argv)
 {
     request r = { .seed = 1, .points = POINTS };
-    finding *f = calloc(1, sizeof *f);
+    jlt_measure_finding *f = calloc(1, sizeof *f);
+    const jlt_descriptor *general = NULL;
+    double *params = NULL;
+    jlt_random random;
     jlt_exit code = JLT_EXIT_NUMERICAL;
-    jlt_status st;
 
     jlt_common_begin(&r.common, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
@@ -272,22 +216,20 @@ static jlt_exit run(int argc, char **argv)
         code = jlt_command_no_memory();
         goto done;
     }
-    code = jlt_common_open(&r.common, &f->general, &f->params);
+    code = jlt_common_open(&r.common, &general, &params);
     if (code == JLT_EXIT_DONE && r.common.plan) code = jlt_common_still();
     if (code != JLT_EXIT_DONE) goto done;
-    st = investigate(f, &r);
+    jlt_random_seed(&random, r.seed);
+    const jlt_status st = jlt_measure_find(f, general, params, r.points, &random);
     if (st != JLT_OK)
-        code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", f->general->model, jlt_status_text(st),
+        code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", general->model, jlt_status_text(st),
                                 st == JLT_ERR_NONFINITE ? " (use units in which parameters are nearer one)" : "");
     if (code == JLT_EXIT_DONE) code = deliver(f, &r);
     if (code == JLT_EXIT_DONE && r.common.plot != NULL) code = draw(f, &r);
 done:
-    if (f != NULL) {
-        jlt_measure_clear(&f->attempt);
-        jlt_instance_destroy(f->instance);
-        free(f->params);
-    }
+    if (f != NULL) jlt_measure_forget(f);
     free(f);
+    free(params);
     jlt_common_end(&r.common);
     return code;
 }

@@ -100,6 +100,20 @@ static json_t *quantities_json(const jlt_quantity *quantities, unsigned count, b
     return array;
 }
 
+static json_t *sections_json(const jlt_descriptor *d)
+{
+    json_t *array = json_array();
+
+    for (unsigned i = 0; i < d->section_count; i++) {
+        const jlt_section_chart *s = &d->sections[i];
+        json_array_append_new(array, json_pack("{s:s,s:b,s:s,s:o,s:o,s:o}", "name", s->name, "proved", d->claims[s->claim].verdict == JLT_PROVED,
+                                               "state", d->states[s->column].name, "value", jlt_json_number(s->level), "coordinates",
+                                               quantities_json(s->coordinates, s->coordinate_count, false), "levels",
+                                               quantities_json(s->levels, s->level_count, true)));
+    }
+    return array;
+}
+
 static json_t *descriptor_json(const jlt_descriptor *d)
 {
     entry kernels[KERNELS];
@@ -122,6 +136,7 @@ static json_t *descriptor_json(const jlt_descriptor *d)
     json_object_set_new(object, "integrals", names_json(d->integrals, d->integral_count));
     json_object_set_new(object, "measures", names_json(d->measures, d->measure_count));
     json_object_set_new(object, "observes", quantities_json(d->observes, d->observe_count, false));
+    json_object_set_new(object, "sections", sections_json(d));
     json_object_set_new(object, "kernels", counts);
     return object;
 }
@@ -137,6 +152,15 @@ static void print_quantities(FILE *stream, const char *title, const jlt_quantity
     }
 }
 
+static void print_section(FILE *stream, const jlt_descriptor *d, const jlt_section_chart *s)
+{
+    fprintf(stream, "    %-22s %s = %.10g in", s->name, d->states[s->column].name, s->level);
+    for (unsigned i = 0; i < s->coordinate_count; i++) fprintf(stream, "%s %s", i == 0 ? "" : ",", s->coordinates[i].name);
+    for (unsigned i = 0; i < s->level_count; i++)
+        fprintf(stream, "%s %s = %.10g", i == 0 ? " on levels" : ",", s->levels[i].name, s->levels[i].value);
+    fputs(d->claims[s->claim].verdict == JLT_PROVED ? "\n" : "  NOT PROVED\n", stream);
+}
+
 static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
 {
     char name[128];
@@ -148,6 +172,8 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
         if (d->observe_count > 0) print_quantities(stream, "observed", d->observes, d->observe_count);
         for (unsigned i = 0; i < d->valid_count; i++)
             fprintf(stream, "%s    %-20s %s\n", i == 0 ? "  valid where\n" : "", d->valids[i].name, d->valids[i].meaning);
+        if (d->section_count > 0) fputs("  sections\n", stream);
+        for (unsigned i = 0; i < d->section_count; i++) print_section(stream, d, &d->sections[i]);
         if (d->equilibria_count > 0) fputs("  equilibria\n", stream);
         for (unsigned i = 0; i < d->equilibria_count; i++)
             fprintf(stream, "    %-22s %s%s\n", d->equilibria[i].name, d->equilibria[i].condition,

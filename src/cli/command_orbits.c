@@ -149,7 +149,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 
-/* The lines on which the reversor of a known section keeps every point: its angle is 0, or half a turn. Returns how many there are. */
+/* The lines on which the reversor of a section that tables describe keeps every point: its angle is 0, or half a turn. Returns how many there are. */
 static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *system, size_t samples)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -157,7 +157,7 @@ static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *sys
 
     while (angle < chart->dim && !(chart->mirror[angle] < 0 && chart->period[angle] != 0)) angle++;
     for (unsigned k = 0; chart->reversible && angle < chart->dim && k < chart->dim; k++) {
-        if (k == angle || !system->known->interval(system, k, &lines[0].low, &lines[0].high)) continue;
+        if (k == angle || !jlt_surface_interval(system, k, &lines[0].low, &lines[0].high)) continue;
         lines[0].free = k;
         lines[0].samples = samples;
         lines[1] = lines[0];
@@ -178,7 +178,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_status st;
     jlt_exit code;
 
-    if (system->known == NULL && o->grid == NULL)
+    if (system->surface == NULL && o->grid == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
     code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : "40x40", "--grid");
 
@@ -188,7 +188,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
         search.high[k] = axes[k].high;
         search.counts[k] = no_grid ? 0 : axes[k].count;
     }
-    if (system->known != NULL && o->samples >= 2) search.line_count = symmetric_lines(lines, system, o->samples);
+    if (system->surface != NULL && o->samples >= 2) search.line_count = symmetric_lines(lines, system, o->samples);
     jlt_progress_start(&progress, "starts");
     search.progress = show;
     search.context = &progress;

@@ -5,6 +5,7 @@
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/job.h"
+#include "cli/program.h"
 #include "cli/table.h"
 #include "top/tier.h"
 
@@ -86,7 +87,7 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
     more[1] = plan; /* before an operand, behind which -- may make operands of options */
     for (int i = 1; i < argc; i++) more[i + 1] = argv[i];
     if (is_still(command->name)) code = jlt_command_fail(JLT_EXIT_USAGE, "%s follows no motion that could be planned", command->name);
-    else code = jlt_command_execute(command, argc + 1, more);
+    else code = jlt_program_run(command, argc + 1, more);
     free(more);
     return code;
 }

@@ -3,7 +3,7 @@
 /* Values that stay the same over the picture, for its caption. */
 static void write_caption(FILE *stream, const jlt_eigen_request *r)
 {
-    const jlt_descriptor *d = r->descriptor;
+    const jlt_descriptor *d = r->question.descriptor;
 
     fprintf(stream, "set title \"Eigenvalues at equilibria of %s\\n", d->model);
     for (unsigned i = 0; i < d->param_count + d->state_count; i++) {
@@ -12,7 +12,7 @@ static void write_caption(FILE *stream, const jlt_eigen_request *r)
         bool swept = false;
         for (size_t k = 0; k < r->axis_count; k++)
             swept = swept || (r->targets[k].is_state == state && r->targets[k].index == index);
-        if (swept || (state && r->axis_count > 0 && !r->given[index])) continue;
+        if (swept || (state && r->axis_count > 0 && !r->question.given[index])) continue;
         fprintf(stream, " %s=%.6g", state ? d->states[index].name : d->params[index].name,
                 state ? r->x[index] : r->params[index]);
     }
@@ -27,9 +27,9 @@ static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eig
     fputs("$values << EOD\n", stream);
     for (size_t k = 0; k < count; k++) {
         const jlt_eigen_row *row = &rows[k];
-        if (row->status != JLT_OK) continue;
-        for (size_t i = 0; i < row->result.n; i++) {
-            const jlt_eigenvalue *value = &row->result.eigen.values[i];
+        if (row->found.status != JLT_OK) continue;
+        for (size_t i = 0; i < row->found.result.n; i++) {
+            const jlt_eigenvalue *value = &row->found.result.eigen.values[i];
             const double colour = axis == NULL ? 0.0 : axis->is_state ? row->x[axis->index] : row->params[axis->index];
             if (value->source < 0) fprintf(stream, "%.17g %.17g %.17g\n", value->re, value->im, colour);
             else zeros = true;

@@ -20,6 +20,30 @@ static const char *consequence(const jlt_linearization *r)
                         : "the trace is zero to within its error: this equilibrium excludes no invariant measure";
 }
 
+void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
+{
+    const jlt_descriptor *d = row->descriptor;
+    const jlt_equilibrium *e = &row->found;
+    const size_t size = JLT_EIGEN_REASON_MAX;
+
+    if (e->stage == JLT_EQUILIBRIUM_PARAMS)
+        snprintf(text, size, "%s = %.17g is no value that %s allows", d->params[e->index].name, row->params[e->index],
+                 d->model);
+    else if (e->stage == JLT_EQUILIBRIUM_STATES)
+        snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, 
+                 row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
+    else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
+        snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
+    else if (e->status == JLT_ERR_EMPTY)
+        snprintf(text, size, "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",
+                 e->result.residual, e->result.residual_ratio);
+    else if (e->status == JLT_ERR_NONFINITE)
+        snprintf(text, size, "a value overflows or underflows on the way: use units in which parameters and states are nearer "
+                             "one");
+    else if (e->status == JLT_ERR_DOMAIN) snprintf(text, size, "the field has a pole at this state");
+    else snprintf(text, size, "%s", jlt_status_text(e->status));
+}
+
 static void write_values(FILE *stream, const char *title, const jlt_quantity *quantities, const double *values,
                          size_t count)
 {
@@ -46,8 +70,8 @@ static void write_eigenvalue(FILE *stream, const jlt_linearization *r, const jlt
 
 void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
 {
-    const jlt_descriptor *d = row->request->descriptor;
-    const jlt_linearization *r = &row->result;
+    const jlt_descriptor *d = row->descriptor;
+    const jlt_linearization *r = &row->found.result;
     const size_t n = r->n;
 
     fprintf(stream, "%s: %s\n", d->model, d->title);
@@ -106,17 +130,19 @@ static json_t *eigenvalues_json(const jlt_linearization *r)
 
 static json_t *row_json(const jlt_eigen_row *row)
 {
-    const jlt_descriptor *d = row->request->descriptor;
-    const jlt_linearization *r = &row->result;
+    const jlt_descriptor *d = row->descriptor;
+    const jlt_linearization *r = &row->found.result;
     const size_t n = d->state_count;
     json_t *o = json_object();
+    char reason[JLT_EIGEN_REASON_MAX];
 
     json_object_set_new(o, "model", json_string(d->model));
     json_object_set_new(o, "sha256", json_string(d->sha256));
     json_object_set_new(o, "parameters", jlt_json_named(d->params, row->params, d->param_count));
     json_object_set_new(o, "state", jlt_json_named(d->states, row->x, n));
-    if (row->status != JLT_OK) {
-        json_object_set_new(o, "refused", json_string(row->reason));
+    if (row->found.status != JLT_OK) {
+        jlt_eigen_reason(reason, row);
+        json_object_set_new(o, "refused", json_string(reason));
         return o;
     }
     json_object_set_new(o, "variant", json_string(r->descriptor->variant));
@@ -158,9 +184,9 @@ jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t 
     return st;
 }
 
-void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
+static void write_csv_header(FILE *stream, const jlt_eigen_request *request)
 {
-    const jlt_descriptor *d = request->descriptor;
+    const jlt_descriptor *d = request->question.descriptor;
 
     for (size_t i = 0; i < request->axis_count; i++) /* it runs over the rows, which have copies of their own */
         if (!request->targets[i].is_state) request->params[request->targets[i].index] = NAN;
@@ -181,17 +207,16 @@ static void field(FILE *stream, double value)
     fputc(',', stream);
 }
 
-void jlt_eigen_write_csv_row(FILE *stream, const jlt_eigen_row *row)
+static void write_csv_row(FILE *stream, const jlt_eigen_request *q, const jlt_eigen_row *row)
 {
-    const jlt_eigen_request *q = row->request;
-    const jlt_linearization *r = &row->result;
-    const size_t n = q->descriptor->state_count;
-    const bool good = row->status == JLT_OK;
+    const jlt_linearization *r = &row->found.result;
+    const size_t n = row->descriptor->state_count;
+    const bool good = row->found.status == JLT_OK;
 
     for (size_t i = 0; i < q->axis_count; i++)
         if (!q->targets[i].is_state) field(stream, row->params[q->targets[i].index]);
     for (size_t i = 0; i < n; i++) field(stream, row->x[i]);
-    field(stream, good || row->status == JLT_ERR_EMPTY ? r->residual : NAN);
+    field(stream, good || row->found.status == JLT_ERR_EMPTY ? r->residual : NAN);
     field(stream, good ? r->trace : NAN);
     field(stream, good ? r->trace_formula : NAN);
     for (size_t k = 1; k <= n; k++) field(stream, good ? r->charpoly[k] : NAN);
@@ -201,4 +226,10 @@ void jlt_eigen_write_csv_row(FILE *stream, const jlt_eigen_row *row)
         field(stream, good ? r->eigen.values[k].error : NAN);
     }
     fprintf(stream, "%s\n", good ? jlt_linearization_verdict(r->verdict) : "refused");
+}
+
+void jlt_eigen_write_csv(FILE *stream, const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)
+{
+    write_csv_header(stream, request);
+    for (size_t k = 0; k < count; k++) write_csv_row(stream, request, &rows[k]);
 }

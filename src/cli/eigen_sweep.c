@@ -20,36 +20,18 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
 /* Row `k` of the grid, the last axis fastest; its parameters and states are copies that it owns. */
 static jlt_status compute_row(jlt_eigen_row *row, const jlt_eigen_request *r, size_t k)
 {
-    const jlt_descriptor *d = r->descriptor;
-    double *params = malloc((d->param_count + 1) * sizeof *params), *x = malloc(d->state_count * sizeof *x);
-    unsigned char given[JLT_LINEARIZATION_SIZE_MAX];
+    const jlt_descriptor *d = r->question.descriptor;
     double values[JLT_EIGEN_AXES_MAX];
 
-    row->params = params;
-    row->x = x;
-    if (params == NULL || x == NULL) return JLT_ERR_NOMEM;
-    memcpy(params, r->params, d->param_count * sizeof *params);
-    memcpy(x, r->x, d->state_count * sizeof *x);
-    memcpy(given, r->given, sizeof given);
+    row->descriptor = d;
+    row->params = malloc((d->param_count + 1) * sizeof *row->params);
+    row->x = malloc(d->state_count * sizeof *row->x);
+    if (row->params == NULL || row->x == NULL) return JLT_ERR_NOMEM;
+    memcpy(row->params, r->params, d->param_count * sizeof *row->params);
+    memcpy(row->x, r->x, d->state_count * sizeof *row->x);
     jlt_grid_point(values, r->axes, r->axis_count, k);
-    for (size_t i = 0; i < r->axis_count; i++) {
-        const jlt_eigen_target *target = &r->targets[i];
-        if (target->is_state) {
-            x[target->index] = values[i];
-            given[target->index] = 1;
-        } else {
-            params[target->index] = values[i];
-        }
-    }
-    jlt_eigen_compute(row, r, params, x, given);
-    return JLT_OK;
-}
-
-static jlt_status write_rows(jlt_command_output *output, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
-{
-    if (r->json) return jlt_eigen_write_json(output->stream, rows, count, true);
-    jlt_eigen_write_csv_header(output->stream, r);
-    for (size_t k = 0; k < count; k++) jlt_eigen_write_csv_row(output->stream, &rows[k]);
+    for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? row->x : row->params)[r->targets[i].index] = values[i];
+    jlt_equilibrium_compute(&row->found, &r->question, row->params, row->x);
     return JLT_OK;
 }
 
@@ -60,6 +42,7 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     size_t count = 1, computed = 0, refused = 0;
     jlt_eigen_row *rows;
     const jlt_eigen_row *first = NULL;
+    char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = JLT_OK;
 
@@ -68,20 +51,23 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (rows == NULL) st = JLT_ERR_NOMEM;
     for (; st == JLT_OK && computed < count && !*interrupt; computed++) {
         st = compute_row(&rows[computed], request, computed);
-        if (rows[computed].status != JLT_OK && refused++ == 0) first = &rows[computed];
+        if (rows[computed].found.status != JLT_OK && refused++ == 0) first = &rows[computed];
     }
     if (st == JLT_OK && computed < count) {
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved, as only %zu of %zu rows are there", computed, count);
         goto done;
     }
     if (st == JLT_OK) st = jlt_command_open(&output);
-    if (st == JLT_OK) st = write_rows(&output, request, rows, computed);
+    if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, computed, true);
+    else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows, computed);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
     if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, request->common.output);
     if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
-    if (code == JLT_EXIT_DONE && first != NULL)
-        code = jlt_command_fail(jlt_command_exit(first->status), "%zu of %zu points refused; the first: %s", refused, count,
-                                first->reason);
+    if (code == JLT_EXIT_DONE && first != NULL) {
+        jlt_eigen_reason(reason, first);
+        code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused,
+                                count, reason);
+    }
 done:
     jlt_command_discard(&output);
     for (size_t k = 0; k < computed; k++) {

@@ -5,48 +5,28 @@
 
 #include "report/csv.h"
 
-void jlt_fates_shares_add(jlt_fates_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)
-{
-    jlt_fates_add(&sum->all, end);
-    if (system->known == NULL) return;
-    sum->turned = system->known->turned_at(system);
-    if (system->known->is_low(system, q)) jlt_fates_add(&sum->low, end);
-}
-
-size_t jlt_fates_shares_failed(const jlt_fates_shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++)
-        if (jlt_section_failed((jlt_fate)fate)) count += sum->all.by_fate[fate];
-    return count;
-}
-
-/* Those on which the model's conditions held throughout. */
-static size_t held(const jlt_fates_shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) count += sum->all.valid[fate];
-    return count;
-}
-
 static bool has_conditions(const jlt_system *system) { return jlt_observed_conditions(system->observed) > 0; }
 
 static const char *conditions(const jlt_system *system) { return jlt_observed_condition(system->observed, JLT_OBSERVED_ANY); }
 
 static bool tells_contact(const jlt_motion_options *options) { return strcmp(options->contact, "report") == 0; }
 
+/* The section that says what to show where an orbit ends; NULL: all states are shown. */
+static const jlt_section_chart *ending_of(const jlt_system *system)
+{
+    return system->surface != NULL && system->surface->section->ending_count > 0 ? system->surface->section : NULL;
+}
+
 void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
-    const jlt_known *known = system->known;
-    const unsigned count = known != NULL ? known->at_end.count : chart->states;
+    const jlt_section_chart *section = ending_of(system);
+    const unsigned count = section != NULL ? section->ending_count : chart->states;
 
     for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
     fputs("fate,t_end", file);
     for (unsigned i = 0; i < count; i++)
-        fprintf(file, ",%s_end", known != NULL ? known->at_end.names[i] : system->instance->descriptor->states[i].name);
+        fprintf(file, ",%s_end", (section != NULL ? section->ending : system->instance->descriptor->states)[i].name);
     if (tells_contact(options)) fprintf(file, ",%s_min", conditions(system));
     fputc('\n', file);
 }
@@ -58,9 +38,9 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
     unsigned count = 1;
     char fate[JLT_FATE_TEXT_MAX];
 
-    if (system->known != NULL) {
-        system->known->at_end.values(values + count, system, end->x);
-        count += system->known->at_end.count;
+    if (ending_of(system) != NULL) {
+        jlt_surface_ending(values + count, system, end->x);
+        count += ending_of(system)->ending_count;
     } else {
         memcpy(values + count, end->x, chart->states * sizeof *values);
         jlt_chart_wrap_state(chart, values + count);
@@ -85,7 +65,7 @@ static bool can_be(const jlt_system *system, jlt_fate fate)
     case JLT_FATE_POLE_PLUS:
     case JLT_FATE_POLE_MINUS: return system->flow.chart->side != NULL;
     case JLT_FATE_INVALID: return has_conditions(system);
-    case JLT_FATE_LEFT_DOMAIN: return system->known == NULL;
+    case JLT_FATE_LEFT_DOMAIN: return system->surface == NULL;
     default: return true;
     }
 }
@@ -95,20 +75,21 @@ void jlt_fates_table_share_names(FILE *file, const jlt_system *base, const jlt_g
     char name[JLT_FATE_TEXT_MAX];
 
     for (size_t k = 0; k < count; k++) fprintf(file, "%s,", axes[k].name);
-    fprintf(file, "starts%s", base->known != NULL ? ",low_starts" : "");
+    fprintf(file, "starts%s", jlt_shares_turn(base) ? ",low_starts" : "");
     for (size_t i = 0; i < TOLD; i++) {
         jlt_section_fate_text(name, base->observed, told[i], JLT_OBSERVED_ANY);
         if (can_be(base, told[i])) fprintf(file, ",%s", name);
     }
     fputs(",failed", file);
-    if (base->known != NULL) fputs(",turned,turned_error,turned_in_contact", file);
+    if (jlt_shares_turn(base)) fputs(",turned,turned_error,turned_in_contact", file);
     else if (has_conditions(base)) fprintf(file, ",%s_held", conditions(base));
     fputc('\n', file);
 }
 
-void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count, const jlt_fates_shares *sum)
+void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count,
+                            const jlt_shares *sum)
 {
-    const bool turns = base->known != NULL;
+    const bool turns = jlt_shares_turn(base);
     double share, error, kept, kept_error;
 
     jlt_csv_values(file, values, count);
@@ -116,17 +97,17 @@ void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, co
     if (turns) fprintf(file, ",%zu", sum->low.starts);
     for (size_t i = 0; i < TOLD; i++)
         if (can_be(base, told[i])) fprintf(file, ",%zu", sum->all.by_fate[told[i]]);
-    fprintf(file, ",%zu", jlt_fates_shares_failed(sum));
+    fprintf(file, ",%zu", jlt_shares_failed(sum));
     jlt_fates_share(&share, &error, turns ? &sum->low : &sum->all, turns ? sum->turned : JLT_FATE_ALIVE, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (turns && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g,%.9g", share, error, kept);
     else if (turns) fputs(",,,", file);
-    else if (has_conditions(base)) fprintf(file, ",%zu", held(sum));
+    else if (has_conditions(base)) fprintf(file, ",%zu", jlt_shares_held(sum));
     fputc('\n', file);
     if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], share, error, kept);
 }
 
-void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_fates_shares *sum)
+void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_shares *sum)
 {
     char name[JLT_FATE_TEXT_MAX];
     double turned, error, kept, kept_error;
@@ -144,11 +125,11 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
     jlt_fates_share(&turned, &error, &sum->low, sum->turned, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (sum->low.starts > 0)
-        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts, system->known->low,
+        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts, system->surface->section->turn_meaning,
                 turned, error, kept, kept_error, conditions(system));
-    if (has_conditions(system) && !options->flow.end_where_invalid && held(sum) < sum->all.starts)
+    if (has_conditions(system) && !options->flow.end_where_invalid && jlt_shares_held(sum) < sum->all.starts)
         fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)",
-                sum->all.starts - held(sum), conditions(system));
+                sum->all.starts - jlt_shares_held(sum), conditions(system));
     if (sum->empty > 0) fprintf(stream, "; %zu points of the grid have no state", sum->empty);
     fputc('\n', stream);
 }

@@ -1,21 +1,9 @@
-/** Counts how orbits of a section end, and writes the rows of `jellett fates`. */
+/** Writes the rows of `jellett fates`, which tell how orbits of a section end. */
 #ifndef JLT_CLI_FATES_TABLE_H
 #define JLT_CLI_FATES_TABLE_H
 
 #include "cli/motion.h"
-#include "dynamics/fates.h"
-
-/* Over a grid, and of the starts that are low, of sections that know such. Zeroed is empty. */
-typedef struct {
-    jlt_fates_count all, low;
-    jlt_fate turned; /* what has become of low ones that turned over */
-    size_t empty;    /* points of a grid without a state */
-} jlt_fates_shares;
-
-void jlt_fates_shares_add(jlt_fates_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end);
-
-/** Those that the method failed on. */
-size_t jlt_fates_shares_failed(const jlt_fates_shares *sum);
+#include "dynamics/shares.h"
 
 /** A row for every orbit: the coordinates of its start, fate, t_end, quantities at the end, with --contact report the least
  *  value of the model's conditions. Angles are within half a period of 0. */
@@ -25,9 +13,10 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
 /** A row for every point of a sweep over `axes` (count,): the values, numbers of starts by fate, and shares. A point of a
  *  picture beside it: the first value, a share, its error, and a second share; NULL: none. base: any system of the sweep. */
 void jlt_fates_table_share_names(FILE *file, const jlt_system *base, const jlt_grid_axis *axes, size_t count);
-void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count, const jlt_fates_shares *sum);
+void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count,
+                            const jlt_shares *sum);
 
 /** One line of numbers by fate, and what else is to be known of them. */
-void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_fates_shares *sum);
+void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_shares *sum);
 
 #endif

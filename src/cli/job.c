@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
+#include "cli/program.h"
 
 void jlt_job_free(char **argv, int argc)
 {
@@ -48,7 +49,7 @@ jlt_exit jlt_job_run(int *ending, const jlt_command *command, char **argv, int a
     child = jlt_interrupt_fork();
     if (child < 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
-    if (child == 0) exit((int)jlt_command_execute(command, argc, argv));
+    if (child == 0) exit((int)jlt_program_run(command, argc, argv));
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     *ending = jlt_interrupt_alone();
     if (!WIFSIGNALED(status)) return (jlt_exit)WEXITSTATUS(status);

@@ -8,7 +8,6 @@
 #include "cli/motion_plane.h"
 #include "cli/planned.h"
 #include "kernel/descriptor.h"
-#include "kernel/link.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT };
 
@@ -16,7 +15,7 @@ static const struct argp_option option_table[] = {
     { "level", 'l', "NAME=VALUE,...", 0,
       "Levels of integrals: of energy E and of Jellett's integral G, default E=2.15,G=-0.56; with --section of those that the table "
       "claims, beside --solve", 10 },
-    { "section", SECTION, "STATE=VALUE", 0, "Section of another model; its coordinates are the other states", 10 },
+    { "section", SECTION, "STATE=VALUE|NAME", 0, "A section of any table, with its other states as coordinates; or NAME, one that the table says with coordinates of its own", 10 },
     { "solve", SOLVE, "STATE=GUESS,...", 0,
       "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
       "section's coordinates are the others; starts lie on the branch that is found from there, and a return on another branch is a row "
@@ -103,94 +102,26 @@ bool jlt_motion_interrupted(const jlt_motion_options *options)
     return options->flow.interrupt != NULL && *options->flow.interrupt;
 }
 
-/* The names from `first` on, which parameters and levels have; and: what stands before the last of them. */
-static void list_names(char *text, size_t size, const jlt_known *known, unsigned first, unsigned end, const char *and)
-{
-    size_t used = 0;
-
-    *text = '\0';
-    for (unsigned i = first; i < end && used < size; i++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s", i == first ? "" : i + 1 == end ? and : ", ", known->names[i]);
-}
-
-jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status, const char *what)
-{
-    char text[512];
-
-    known->refuse(text, sizeof text, values, status);
-    return jlt_command_fail(jlt_command_exit(status), "%s%s%s", what != NULL ? what : "", what != NULL ? ": " : "", text);
-}
-
-static jlt_exit known_system(jlt_system **system, const jlt_motion_options *options, const jlt_known *known)
-{
-    const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
-    double values[JLT_KNOWN_VALUES_MAX];
-    char text[512];
-
-    if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL) {
-        list_names(text, sizeof text, known, known->params, known->count, " and ");
-        return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section: what there is to know of levels of %s is known",
-                                options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo", text);
-    }
-    memcpy(values, known->defaults, known->count * sizeof *values);
-    for (unsigned k = 0; k < 2; k++)
-        for (size_t i = 0; i < lists[k]->count; i++) {
-            const jlt_assignment *item = &lists[k]->items[i];
-            const unsigned index = jlt_known_value(known, item->name);
-            if (index == known->count || (index >= known->params) != (k == 1)) {
-                list_names(text, sizeof text, known, k == 0 ? 0 : known->params, k == 0 ? known->params : known->count, ", ");
-                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
-                                        k == 0 ? "parameter" : "level", item->name, text);
-            }
-            values[index] = item->value;
-        }
-    const jlt_status st = known->make(system, values, &options->flow);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(known, values, st, st == JLT_ERR_DOMAIN ? "--set" : NULL);
-}
-
-/* A known section is one of motion while what its levels fix are integrals, and its model stands for the asked one. */
-static jlt_exit check_known(const jlt_known *known, const jlt_descriptor *d)
-{
-    const jlt_descriptor *table = jlt_descriptor_find(known->table, NULL, NULL, NULL);
-    const jlt_claim *broken = NULL, *claim;
-    char levels[256];
-
-    if (table != NULL && jlt_link_holds(&broken, d, table)) return JLT_EXIT_DONE;
-    for (unsigned i = known->params; i < known->count; i++) {
-        claim = jlt_descriptor_claim(d, "integral", known->names[i]);
-        if (claim == NULL || claim->verdict == JLT_PROVED) continue;
-        jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
-        broken = claim;
-    }
-    if (broken == NULL) jlt_command_fail(JLT_EXIT_INPUT, "nothing that is proved leads from this table to %s", known->table);
-    else if (strcmp(broken->kind, "integral") != 0)
-        jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
-    list_names(levels, sizeof levels, known, known->params, known->count, " and ");
-    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section on levels of %s, then: ask for one of the table itself, --section %s, "
-                            "with all other states as coordinates", levels, known->plane);
-}
-
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
 {
     const jlt_descriptor *descriptor;
+    jlt_surface surface;
+    bool has_surface;
     jlt_exit code;
 
     *system = NULL;
     code = jlt_common_model(&options->common, &descriptor);
     if (code != JLT_EXIT_DONE) return code;
-    const jlt_known *known = jlt_known_of(descriptor);
-    if (known == NULL || options->section != NULL) code = jlt_motion_plane_system(system, options, descriptor);
-    else {
-        code = check_known(known, descriptor);
-        if (code == JLT_EXIT_DONE) code = known_system(system, options, known);
-    }
+    code = jlt_motion_surface(&surface, &has_surface, options, descriptor);
+    if (code != JLT_EXIT_DONE) return code;
+    code = has_surface ? jlt_motion_surface_system(system, options, &surface) : jlt_motion_plane_system(system, options, descriptor);
     return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
 }
 
 /* Where the section has points in one of its coordinates; false: nothing is known of that. */
 static bool interval(const jlt_system *system, unsigned coordinate, double *low, double *high)
 {
-    return system->known != NULL && system->known->interval(system, coordinate, low, high);
+    return system->surface != NULL && jlt_surface_interval(system, coordinate, low, high);
 }
 
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
@@ -207,8 +138,8 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: %s, or a return left the branch of --solve: try another --direction or section",
                                 what, jlt_status_text(status));
-    if (status == JLT_ERR_DOMAIN && system != NULL && system->known != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s", what, system->known->domain);
+    if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
+        return jlt_motion_refuse_point(system, what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
                                 system->instance->descriptor->model);
@@ -234,13 +165,6 @@ static unsigned coordinate(const jlt_chart *chart, const char *name)
 
     while (k < chart->dim && strcmp(chart->names[k], name) != 0) k++;
     return k;
-}
-
-jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose, const char *wanted)
-{
-    if (*start == NULL && system->known != NULL) *start = system->known->starts[purpose];
-    if (*start != NULL) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_USAGE, "%s, with all coordinates of the section", wanted);
 }
 
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
@@ -285,6 +209,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
 {
     const jlt_chart *chart = system->flow.chart;
     size_t count = chart->dim;
+    bool runs[JLT_CHART_DIM_MAX]; /* it is known where */
 
     for (unsigned k = 0; k < chart->dim; k++) {
         axes[k] = (jlt_grid_axis){ .low = -1, .high = 1, .count = 1 };
@@ -293,20 +218,20 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     }
     for (unsigned k = 0; k < chart->dim; k++) {
         double low, high;
-        if (!interval(system, k, &low, &high)) continue;
+        runs[k] = chart->period[k] != 0 || interval(system, k, &low, &high);
+        if (!runs[k] || chart->period[k] != 0) continue;
         /* a hundredth of the interval off its ends, where an angle beside it loses its meaning */
         axes[k].low = low + (high - low) / 200;
         axes[k].high = high - (high - low) / 200;
     }
-    if (text == NULL) return JLT_EXIT_DONE;
-    jlt_exit code = jlt_grid_parse(axes, &count, chart->dim, text, option);
-    const bool named = strchr(text, '=') != NULL;
+    jlt_exit code = text != NULL ? jlt_grid_parse(axes, &count, chart->dim, text, option) : JLT_EXIT_DONE;
+    const bool named = text != NULL && strchr(text, '=') != NULL;
     size_t all = 1;
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (__builtin_mul_overflow(all, axes[k].count, &all))
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
-        if (axes[k].low_text == NULL && (named || (system->known == NULL && chart->period[k] == 0)))
+        if (axes[k].low_text == NULL && (named || (text != NULL && !runs[k])))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
                                     chart->names[k], chart->names[k], chart->names[k]);
     return code;

@@ -5,13 +5,12 @@
 #include "cli/common.h"
 #include "cli/grid.h"
 #include "cli/stream.h"
-#include "dynamics/system.h"
-#include "top/known.h"
+#include "dynamics/surface.h"
 
 typedef struct {
     jlt_common common;
     jlt_accuracy accuracy; /* refers to flow */
-    const char *section; /* STATE=VALUE, for other models, and with it: */
+    const char *section; /* STATE=VALUE, or the name of one that a table says; with the former: */
     const char *mirror;  /* states whose sign the reversor changes */
     const char *solve;   /* STATE=GUESS,... of levels */
     const char *modulo;  /* STATE=PERIOD,... of angles */
@@ -21,6 +20,7 @@ typedef struct {
     bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
+    char start[512]; /* the one by default */
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -43,15 +43,16 @@ void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 /** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
 jlt_exit jlt_motion_project(jlt_system *system);
 
-/** A picture's axes, x and y: labels of the first two coordinates, and the frame of a section that is known as a whole. */
+/** A picture's axes, x and y: labels of the first two coordinates, and the frame of a section that tables describe as a whole. */
 void jlt_motion_labels(FILE *stream, const jlt_system *system);
 void jlt_motion_frame(FILE *stream, const jlt_system *system);
 
 /** One label: set xlabel "NAME", with what is added to it. */
 void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added);
 
-/** The start that a known section has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
-jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose, const char *wanted);
+/** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
+jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
+                                  const char *wanted);
 
 /** Name of the method that orbits are followed with: batches choose theirs by the tolerance; "each" where all are asked. */
 const char *jlt_motion_method(const jlt_motion_options *options);
@@ -65,8 +66,8 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 /** Whether an orbit can begin at each of these starts, before anything is written. Says what is wrong. */
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
-/** Axes of a grid over the section: as in `text`, by default angles over their period, and coordinates of a known section over the
- *  interval of its levels. Of other sections every coordinate has to be named, or be an angle where only counts are typed. */
+/** Axes of a grid over the section: as in `text`, by default angles over their period, and bounded coordinates of a section that tables
+ *  describe over the interval of its levels. Of other sections every coordinate has to be named, or be an angle where only counts are typed. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Grid point number `index` (the first coordinate runs fastest), or the number of points. */
@@ -82,8 +83,17 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swep
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
-/** The same for a known section that could not be made from these values; what: NULL for what speaks for itself. */
-jlt_exit jlt_motion_refuse(const jlt_known *known, const double *values, jlt_status status, const char *what);
+/** The section that tables describe, and that the options ask for; *has: there is one. Says why it is not one of this table any more. */
+jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_options *options, const jlt_descriptor *asked);
+
+/** Its system, with the parameters and levels of the options. Says what is wrong. */
+jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface);
+
+/** A start that lies at the end of a coordinate's interval or beyond, or whose orbit ends before it returns. */
+jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what);
+
+/** Why none could be made from these values, shape (surface->count,); what: NULL for what speaks for itself. */
+jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what);
 
 /** The same for Newton's method, which finds no periodic orbit from `start`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);

@@ -6,7 +6,7 @@
 
 jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
 {
-    return self->known != NULL ? self->known->make(out, self->values, &self->flow) : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
+    return self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow) : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
 }
 
 static jlt_status make_at(void *context, jlt_system **out, double value)
@@ -25,7 +25,7 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
 
     for (size_t i = 0; i < count && used < sizeof where; i++)
         used += (size_t)snprintf(where + used, sizeof where - used, "%s %s=%.10g", i == 0 ? "" : ",", axes[i].name, *self->entries[i]);
-    if (self->known != NULL) return jlt_motion_refuse(self->known, self->values, status, where);
+    if (self->surface != NULL) return jlt_motion_refuse(self->surface, self->values, status, where);
     if (self->no_angle < self->plane.descriptor->state_count)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is no angle any more", where, self->plane.descriptor->states[self->no_angle].name);
     return jlt_motion_fail(status, NULL, where);
@@ -34,9 +34,9 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
 /* Names of what may run. */
 static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, const char *name, const char *option)
 {
-    if (self->known != NULL) {
+    if (self->surface != NULL) {
         fprintf(stderr, "jellett: %s: there is no '%s'; there are", option, name);
-        for (unsigned i = 0; i < self->known->count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", self->known->names[i]);
+        for (unsigned i = 0; i < self->surface->count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", self->surface->names[i]);
         fputc('\n', stderr);
         return JLT_EXIT_INPUT;
     }
@@ -54,10 +54,10 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, c
 
 static double *entry_of(jlt_motion_family *self, const char *name)
 {
-    const unsigned index = self->known != NULL ? jlt_known_value(self->known, name) : 0;
+    const unsigned index = self->surface != NULL ? jlt_surface_value(self->surface, name) : 0;
 
-    if (self->known == NULL) return jlt_motion_plane_value(&self->plane, name);
-    return index < self->known->count ? &self->values[index] : NULL;
+    if (self->surface == NULL) return jlt_motion_plane_value(&self->plane, name);
+    return index < self->surface->count ? &self->values[index] : NULL;
 }
 
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
@@ -66,9 +66,9 @@ jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system
     const jlt_descriptor *d = system->instance->descriptor;
     jlt_exit code = JLT_EXIT_DONE;
 
-    *out = (jlt_motion_family){ .known = system->known, .flow = options->flow };
+    *out = (jlt_motion_family){ .surface = system->surface, .flow = options->flow };
     out->systems = (jlt_system_family){ .make = make_at, .context = out };
-    if (out->known != NULL) memcpy(out->values, system->values, out->known->count * sizeof *out->values);
+    if (out->surface != NULL) memcpy(out->values, system->values, out->surface->count * sizeof *out->values);
     else code = jlt_motion_plane_read(&out->plane, options, jlt_descriptor_sibling(d, NULL, d->time, NULL), axes, count);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         out->entries[i] = entry_of(out, axes[i].name);

@@ -8,8 +8,8 @@ enum { JLT_FAMILY_AXES_MAX = 3 };
 
 typedef struct {
     jlt_motion_plane plane;
-    const jlt_known *known; /* of a known section instead: its values, and the flow */
-    double values[JLT_KNOWN_VALUES_MAX];
+    const jlt_surface *surface; /* of a section that tables describe instead: its values, and the flow */
+    double values[JLT_CHART_VALUES_MAX];
     jlt_flow flow;
     double *entries[JLT_FAMILY_AXES_MAX]; /* the values that run, in the order of the axes; at first those of the options */
     jlt_system_family systems;            /* as the first of them runs */
@@ -22,8 +22,7 @@ jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system
                                 const jlt_grid_axis *axes, size_t count, const char *option);
 void jlt_motion_family_clear(jlt_motion_family *family);
 
-/** The system at the entries as they stand, for jlt_system_destroy. Errors: as jlt_motion_plane_make and the known
- *  section's. */
+/** The system at the entries as they stand, for jlt_system_destroy. Errors: as jlt_motion_plane_make and jlt_surface_system. */
 JLT_CHECKED jlt_status jlt_motion_family_make(jlt_motion_family *family, jlt_system **out);
 
 /** Why that failed: "OPTION: at NAME=VALUE, ...: reason". axes: as for open. */

@@ -20,13 +20,13 @@ static bool is_swept(const jlt_motion_options *options, const char *name)
 
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values)
 {
-    const jlt_known *known = system->known;
-    const unsigned count = known != NULL ? known->count - known->params : system->flow.chart->solved_count;
+    const jlt_surface *surface = system->surface;
+    const unsigned count = surface != NULL ? surface->count - surface->params : system->flow.chart->solved_count;
 
     for (unsigned k = 0; k < count; k++) {
-        const jlt_level *level = known == NULL ? &system->chart.level.levels[k] : NULL;
-        names[k] = known != NULL ? known->names[known->params + k] : system->instance->descriptor->integrals[level->integral].name;
-        values[k] = known != NULL ? system->values[known->params + k] : level->value;
+        const jlt_level *level = surface == NULL ? &system->chart.level.levels[k] : NULL;
+        names[k] = surface != NULL ? surface->names[surface->params + k] : system->instance->descriptor->integrals[level->integral].name;
+        values[k] = surface != NULL ? system->values[surface->params + k] : level->value;
     }
     return count;
 }
@@ -91,10 +91,31 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swep
     for (unsigned k = 0; k < level_count; k++) caption_value(stream, &is_first, names[k], levels[k], swept);
 }
 
+/* A name as gnuplot sets it: Greek letters by their names, numbers at the end below the line. */
+static void write_symbol(FILE *stream, const char *name)
+{
+    static const char *const greek[][2] = { { "alpha", "α" }, { "beta", "β" }, { "gamma", "γ" }, { "delta", "δ" }, { "eta", "η" },
+                                            { "theta", "θ" }, { "lambda", "λ" }, { "mu", "μ" }, { "phi", "φ" }, { "psi", "ψ" },
+                                            { "omega", "ω" } };
+    const size_t letters = strcspn(name, "_0123456789");
+
+    for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
+        if (strlen(greek[i][0]) == letters && strncmp(name, greek[i][0], letters) == 0) {
+            const char *below = name + letters + (name[letters] == '_');
+            fprintf(stream, *below == '\0' ? "%s" : below[1] == '\0' ? "%s_%s" : "%s_{%s}", greek[i][1], below);
+            return;
+        }
+    fputs(name, stream);
+}
+
 void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added)
 {
-    if (system->known != NULL) fprintf(stream, "set %clabel \"%s%s\"\n", axis, system->known->labels[coordinate], added);
-    else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
+    if (system->surface != NULL) {
+        fprintf(stream, "set %clabel \"", axis);
+        write_symbol(stream, system->flow.chart->names[coordinate]);
+        if (system->surface->section->is_angle[coordinate]) fputs(" [rad]", stream);
+        fprintf(stream, "%s\"\n", added);
+    } else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
 }
 
 void jlt_motion_labels(FILE *stream, const jlt_system *system)
@@ -105,5 +126,11 @@ void jlt_motion_labels(FILE *stream, const jlt_system *system)
 
 void jlt_motion_frame(FILE *stream, const jlt_system *system)
 {
-    if (system->known != NULL) fprintf(stream, "set xrange [%s]\nset yrange [%s]\n", system->known->frame[0], system->known->frame[1]);
+    for (unsigned k = 0; system->surface != NULL && k < 2 && k < system->flow.chart->dim; k++) {
+        const jlt_quantity *coordinate = &system->surface->section->coordinates[k];
+        const char axis = k == 0 ? 'x' : 'y';
+        if (system->surface->section->is_angle[k]) fprintf(stream, "set %crange [-pi:pi]\n", axis);
+        else if (isfinite(coordinate->low) && isfinite(coordinate->high))
+            fprintf(stream, "set %crange [%.10g:%.10g]\n", axis, coordinate->low, coordinate->high);
+    }
 }

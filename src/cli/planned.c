@@ -69,7 +69,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
         /* Integrals are watched in all states. */
         const jlt_question question = { .model = asked, .params = params, .section = !options->looks_at_integrals,
                                         .tier = options->looks_at_integrals ? "five" : NULL };
-        const jlt_status st = system->known != NULL && jlt_tier_has(asked) ? jlt_plan_make(&plan, &question) : JLT_OK;
+        const jlt_status st = system->surface != NULL && jlt_tier_has(asked) ? jlt_plan_make(&plan, &question) : JLT_OK;
         if (st == JLT_OK) jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
         code = st == JLT_OK ? JLT_EXIT_PLANNED : jlt_motion_fail(st, system, asked->model);
     }

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "dynamics/surface.h"
 #include "report/csv.h"
-#include "top/known.h"
 
 size_t jlt_section_row_size(const jlt_chart *chart)
 {
@@ -27,13 +27,13 @@ void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t o
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 {
     const jlt_chart *chart = table->system->flow.chart;
-    const jlt_known *known = table->system->known;
+    const jlt_section_chart *section = table->system->surface != NULL ? table->system->surface->section : NULL;
 
     fputs("orbit,return,t", stream);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(stream, ",%s", chart->names[k]);
     for (unsigned i = 0; i < chart->solved_count; i++)
         fprintf(stream, ",%s", table->system->instance->descriptor->states[chart->solved[i]].name);
-    for (unsigned i = 0; known != NULL && i < known->at_return.count; i++) fprintf(stream, ",%s", known->at_return.names[i]);
+    for (unsigned i = 0; section != NULL && i < section->beside_count; i++) fprintf(stream, ",%s", section->beside[i].name);
     fputs(",fate", stream);
     if (table->least) fprintf(stream, ",%s_min", jlt_observed_condition(table->system->observed, JLT_OBSERVED_ANY));
     fprintf(stream, "%s\n", table->check ? ",trace,det,divergence,defect" : "");
@@ -74,19 +74,19 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     jlt_section_table *self = table;
     const jlt_section_row *at = row;
     const jlt_system *system = self->system;
-    const jlt_known *known = system->known;
+    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
     const unsigned d = system->flow.chart->dim;
     const double *q = at->values, *x = at->values + d;
     char fate[JLT_FATE_TEXT_MAX];
-    double shown[JLT_KNOWN_SHOWN_MAX], off[JLT_CHART_DIM_MAX];
+    double shown[JLT_CHART_STATES_MAX], off[JLT_CHART_DIM_MAX];
 
-    if (known != NULL) known->off_section(off, x);
+    if (section != NULL) jlt_surface_off_section(off, system, x);
     fprintf(stream, "%zu,%zu", at->orbit, at->number);
     write_field(stream, at->t);
-    for (unsigned k = 0; k < d; k++) write_field(stream, known != NULL && isnan(q[k]) ? off[k] : q[k]);
+    for (unsigned k = 0; k < d; k++) write_field(stream, section != NULL && isnan(q[k]) ? off[k] : q[k]);
     for (unsigned i = 0; i < system->flow.chart->solved_count; i++) write_field(stream, x[system->flow.chart->solved[i]]);
-    if (known != NULL) known->at_return.values(shown, system, x);
-    for (unsigned i = 0; known != NULL && i < known->at_return.count; i++) write_field(stream, shown[i]);
+    if (section != NULL) jlt_surface_beside(shown, system, x);
+    for (unsigned i = 0; section != NULL && i < section->beside_count; i++) write_field(stream, shown[i]);
     fputc(',', stream);
     jlt_section_fate_text(fate, system->observed, at->fate, at->lost);
     fputs(fate, stream);

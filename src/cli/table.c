@@ -1,6 +1,7 @@
 #include "cli/table.h"
 
 #include "cli/interrupt.h"
+#include "cli/program.h"
 #include "kernel/descriptor.h"
 #include "kernel/load.h"
 
@@ -35,17 +36,10 @@ static jlt_exit no_model(const char *model)
 static _Noreturn void run_ttc(const char *table, bool lanes, int output)
 {
     char path[PATH_MAX];
-    const ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof "ttc");
     const char *const arguments[] = { "ttc", "build", lanes ? "--lanes" : "--", lanes ? "--" : table, lanes ? table : NULL, NULL };
-    char *slash;
 
     dup2(output, STDOUT_FILENO);
-    if (length > 0) {
-        path[length] = '\0';
-        slash = strrchr(path, '/');
-        strcpy(slash != NULL ? slash + 1 : path, "ttc");
-        execv(path, (char *const *)arguments);
-    }
+    if (jlt_program_beside(path, sizeof path, "ttc")) execv(path, (char *const *)arguments);
     execvp("ttc", (char *const *)arguments);
     _exit(127);
 }

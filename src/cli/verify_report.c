@@ -1,6 +1,5 @@
-#include "cli/verify.h"
+#include "cli/verify_report.h"
 
-#include "analysis/density.h"
 #include "report/decimal.h"
 #include "report/json.h"
 
@@ -67,6 +66,7 @@ static void write_certificate(FILE *stream, const jlt_verify_certificate *c)
 static void write_density(FILE *stream, const jlt_verify_density *d)
 {
     const jlt_descriptor *k = d->descriptor;
+    const jlt_measure_attempt *a = &d->attempt;
 
     fprintf(stream, "    %s at", variant_name(k));
     jlt_decimal_write_named(stream, k->params, d->params, k->param_count);
@@ -75,26 +75,26 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
         fprintf(stream, "      not computed: %s: FAILS\n", jlt_status_text(d->status));
         return;
     }
-    if (!d->found) {
+    if (!a->found) {
         fprintf(stream, "      no density of one state q alone: at fixed q, -div f/f_q varies with the other states, relative to "
                         "its size, by\n      ");
-        jlt_measure_write_defects(stream, d->defects, k);
+        jlt_decimal_write_rounded(stream, k->states, a->defects, k->state_count);
         fputc('\n', stream);
     } else {
-        fprintf(stream, "      density of %s alone: -div f/f_q is a function of it (defect %.2g)\n", k->states[d->along].name,
-                d->defect);
-        if (d->singular)
-            fprintf(stream, "      it is singular where %s' = 0: no smooth positive density\n", k->states[d->along].name);
-        if (d->closed_form != NULL)
+        fprintf(stream, "      density of %s alone: -div f/f_q is a function of it (defect %.2g)\n", k->states[a->along].name,
+                a->defect);
+        if (a->singular)
+            fprintf(stream, "      it is singular where %s' = 0: no smooth positive density\n", k->states[a->along].name);
+        if (a->closed_form != NULL)
             fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
-                    d->closed_form, d->difference, d->difference_bound, verdict(d->difference <= d->difference_bound));
+                    a->closed_form, a->difference, a->difference_bound, verdict(a->difference <= a->difference_bound));
     }
     if (k->measure_count > 0)
         fprintf(stream, "      div(rho f) of the table's density: %.2g of rho div f, bound %.0e: %s\n", d->residual,
                 JLT_DENSITY_TOLERANCE, verdict(d->residual <= JLT_DENSITY_TOLERANCE));
 }
 
-void jlt_verify_write_text(FILE *stream, const jlt_verify_run *run)
+void jlt_verify_report_text(FILE *stream, const jlt_verify_run *run)
 {
     const jlt_descriptor *d = run->descriptor;
 
@@ -168,18 +168,19 @@ static json_t *certificate_json(const jlt_verify_certificate *c)
 static json_t *density_json(const jlt_verify_density *d)
 {
     const jlt_descriptor *k = d->descriptor;
-    const bool compared = d->closed_form != NULL;
+    const jlt_measure_attempt *a = &d->attempt;
+    const bool compared = a->closed_form != NULL;
 
     return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
-                     k->states[d->along].name, "defect", jlt_json_number(d->defect), "defects",
-                     jlt_json_named(k->states, d->defects, k->state_count), "found", d->found, "singular", d->singular, "closed_form",
-                     text_or_null(d->closed_form), "difference", jlt_json_number(compared ? d->difference : NAN),
-                     "difference_bound", jlt_json_number(compared ? d->difference_bound : NAN), "residual",
+                     k->states[a->along].name, "defect", jlt_json_number(a->defect), "defects",
+                     jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "closed_form",
+                     text_or_null(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
+                     "difference_bound", jlt_json_number(compared ? a->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
 }
 
-jlt_status jlt_verify_write_json(FILE *stream, const jlt_verify_run *run)
+jlt_status jlt_verify_report_json(FILE *stream, const jlt_verify_run *run)
 {
     const jlt_descriptor *d = run->descriptor;
     json_t *families = json_array(), *certificates = json_array(), *densities = json_array();

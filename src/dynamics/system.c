@@ -21,6 +21,7 @@ jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, c
     for (unsigned i = 0; i < descriptor->state_count; i++)
         self->flow.units.state[i] = jlt_units_exponent(units, descriptor->states[i].unit);
     self->flow.units.time = units->time;
+    self->units = *units;
     JLT_TRY(jlt_observed_create(&self->observed, descriptor, params, units));
     self->flow.observed = self->observed;
 done:

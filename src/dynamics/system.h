@@ -9,8 +9,9 @@
 typedef struct {
     jlt_instance *instance; /* its block in the flow's units */
     jlt_observed *observed;
-    const struct jlt_known *known; /* of a section that is known by name (top/known.h); NULL: a plane */
-    const double *values;          /* what that one is made from, shape (known->count,) */
+    jlt_units units;
+    const struct jlt_surface *surface; /* of a section that tables describe (dynamics/surface.h); NULL: a plane */
+    const double *values;              /* what that one is made from, shape (surface->count,) */
     union {
         jlt_chart plane;
         jlt_chart_level level;

@@ -14,3 +14,12 @@ void jlt_decimal_write_named(FILE *stream, const jlt_quantity *quantities, const
         fprintf(stream, " %s=%s", quantities[i].name, text);
     }
 }
+
+void jlt_decimal_write_rounded(FILE *stream, const jlt_quantity *quantities, const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        fprintf(stream, "%s%s ", i == 0 ? "" : ", ", quantities[i].name);
+        if (isnan(values[i])) fputs("unknown", stream);
+        else fprintf(stream, "%.3g", values[i]);
+    }
+}

@@ -6,10 +6,9 @@
 
 #include "core/memory.h"
 #include "kernel/descriptor.h"
-#include "kernel/link.h"
 #include "kernel/load.h"
 #include "scene/course.h"
-#include "top/known.h"
+#include "dynamics/surface.h"
 
 struct jlt_handle_section {
     jlt_system *system;
@@ -81,26 +80,24 @@ jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model,
                                     size_t count, double tolerance)
 {
     const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING };
-    const jlt_descriptor *d, *table;
+    const jlt_descriptor *d;
     const jlt_claim *broken;
-    const jlt_known *known;
-    double all[JLT_KNOWN_VALUES_MAX];
+    jlt_surface surface;
+    double all[JLT_CHART_VALUES_MAX];
     jlt_system *system = NULL;
     jlt_status st;
 
     *out = NULL;
     JLT_TRY(find_model(&d, model));
-    known = jlt_known_of(d);
-    if (known == NULL) return JLT_ERR_UNSUPPORTED;
-    table = jlt_descriptor_find(known->table, NULL, NULL, NULL);
-    if (table == NULL || !jlt_link_holds(&broken, d, table)) return JLT_ERR_UNSUPPORTED;
-    memcpy(all, known->defaults, known->count * sizeof *all);
+    JLT_TRY(jlt_surface_find(&surface, &broken, d, NULL));
+    if (broken != NULL) return JLT_ERR_UNSUPPORTED;
+    memcpy(all, surface.defaults, surface.count * sizeof *all);
     for (size_t i = 0; i < count; i++) {
-        const unsigned index = jlt_known_value(known, names[i]);
-        if (index == known->count) return JLT_ERR_ARG;
+        const unsigned index = jlt_surface_value(&surface, names[i]);
+        if (index == surface.count) return JLT_ERR_ARG;
         all[index] = values[i];
     }
-    JLT_TRY(known->make(&system, all, &options));
+    JLT_TRY(jlt_surface_system(&system, &surface, all, &options));
     st = open_section(out, system);
 done:
     return st;
@@ -166,12 +163,12 @@ const char *jlt_handle_section_coordinate(const jlt_handle_section *self, unsign
 
 unsigned jlt_handle_section_columns(const jlt_handle_section *self)
 {
-    return self->system->known != NULL ? self->system->known->at_return.count : 0;
+    return self->system->surface != NULL ? self->system->surface->section->beside_count : 0;
 }
 
 const char *jlt_handle_section_column(const jlt_handle_section *self, unsigned index)
 {
-    return index < jlt_handle_section_columns(self) ? self->system->known->at_return.names[index] : NULL;
+    return index < jlt_handle_section_columns(self) ? self->system->surface->section->beside[index].name : NULL;
 }
 
 jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, int time_direction)
@@ -185,16 +182,15 @@ jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, i
 /* The last row, as arrays; columns may be NULL. */
 static void tell_row(const jlt_handle_section *self, double *q, double *t, double *columns)
 {
-    const jlt_known *known = self->system->known;
     double off[JLT_CHART_DIM_MAX];
 
     *t = self->at.t;
     memcpy(q, self->at.q, jlt_handle_section_dim(self) * sizeof *q);
-    if (known == NULL) return;
-    known->off_section(off, self->at.x);
+    if (self->system->surface == NULL) return;
+    jlt_surface_off_section(off, self->system, self->at.x);
     for (unsigned k = 0; k < jlt_handle_section_dim(self); k++)
         if (isnan(q[k])) q[k] = off[k];
-    if (columns != NULL) known->at_return.values(columns, self->system, self->at.x);
+    if (columns != NULL) jlt_surface_beside(columns, self->system, self->at.x);
 }
 
 jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, double *t, double *columns, size_t *done, int *fate,

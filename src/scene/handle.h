@@ -23,7 +23,7 @@ typedef struct jlt_handle_motion jlt_handle_motion;
 
 /* ---- returns to a section ---- */
 
-/** The section that is known of a model by name (top/known.h), crossed upwards; names: parameters and levels.
+/** The first section that tables describe of a model (dynamics/surface.h), crossed upwards; names: parameters and levels.
  *  Out: *out, NULL on failure, for jlt_handle_section_destroy.
  *  Errors: ARG, no such model, or a name that the section does not know; UNSUPPORTED, no section of the model is known, or
  *  nothing that is proved leads to it; DOMAIN, NONFINITE, a value; EMPTY, no state has these levels; IO, NOMEM. */
@@ -38,7 +38,7 @@ JLT_CHECKED jlt_status jlt_handle_section_plane(jlt_handle_section **out, const 
                                                 double tolerance);
 void jlt_handle_section_destroy(jlt_handle_section *self); /* NULL is legal */
 
-/** Coordinates of the section, and quantities that rows of a known section have beside them: how many, and their
+/** Coordinates of the section, and quantities that rows of a section that tables describe have beside them: how many, and their
  *  names, NULL past the end. Names live as long as the handle. */
 unsigned jlt_handle_section_dim(const jlt_handle_section *self);
 const char *jlt_handle_section_coordinate(const jlt_handle_section *self, unsigned index);

@@ -62,14 +62,21 @@ void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
     else snprintf(text, size, "%s (%s %s: %s)", candidate->refusal, claim->kind, claim->name, claim->reason);
 }
 
+static bool has_section(const jlt_tier *tier)
+{
+    const jlt_descriptor *kernel = tier->model != NULL ? jlt_descriptor_find(tier->model, NULL, tier->time, tier->elimination) : NULL;
+
+    return kernel != NULL && kernel->section_count > 0;
+}
+
 static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, const jlt_top *top)
 {
     static const double anywhere[JLT_PLAN_STATES_MAX] = { 0 };
     const double *start = question->start != NULL ? question->start : anywhere;
     jlt_candidate candidate = { .tier = tier };
 
-    if (question->section && !tier->section)
-        candidate.refusal = jlt_tier_no_section;
+    if (question->section && !has_section(tier))
+        candidate.refusal = "its table describes no section";
     else if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, start);
     if (candidate.refusal == NULL && question->attitude && !tier->attitude)
         candidate.refusal = "attitude and track are asked for";

@@ -10,7 +10,7 @@
 #define LAST { NULL, NULL, JLT_KEY_TEXT, NULL }
 /* Where results go. */
 #define OUTPUT KEY("output", FILE, NULL), KEY("plot", FILE, NULL), KEY("keep", FILE, NULL)
-/* Which section: that which is known of the model, or one of its table's states. */
+/* Which section: that which tables describe of the model, or one of its table's states. */
 #define SECTION_OPTIONS                                                                                                  \
     KEY("section", GROUP, JLT_KEY_STATES), KEY("solve", GROUP, JLT_KEY_STATES), KEY("modulo", GROUP, JLT_KEY_STATES),    \
         { "levels", "level", JLT_KEY_GROUP, JLT_KEY_LEVELS }, KEY("mirror", TEXT, NULL), KEY("direction", TEXT, "up|down|both"), KEY("contact", TEXT, "ignore|report|end"), OUTPUT

@@ -9,7 +9,7 @@
 #include "ext/number.h"
 #include "integrate/method.h"
 #include "scene/scene.h"
-#include "top/known.h"
+#include "dynamics/surface.h"
 
 jlt_status jlt_value_complain(const jlt_value_reader *r, int line, const char *format, ...)
 {
@@ -83,18 +83,20 @@ static void meet_words(names *self, const char *words)
 static void meet_all(names *self, const jlt_value_reader *r, const char *allowed)
 {
     const jlt_descriptor *model = r->model;
-    const jlt_known *known = r->section != NULL ? NULL : jlt_known_of(model);
+    const jlt_claim *broken;
+    jlt_surface surface;
+    const bool plane = r->section != NULL || jlt_surface_find(&surface, &broken, model, NULL) != JLT_OK;
     const bool quantities = strcmp(allowed, JLT_KEY_QUANTITIES) == 0, values = strcmp(allowed, JLT_KEY_VALUES) == 0;
     const bool coordinates = strcmp(allowed, JLT_KEY_COORDINATES) == 0, levels = values || strcmp(allowed, JLT_KEY_LEVELS) == 0;
 
     if (allowed[0] != '@') meet_words(self, allowed);
     for (size_t i = 0; strcmp(allowed, JLT_KEY_METHODS) == 0 && jlt_method_at(i) != NULL; i++) meet(self, jlt_method_at(i)->name);
-    for (unsigned i = 0; coordinates && known != NULL && i < known->coordinate_count; i++) meet(self, known->coordinates[i]);
-    if (coordinates && known == NULL) meet_free_states(self, r);
+    for (unsigned i = 0; coordinates && !plane && i < surface.section->coordinate_count; i++) meet(self, surface.section->coordinates[i].name);
+    if (coordinates && plane) meet_free_states(self, r);
     if (quantities || strcmp(allowed, JLT_KEY_STATES) == 0) meet_quantities(self, model->states, model->state_count);
     if (quantities || values || strcmp(allowed, JLT_KEY_PARAMS) == 0) meet_quantities(self, model->params, model->param_count);
-    for (unsigned i = known != NULL ? known->params : 0; levels && known != NULL && i < known->count; i++) meet(self, known->names[i]);
-    if (levels && known == NULL) meet_integrals(self, model);
+    for (unsigned i = plane ? 0 : surface.params; levels && !plane && i < surface.count; i++) meet(self, surface.names[i]);
+    if (levels && plane) meet_integrals(self, model);
 }
 
 static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const char *allowed, const char *name,

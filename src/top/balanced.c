@@ -190,3 +190,16 @@ jlt_status jlt_balanced_fixed_points(jlt_fixed_point out[4], unsigned *count, co
     *count = levels->G != 0 ? tilted(out, top, levels) : equatorial(out, top, levels);
     return levels->G == 0 && *count == 0 ? JLT_ERR_UNSUPPORTED : JLT_OK;
 }
+
+/* Multiples of the golden section's generalization in two dimensions (M. Roberts, 2018). */
+bool jlt_balanced_start(const jlt_top *top, const jlt_balanced_levels *levels, double *x, size_t number)
+{
+    static const double g = 1.32471795724474602596;
+    const double u = fmod(0.5 + (double)(number + 1) / g, 1), v = fmod(0.5 + (double)(number + 1) / (g * g), 1);
+    const double psi = acos(-1) * (2 * u - 1), gamma3 = 2 * v - 1, s = jlt_top_sine(gamma3);
+    const double v_slip = jlt_balanced_slip(top, levels, gamma3, s, psi);
+
+    if (isnan(v_slip) || !(s > 0.02)) return false;
+    jlt_balanced_to_state(top, levels, x, gamma3, s, number % 2 == 0 ? v_slip : -v_slip, psi);
+    return true;
+}

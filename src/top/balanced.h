@@ -14,6 +14,8 @@
 
 #include "top/top.h"
 
+#include <stdbool.h>
+
 typedef struct {
     double E, G, F0;
     double M; /* >= 0 */
@@ -39,6 +41,10 @@ double jlt_balanced_least_slip2(const jlt_top *top, const jlt_balanced_levels *l
 void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x);
 void jlt_balanced_to_state(const jlt_top *top, const jlt_balanced_levels *levels, double *x, double gamma3, double s,
                            double v_slip, double psi);
+
+/** State number `number` of starts spread evenly over M^2, its halves in turn. False: the surface has no point there, or the
+ *  start were too near a pole. */
+bool jlt_balanced_start(const jlt_top *top, const jlt_balanced_levels *levels, double *x, size_t number);
 
 typedef enum { JLT_FIXED_REPELLING, JLT_FIXED_CENTRE, JLT_FIXED_ATTRACTING } jlt_fixed_kind;
 

@@ -143,20 +143,6 @@ static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
 
 /* ---- orbits ---- */
 
-/* Starts spread evenly: multiples of the golden section's generalization in two dimensions (M. Roberts, 2018), the halves
- * of M^2 in turn. False when the surface has no point there. */
-static bool start_number(const jlt_portrait_request *r, double *x, size_t number)
-{
-    const double g = 1.32471795724474602596, u = fmod(0.5 + (double)(number + 1) / g, 1),
-                 v = fmod(0.5 + (double)(number + 1) / (g * g), 1);
-    const double psi = pi * (2 * u - 1), gamma3 = 2 * v - 1, s = jlt_top_sine(gamma3);
-    const double v_slip = jlt_balanced_slip(&r->top, &r->levels, gamma3, s, psi);
-
-    if (isnan(v_slip) || !(s > 0.02)) return false;
-    jlt_balanced_to_state(&r->top, &r->levels, x, gamma3, s, number % 2 == 0 ? v_slip : -v_slip, psi);
-    return true;
-}
-
 typedef struct {
     double psi, gamma3, v_slip;
 } point;
@@ -232,7 +218,7 @@ static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
     jlt_progress_start(&progress, "orbits");
     for (; code == JLT_EXIT_DONE && done < r->orbits && tried < r->orbits * TRIES_MAX; tried++) {
         double start[JLT_TOP_STATES];
-        if (!start_number(r, start, tried)) continue;
+        if (!jlt_balanced_start(&r->top, &r->levels, start, tried)) continue;
         for (int direction = -1; code == JLT_EXIT_DONE && direction <= 1; direction += 2) {
             const jlt_status st = follow(r, file, start, direction, done);
             if (st != JLT_OK) code = jlt_session_fail(st, "an orbit");
@@ -256,7 +242,7 @@ static jlt_exit show_plan(const jlt_portrait_request *r)
     jlt_plan plan;
     size_t tried = 0;
 
-    while (tried < TRIES_MAX && !start_number(r, start, tried)) tried++;
+    while (tried < TRIES_MAX && !jlt_balanced_start(&r->top, &r->levels, start, tried)) tried++;
     const jlt_status st = jlt_plan_make(&plan, &question);
     if (st != JLT_OK) return jlt_session_fail(st, "portrait");
     jlt_planned_show(&plan, NULL);

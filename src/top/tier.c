@@ -1,5 +1,6 @@
 #include "top/tier.h"
 
+#include "integrate/field.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 
@@ -83,32 +84,31 @@ static void balanced_extract(const jlt_tier_view *view, double *x, const double 
 
 static void level_embed(const jlt_tier_view *view, double *y, const double *x)
 {
-    jlt_chart_top_state(&view->chart, y, x[JLT_TOP_GAMMA3], x[JLT_TOP_V_NU], x[JLT_TOP_OMEGA_TAU], x[JLT_TOP_OMEGA_N],
-                        x[JLT_TOP_OMEGA3]);
+    jlt_level_state(&view->top, y, x);
 }
 
 static void level_extract(const jlt_tier_view *view, double *x, const double *y)
 {
-    x[JLT_TOP_GAMMA3] = y[JLT_CHART_TOP_GAMMA3];
-    x[JLT_TOP_V_NU] = y[JLT_CHART_TOP_V_NU];
-    x[JLT_TOP_OMEGA_TAU] = y[JLT_CHART_TOP_OMEGA_TAU];
-    jlt_chart_top_rotation(&view->chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
+    x[JLT_TOP_GAMMA3] = y[JLT_LEVEL_GAMMA3];
+    x[JLT_TOP_V_NU] = y[JLT_LEVEL_V_NU];
+    x[JLT_TOP_OMEGA_TAU] = y[JLT_LEVEL_OMEGA_TAU];
+    jlt_level_rotation(&view->top, view->G, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
 }
 
 static void level_plain_embed(const jlt_tier_view *view, double *y, const double *x)
 {
-    double lifted[JLT_CHART_TOP_S + 1];
+    double lifted[JLT_LEVEL_STATES];
 
     level_embed(view, lifted, x);
-    memcpy(y, lifted, JLT_CHART_TOP_S * sizeof *y);
+    memcpy(y, lifted, JLT_LEVEL_S * sizeof *y);
 }
 
 static void level_plain_extract(const jlt_tier_view *view, double *x, const double *y)
 {
-    double lifted[JLT_CHART_TOP_S + 1];
+    double lifted[JLT_LEVEL_STATES];
 
-    memcpy(lifted, y, JLT_CHART_TOP_S * sizeof *lifted);
-    lifted[JLT_CHART_TOP_S] = jlt_top_sine(y[JLT_CHART_TOP_GAMMA3]);
+    memcpy(lifted, y, JLT_LEVEL_S * sizeof *lifted);
+    lifted[JLT_LEVEL_S] = jlt_top_sine(y[JLT_LEVEL_GAMMA3]);
     level_extract(view, x, lifted);
 }
 
@@ -224,7 +224,6 @@ static void full_orient(const jlt_tier_view *view, jlt_attitude *out, const doub
 
 /* ---- where coordinates end ---- */
 
-const char jlt_tier_no_section[] = "it has no chart (eta, gamma3) of the section on levels of E and G";
 const char jlt_tier_near_pole[] = "the orbit is so near a pole that in plain time nothing is left of its digits";
 
 /* In components a step may lead past a pole: the field is as good as in plain time, no nearer. */
@@ -259,38 +258,38 @@ static const jlt_tier_edge without_omega3_edge = { without_omega3_room, without_
 
 static const jlt_tier tiers[] = {
     { "quadrature", "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time", 0,
-      NULL, NULL, NULL, false, false, false, 0, needs_rod, NULL, NULL, NULL, NULL,
+      NULL, NULL, NULL, false, false, 0, needs_rod, NULL, NULL, NULL, NULL,
       { "spherical_top_level", { { "integral", "E1" }, { "integral", "E2" }, { "integral", "G" } } } },
     { "plane", "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed", 2,
-      "spherical_top_plane", "regular", NULL, false, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL,
+      "spherical_top_plane", "regular", NULL, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL,
       { "spherical_top_plane", { { 0 } } } },
     { "balanced", "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum", 3,
-      "spherical_top_balanced", "regular", NULL, false, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL, NULL,
+      "spherical_top_balanced", "regular", NULL, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL, NULL,
       { "spherical_top_balanced", { { 0 } } } },
     { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
-      "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL,
+      "spherical_top_level", "regular", NULL, false, false, 5, NULL, level_embed, level_extract, NULL, NULL,
       { "spherical_top_level", { { 0 } } } },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_plain_embed, level_plain_extract, NULL, NULL,
+      "spherical_top_level", NULL, NULL, true, false, 4, NULL, level_plain_embed, level_plain_extract, NULL, NULL,
       { "spherical_top_level", { { 0 } } } },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
-      "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL,
+      "spherical_top", NULL, "level_G", true, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL,
       { "spherical_top", { { "eliminate", "level_G" } } } },
     { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
-      "spherical_top", NULL, "level_G_omega3", true, false, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
+      "spherical_top", NULL, "level_G_omega3", true, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
       NULL, &without_omega3_edge,
       { "spherical_top", { { "eliminate", "level_G_omega3" } } } },
     { "five", "the reduced system (3.2)", 5,
-      "spherical_top", "regular", NULL, false, false, false, 6, NULL, five_embed, five_extract, NULL, NULL,
+      "spherical_top", "regular", NULL, false, false, 6, NULL, five_embed, five_extract, NULL, NULL,
       { "spherical_top", { { 0 } } } },
     { "five_plain", "the same in t: steps collapse at the poles", 5,
-      "spherical_top", NULL, NULL, true, false, false, 5, NULL, plain_embed, five_extract, NULL, NULL,
+      "spherical_top", NULL, NULL, true, false, 5, NULL, plain_embed, five_extract, NULL, NULL,
       { "spherical_top", { { 0 } } } },
     { "track", "the reduced system with attitude and track by quadratures", 9,
-      "spherical_top_track", "regular", NULL, false, true, false, 10, NULL, track_embed, five_extract, track_orient, NULL,
+      "spherical_top_track", "regular", NULL, false, true, 10, NULL, track_embed, five_extract, track_orient, NULL,
       { "spherical_top_track", { { 0 } } } },
     { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
-      "spherical_top_full", NULL, NULL, false, true, false, 17, needs_inertia, full_embed, full_extract, full_orient,
+      "spherical_top_full", NULL, NULL, false, true, 17, needs_inertia, full_embed, full_extract, full_orient,
       &full_edge,
       { "spherical_top_full", { { 0 } } } },
 };
@@ -314,7 +313,6 @@ void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descripto
 
     *out = (jlt_tier_view){ .top = *top, .descriptor = descriptor, .G = jlt_top_jellett(top, x), .mirror = 1 };
     memcpy(out->start, x, sizeof out->start);
-    jlt_chart_top_init(&out->chart, top->m, top->R, top->g, top->I1, top->I3, top->a3, jlt_top_energy(top, x), out->G);
     jlt_balanced_levels_of(&out->levels, top, x);
     if (tier != NULL && tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
 }
@@ -339,7 +337,7 @@ jlt_status jlt_tier_open(jlt_tier_view *told, jlt_tier_view *view, jlt_units *un
 
     JLT_TRY(jlt_top_read(&top, model, told_params));
     jlt_tier_look(told, tier, kernel, &top, x);
-    *units = jlt_chart_top_units(&told->chart);
+    *units = jlt_level_units(&top, jlt_top_energy(&top, x));
     JLT_TRY(jlt_instance_scales(&scales, model, told_params, units));
     if (!scales) *units = (jlt_units){ 0 };
     jlt_units_count(params, told_params, model->params, model->param_count, units);

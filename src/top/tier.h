@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-#include "top/chart_top.h"
+#include "top/level.h"
 #include "top/attitude.h"
 #include "top/balanced.h"
 
@@ -18,7 +18,6 @@ typedef struct {
     const jlt_descriptor *descriptor; /* of the tier's kernel */
     double start[JLT_TOP_STATES];
     double G;
-    jlt_chart_top chart;              /* level of G */
     jlt_balanced_levels levels;       /* a3 = 0 */
     const jlt_descriptor *asked;      /* the model that was asked about, and its parameters; NULL where the top's are all */
     const double *asked_params;
@@ -50,7 +49,6 @@ typedef struct {
     const char *model, *time, *elimination; /* of its kernel; model NULL: none */
     bool by_name;                       /* a comparison: never chosen by the planner */
     bool attitude;                      /* gives attitude and track */
-    bool section;                       /* has a chart of the section omega_tau = 0 on levels of E and G */
     unsigned columns;                   /* states of its kernel, with a lifted root, as embed and extract know them */
     const char *(*refuses)(const jlt_top *top, const double *x); /* why it does not serve, NULL when it does; may be NULL */
     void (*embed)(const jlt_tier_view *view, double *y, const double *x);
@@ -62,9 +60,6 @@ typedef struct {
 
 /* What the edge of a kernel's domain means in plain time. */
 extern const char jlt_tier_near_pole[];
-
-/* Why most tiers serve no section. */
-extern const char jlt_tier_no_section[];
 
 /* The table, from the smallest; NULL past the end. */
 const jlt_tier *jlt_tier_at(size_t index);

@@ -45,6 +45,11 @@ refused 8:12 "equilibria claim 'rest' is refuted" family 'equilibria rest : x = 
 refused 9:9 "trace claim 'rest' is refuted" wrong_trace 'equilibria rest : x = 0, v = 0' '  trace rest = k'
 refused 8:6 "time claim 'back' is .*general_in_back: all kernels" backwards 'time back : -1 - x^2'
 
+printf 'model points\nparam k > 0\nparam E\nstate v\ndomain inside : 2*E - v^2 > 0\n' > points.tt
+printf 'root r = sqrt((2*E - v^2)/k)\nlift into outside.tt with x = r, v = v\n' >> points.tt
+refused 8:9 "section claim 'cut' is refuted, and kernels rest on it (general: sections)" \
+    outside 'section cut : by points.tt at x = 0 with v = v, E = E'
+
 # Only what rests on the claim is marked.
 table two 'integral F = x + v' 'eliminate e : x by F = level' 'variant unit : k = 1'
 ttc generate --unproved --out out two.tt > said 2>&1 || fail "two: $(head -3 said)"

@@ -9,7 +9,7 @@
 
 #include "fault/wrapped_memory.h"
 #include "dynamics/section_batch.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 

@@ -7,7 +7,7 @@
 #include "dynamics/homoclinic.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/separation.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "kernel/descriptor.h"
 
 static jlt_system *top(double tolerance)

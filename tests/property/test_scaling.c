@@ -6,7 +6,7 @@
 #include "core/random.h"
 #include "dynamics/map.h"
 #include "dynamics/section_batch.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "scene/course.h"
@@ -46,7 +46,7 @@ static jlt_top_values random_top(double *low, double *high, jlt_random *random)
         v.E = v.m * decades(random, -5, 2) - either(random, v.m * v.g * fabs(v.a3), 0);
         v.G = either(random, 0, v.R * sqrt(fabs(v.E) * v.I1) * jlt_random_between(random, -1, 1));
         jlt_chart_top_init(&chart, v.m, v.R, v.g, v.I1, v.I3, v.a3, v.E, v.G);
-        if (jlt_system_top_interval(&chart, low, high)) return v;
+        if (jlt_chart_top_interval(&chart, low, high)) return v;
     }
 }
 

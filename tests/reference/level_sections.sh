@@ -31,6 +31,27 @@ paste -d , on_level plain | awk -F, '
     NR == 1 { for (i = 12; i <= NF; i++) at[$i] = i; bad = !($4 == "y" && $5 == "py" && $6 == "px"); next }
     { rows++; bad += ($4 - $at["y"])^2 + ($5 - $at["py"])^2 + ($6 - $at["px"])^2 > 1e-22 }
     END { exit !(rows == 5 && !bad) }' || fail "on the level rows differ: $(paste on_level plain)"
+# The same section as the tables describe it, whose lift is that formula: the same rows, to ten roundings of the start stretched by DP.
+cp "$JLT_SOURCE_DIR"/tools/docs/henon{,_section}.tt .
+sed -i 's/^state \(p*y\) .*/state \1/' henon_section.tt
+expect 0 '^# levels H=0.0833333333333333[0-9]*$' jellett section ./henon.tt --level H=1/12 --start y=0.1,py=0.05 --returns 4 --check
+grep -v '^#' out > described
+paste -d , on_level described | awk -F, '
+    NR == 1 { half = NF/2; next }
+    { rows++; for (i = 3; i <= 6; i++) bad += ($i - $(half + i))^2 > 1e-22 }
+    END { exit !(rows == 5 && !bad) }' || fail "the described section has other rows: $(paste on_level described)"
+expect 3 'crossed in the other --direction alone' jellett section ./henon.tt --start y=0.1,py=0.05 --direction both
+expect 3 'raise H above' jellett section ./henon.tt --level H=-1 --start y=0.1,py=0.05
+expect 3 'no state has the levels asked for' jellett section ./henon.tt --start y=0.9,py=0
+expect 2 "'nope' is no section" jellett section ./henon.tt --section nope --start y=0.1,py=0.05
+expect 3 'where py runs is not known' jellett section ./henon.tt --grid y=-0.3:0.3:3
+expect 0 'crossing +x = 0 in y, py on levels H = 0.125$' jellett models ./henon.tt
+sed -i 's/px = px/px = -px/' henon_section.tt # the lift goes to the other half
+expect 0 ',-0.48[0-9]*,alive$' jellett section ./henon.tt --start y=0.1,py=0.05 --direction down --returns 1
+expect 3 'crossed in the other --direction alone' jellett section ./henon.tt --start y=0.1,py=0.05
+sed -i 's/py = py$/py = 2*py/' henon_section.tt # and is on other levels
+expect 3 'section crossing is not proved of this table: ' jellett section ./henon.tt --start y=0.1,py=0.05 --direction down
+
 # The flow keeps volume, so the map keeps area: DP in (y, py) has determinant 1, which --check holds its own against.
 awk -F, 'NR > 2 { n++; bad += ($9 - 1)^2 > 1e-20 } END { exit !(n == 4 && !bad) }' on_level || fail "det DP is not 1: $(cat on_level)"
 

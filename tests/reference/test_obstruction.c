@@ -4,7 +4,7 @@
 #include "unit/check.h"
 
 #include "dynamics/orbits.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 
 typedef struct {
     jlt_top_values values;

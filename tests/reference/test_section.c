@@ -1,7 +1,7 @@
 /* Section maps of the spherical top against quadruple precision (tests/reference/data). */
 #include "dynamics/fates.h"
 #include "dynamics/periodic.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 
 #include <math.h>
 #include <setjmp.h>

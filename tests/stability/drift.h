@@ -4,6 +4,7 @@
 
 #include "ride.h"
 #include "table.h"
+#include "witness/chart_top.h"
 
 #include "dynamics/system.h"
 

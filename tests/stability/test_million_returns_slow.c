@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "dynamics/section.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 
 enum { RETURNS = 1000000 };
 

@@ -5,7 +5,7 @@
 #include "dynamics/branch.h"
 #include "dynamics/fates.h"
 #include "dynamics/lyapunov.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "integrate/batch.h"
 #include "kernel/batch_isa.h"
 #include "scene/course.h"

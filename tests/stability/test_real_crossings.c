@@ -4,7 +4,7 @@
 #include "unit/check.h"
 
 #include "dynamics/section_batch.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 
 /* The first returns by one method, or batches (NULL). */
 static size_t returns_of(jlt_return *rows, size_t most, const jlt_top_values *values, const jlt_method *method, double tolerance,

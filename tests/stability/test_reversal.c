@@ -5,7 +5,7 @@
 #include "table.h"
 
 #include "dynamics/map.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 
 enum { RETURNS = 1000, STEPS = 150 };
 static const size_t lengths[] = { 1, 3, 10, 30, 100, 300, 1000 };

@@ -5,7 +5,7 @@
 #include "table.h"
 
 #include "dynamics/homoclinic.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 
 enum { SIDES = 9 };
 

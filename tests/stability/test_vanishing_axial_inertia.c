@@ -4,7 +4,7 @@
 #include "table.h"
 
 #include "dynamics/section.h"
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "top/rod.h"
 
 static const double start[JLT_TOP_STATES] = { 0.2, 0.6, 0.4, 1.3, -0.8 };

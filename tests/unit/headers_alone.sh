@@ -9,7 +9,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 headers=()
-while IFS= read -r header; do headers+=("$header"); done < <(find src codegen generated -name '*.h' | sort)
+while IFS= read -r header; do headers+=("$header"); done < <(find src codegen generated tools/bench/program -name '*.h' | sort)
 # Macros are the whole of some headers, and an empty translation unit is not C: hence the declaration.
 for i in "${!headers[@]}"; do
     printf '#include "%s"\n#include "%s"\nextern int nothing;\n' \

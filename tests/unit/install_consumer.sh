@@ -10,13 +10,20 @@ tree=$scratch/tree
 status=0
 fail() { echo "$*"; status=1; }
 
-for path in bin/ttc bin/jellett share/man/man1/ttc.1 share/man/man1/jellett.1 \
+for path in bin/ttc bin/jellett libexec/jellett/jellett-bench share/man/man1/ttc.1 share/man/man1/jellett.1 \
     share/jellett/generated/kernel_abi.h share/jellett/models/spherical_top.tt include/jellett/core/status.h include/jellett/jellett.h \
     share/jellett/examples/orbit.c share/doc/jellett/tools/docs/library.md; do
     [ -e "$tree/$path" ] || fail "not installed: $path"
 done
 "$tree/bin/ttc" --version > /dev/null || fail "the installed ttc does not start"
 "$tree/bin/jellett" --version > /dev/null || fail "the installed jellett does not start"
+"$tree/bin/jellett" bench --help > "$scratch/help" || fail "the installed jellett-bench does not start"
+grep -qx 'Usage: jellett bench \[OPTION...\] KIND' "$scratch/help" || fail "jellett bench --help: $(head -n 1 "$scratch/help")"
+mv "$tree/libexec/jellett/jellett-bench" "$scratch/"
+got=0
+"$tree/bin/jellett" bench --help 2> "$scratch/missing" || got=$?
+[ $got = 5 ] && grep -q '^jellett: jellett-bench, which measures, is neither beside' "$scratch/missing" ||
+    fail "without jellett-bench: exit status $got, $(cat "$scratch/missing")"
 
 cp "$JLT_SOURCE_DIR/tests/unit/install_consumer.c.in" "$scratch/consumer.c"
 sanitize=()

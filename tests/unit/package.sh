@@ -23,7 +23,7 @@ while read -r package paths; do
     [ "$(dpkg-parsechangelog -l "$scratch/changelog" -S Version)" = "$version" ] || fail "the changelog is not of $version"
     dpkg-deb -x "$file" "$scratch/root"
 done <<'LIST'
-jellett bin/ttc bin/jellett share/jellett/models/spherical_top.tt share/man/man1/ttc.1.gz share/man/man1/jellett.1.gz share/zsh/vendor-completions/_jellett
+jellett bin/ttc bin/jellett libexec/jellett/jellett-bench share/jellett/models/spherical_top.tt share/man/man1/ttc.1.gz share/man/man1/jellett.1.gz share/zsh/vendor-completions/_jellett
 libjellett0 lib/libjellett.so.0
 libjellett-dev lib/libjellett.so lib/libjellett.a include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h share/jellett/examples/section.c
 LIST
@@ -38,7 +38,7 @@ fi
 
 # What the loader asks for is in packages that this one depends on; who calls Z3 or Arb, which package they are in, is dpkg's to say.
 depends_of() { echo " $(dpkg-deb -f "$scratch/$1_${version}_$architecture.deb" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "; }
-for file in "$tree/bin/ttc" "$tree/bin/jellett" "$library"; do
+for file in "$tree/bin/ttc" "$tree/bin/jellett" "$tree/libexec/jellett/jellett-bench" "$library"; do
     depends=$(depends_of jellett)
     [ "$file" != "$library" ] || depends=$(depends_of libjellett0)
     while read -r soname; do
@@ -57,6 +57,8 @@ ttc prove "$tree/share/jellett/models/lorenz.tt" > "$scratch/proved" || fail "tt
 for program in jellett ttc; do
     [ "$(command -v $program)" = "$tree/bin/$program" ] || fail "$program is not that of the package"
 done
+jellett bench eigenvalues --repeats 1 > "$scratch/measured" || fail "jellett bench: exit status $?"
+grep -q '^jellett,closed form' "$scratch/measured" || fail "jellett bench measures nothing"
 simulate=(--start x=1,y=2,z=20 --times 1 --method dop853) # by kernels without lanes in both
 jellett simulate lorenz "${simulate[@]}" | grep -v '^#' > "$scratch/built_in"
 jellett simulate "$tree/share/jellett/models/lorenz.tt" "${simulate[@]}" | grep -v '^#' > "$scratch/loaded"

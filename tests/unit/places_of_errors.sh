@@ -31,6 +31,21 @@ for command in "generate --out folder" cost "prove --kernels"; do
 done
 [ ! -e folder ] || fail "files are written"
 
+# A table of coordinates alone; beside its model's it is passed over.
+printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q, x = 0, u = r\n' > points.tt
+printf 'model moves\nstate q\nstate x\nstate u\neq q = u\neq x = u\neq u = 0*u\nintegral E = u^2/2\n' > moves.tt
+printf 'section cut : by points.tt at x = 0 with q = q, E = E\n' >> moves.tt
+for command in "generate --out folder" cost build; do
+    # shellcheck disable=SC2086
+    expect 3 '^points.tt:6:1: error: the coordinates of a section have no kernels of their own .expected moves.tt' ttc $command points.tt
+done
+expect 0 '' ttc generate --out folder points.tt moves.tt
+grep -q '\.chart = "points"' folder/moves/general.c || fail "the kernels of a model lack those of its section"
+[ ! -e folder/points ] || fail "a table of coordinates has kernels"
+rm -r folder
+expect 0 '' ttc cost points.tt moves.tt
+expect 0 '' ttc prove --kernels points.tt moves.tt
+
 printf 'model broken\nstate x\neq x = y\n' > broken.tt
 for command in check prove cost; do
     expect 3 '' ttc $command --json broken.tt

@@ -41,6 +41,20 @@ like_fresh "one table"
 find generated/roessler generated/chaplygin_sleigh -type f -newermt 2002-01-01 | grep . && fail "files of other tables are written"
 regenerate 0
 
+# The coordinates of a section change the files of its model.
+printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q, x = 0, u = r\n' \
+    > codegen/models/points.tt
+printf 'model moves\nstate q\nstate x\nstate u\neq q = u\neq x = u\neq u = 0*u\nintegral E = u^2/2\n%s\n' \
+    'section cut : by points.tt at x = 0 with q = q, E = E' > codegen/models/moves.tt
+regenerate 1
+like_fresh "coordinates"
+echo 'start here : q = 1' >> codegen/models/points.tt
+regenerate 1
+like_fresh "other coordinates"
+grep -q '"here"' generated/moves/general.c || fail "the kernels have the coordinates of before"
+rm codegen/models/points.tt codegen/models/moves.tt
+regenerate 1
+
 # A table less, a table more, a variant less.
 mv codegen/models/roessler.tt "$scratch/"
 regenerate 1

@@ -46,13 +46,13 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
 }
 
 check_library "$JLT_BINARY_DIR/libjellett.a" src generated
+check_library "$JLT_BINARY_DIR/libjellett_exact.a" src/spectrum src/claims
 check_library "$JLT_BINARY_DIR/libttc_core.a" codegen
-for object in "$JLT_BINARY_DIR"/CMakeFiles/jellett.dir/src/{cli/*,top/command_*}.o; do
-    while read -r symbol; do
-        [[ $symbol == main || $symbol == jlt_* ]] && continue
-        echo "$(basename "$object" .o): $symbol: public, but without the prefix jlt_"
-        status=1
-    done < <(nm --defined-only -g "$object" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^(__|\.)/ { print $NF }')
-done
+while read -r object symbol; do
+    [[ $symbol == main || $symbol == jlt_* ]] && continue
+    echo "$(basename "$object" .o): $symbol: public, but without the prefix jlt_"
+    status=1
+done < <(find "$JLT_BINARY_DIR"/CMakeFiles/{jellett,jellett_cli,jellett-bench}.dir -name '*.o' -exec nm -A --defined-only -g {} + |
+    awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^(__|\.)/ { sub(/:.*/, "", $1); print $1, $NF }')
 [ $status -ne 0 ] || echo "$(defined "$JLT_BINARY_DIR/libjellett.a" | wc -l) + $(defined "$JLT_BINARY_DIR/libttc_core.a" | wc -l) public symbols carry their prefix"
 exit $status

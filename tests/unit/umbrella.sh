@@ -31,7 +31,8 @@ int main(void)
     TELL(jlt_return);
     TELL(jlt_image);
     TELL(jlt_system);
-    TELL(jlt_known);
+    TELL(jlt_surface);
+    TELL(jlt_chart_section);
     TELL(jlt_continuation_point);
     TELL(jlt_linearization);
     TELL(jlt_plan);

@@ -7,6 +7,7 @@ set(JLT_INSTALL_DATA ${CMAKE_INSTALL_DATADIR}/jellett)
 set(JLT_INSTALL_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/jellett)
 
 install(TARGETS ttc jellett RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+install(TARGETS jellett-bench RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/jellett COMPONENT programs)
 # Two exports, so that a user of the shared library need not have what only the static one is linked with.
 install(TARGETS jellett_shared EXPORT jellett-shared
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
@@ -19,7 +20,7 @@ endforeach()
 # Headers keep their folders, so that #include "core/status.h" means the same here and there.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DESTINATION ${JLT_INSTALL_HEADERS}
         COMPONENT development
-        FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN "spectrum" EXCLUDE PATTERN "claims" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${JLT_INSTALL_DATA} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} COMPONENT programs
         FILES_MATCHING PATTERN "*.tt" PATTERN "*.scene" PATTERN "results" EXCLUDE)
@@ -27,7 +28,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/too
 foreach(program ttc jellett)
   set(page ${CMAKE_BINARY_DIR}/man/${program}.1)
   set(template ${PROJECT_SOURCE_DIR}/tools/man/${program}.1.in)
-  add_custom_command(OUTPUT ${page} VERBATIM DEPENDS ${program} ${template} ${PROJECT_SOURCE_DIR}/tools/man/page
+  add_custom_command(OUTPUT ${page} VERBATIM DEPENDS ${program} jellett-bench ${template} ${PROJECT_SOURCE_DIR}/tools/man/page
     COMMAND bash ${PROJECT_SOURCE_DIR}/tools/man/page $<TARGET_FILE:${program}> ${template} > ${page})
   list(APPEND JLT_MAN_PAGES ${page})
 endforeach()

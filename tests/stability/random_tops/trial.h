@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "top/system_top.h"
+#include "witness/top_section.h"
 #include "stability/random_tops/oracle.h"
 
 typedef struct {

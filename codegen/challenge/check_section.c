@@ -1,0 +1,189 @@
+/* A section and its coordinates, at one state of the section: where the way back leads is a point of the chart, whose lift lies in
+ * the section, the domain and the levels, and leads back to it; and the lift is the state itself where both are crossed the same way. */
+#include "challenge/check.h"
+#include "prove/section_chart.h"
+
+typedef struct {
+    ttc_check *check;
+    const ttc_section *section;
+    ttc_probe *lifted; /* of the model */
+    long precision;
+} section_check;
+
+static const ttc_section *section_of(const ttc_check *check)
+{
+    for (size_t i = 0; i < check->model->section_count; i++)
+        if (check->model->claims + check->model->sections[i].claim == check->claim) return check->model->sections + i;
+    return NULL;
+}
+
+/* Sine and cosine of an angle over one positive number, or the coordinate and 1, at a probe of the model; false: undefined. */
+static bool way_back(section_check *s, arb_t sine, arb_t cosine, ttc_probe *probe, size_t state)
+{
+    const ttc_id *entries = s->check->claim->entries + 2 * ttc_section_coordinate(s->section, s->check->target, state);
+    arb_srcptr value = ttc_probe_at(probe, entries[0]);
+    if (value != NULL) arb_set(sine, value);
+    if (value != NULL) value = ttc_probe_at(probe, entries[1]);
+    if (value == NULL) return false;
+    arb_set(cosine, value);
+    return true;
+}
+
+/* The chart's parameters, levels at their values here, and its coordinates. */
+static bool set_chart(section_check *s)
+{
+    const ttc_check *check = s->check;
+    const ttc_model *model = check->model, *chart = check->target;
+    bool good = true;
+    arb_t sine, cosine;
+    arb_init(sine);
+    arb_init(cosine);
+    ttc_probe_begin(check->target_probe, s->precision);
+    for (size_t i = 0; good && i < chart->param_count; i++) {
+        const uint32_t place = ttc_section_place(model, s->section, chart, i);
+        const bool is_level = place >= model->param_count;
+        arb_srcptr value = ttc_probe_at(check->probe, is_level ? model->claims[check->claim->members[place - model->param_count]].expression
+                                                               : model->symbols[model->params[place]].node);
+        good = value != NULL;
+        if (good) ttc_probe_set(check->target_probe, chart->params[i], value);
+    }
+    for (size_t i = 0; good && i < chart->state_count; i++) {
+        good = way_back(s, sine, cosine, check->probe, i);
+        if (good && s->section->is_angle[ttc_section_coordinate(s->section, chart, i)]) {
+            good = !(arb_contains_zero(sine) && arb_contains_zero(cosine));
+            arb_atan2(sine, sine, cosine, s->precision);
+        }
+        if (good) ttc_probe_set(check->target_probe, chart->states[i], sine);
+    }
+    arb_clear(cosine);
+    arb_clear(sine);
+    return good;
+}
+
+/* The model at the lift of that point. */
+static bool set_lifted(section_check *s)
+{
+    const ttc_model *model = s->check->model;
+    ttc_probe_begin(s->lifted, s->precision);
+    for (size_t i = 0; i < model->param_count; i++)
+        ttc_probe_set(s->lifted, model->params[i], ttc_probe_value(s->check->probe, model->params[i]));
+    for (size_t i = 0; i < model->state_count; i++) {
+        const ttc_id lift = ttc_chart_lift(s->check->target, model->symbols[model->states[i]].name);
+        arb_srcptr value = ttc_probe_at(s->check->target_probe, lift);
+        if (value == NULL) return false;
+        ttc_probe_set(s->lifted, model->states[i], value);
+    }
+    return true;
+}
+
+/* a - b is zero; a value that is missing leaves the point untold. */
+static void check_same(section_check *s, arb_srcptr a, arb_srcptr b, const char *what, const char *name)
+{
+    arb_t difference;
+    if (a == NULL || b == NULL) {
+        ttc_check_undefined(s->check);
+        return;
+    }
+    arb_init(difference);
+    arb_sub(difference, a, b, s->precision);
+    ttc_check_zero(s->check, difference, what, name);
+    arb_clear(difference);
+}
+
+/* What the lift claims of itself. */
+static void check_lift(section_check *s)
+{
+    const ttc_model *model = s->check->model;
+    const ttc_claim *claim = s->check->claim;
+    const ttc_binding *at = claim->when.items;
+    check_same(s, ttc_probe_value(s->lifted, at->symbol), ttc_probe_at(s->lifted, at->expression), "off the section by its lift:",
+               model->symbols[at->symbol].name);
+    for (size_t i = 0; i < claim->member_count; i++) {
+        const ttc_claim *integral = model->claims + claim->members[i];
+        check_same(s, ttc_probe_at(s->lifted, integral->expression), ttc_probe_at(s->check->probe, integral->expression),
+                   "off its level by its lift:", integral->name);
+    }
+    for (size_t i = 0; i < model->symbol_count; i++) {
+        const ttc_id lift = model->symbols[i].kind == TTC_ROOT ? ttc_chart_lift(s->check->target, model->symbols[i].name) : TTC_NONE;
+        if (lift != TTC_NONE)
+            check_same(s, ttc_probe_at(s->check->target_probe, lift), ttc_probe_at(s->lifted, model->symbols[i].node),
+                       "lifted root - root of the lift:", model->symbols[i].name);
+    }
+}
+
+/* Back from the lift, the same angle: sine and cosine are in the same direction. */
+static void check_return(section_check *s, size_t state)
+{
+    const ttc_model *chart = s->check->target;
+    const char *name = chart->symbols[chart->states[state]].name;
+    arb_srcptr own = ttc_probe_value(s->check->target_probe, chart->states[state]);
+    arb_t sine, cosine, own_sine, own_cosine, along, across;
+    arb_init(sine);
+    arb_init(cosine);
+    arb_init(own_sine);
+    arb_init(own_cosine);
+    arb_init(along);
+    arb_init(across);
+    if (!way_back(s, sine, cosine, s->lifted, state)) {
+        ttc_check_undefined(s->check);
+    } else if (s->section->is_angle[ttc_section_coordinate(s->section, chart, state)]) {
+        arb_sin_cos(own_sine, own_cosine, own, s->precision);
+        arb_mul(along, sine, own_sine, s->precision);
+        arb_addmul(along, cosine, own_cosine, s->precision);
+        arb_mul(across, sine, own_cosine, s->precision);
+        arb_submul(across, cosine, own_sine, s->precision);
+        ttc_check_zero(s->check, across, "the way back from the lift leads elsewhere in", name);
+        ttc_check_positive(s->check, along, "the way back from the lift leads to the opposite of", name);
+    } else {
+        check_same(s, sine, own, "the way back from the lift leads elsewhere in", name);
+    }
+    arb_clear(across);
+    arb_clear(along);
+    arb_clear(own_cosine);
+    arb_clear(own_sine);
+    arb_clear(cosine);
+    arb_clear(sine);
+}
+
+/* The sign of the rate of the section's state; 0: not known, or a touch. */
+static int direction(const section_check *s, ttc_probe *probe)
+{
+    const ttc_model *model = s->check->model;
+    size_t i = 0;
+    while (model->states[i] != s->check->claim->when.items[0].symbol) i++;
+    arb_srcptr rate = ttc_probe_at(probe, ttc_model_field(model, i));
+    return rate == NULL ? 0 : arb_is_positive(rate) ? 1 : arb_is_negative(rate) ? -1 : 0;
+}
+
+static void check_state(section_check *s)
+{
+    const ttc_model *model = s->check->model;
+    char fault[256];
+    const int crossing = direction(s, s->check->probe);
+    if (crossing == 0 || !set_chart(s)) {
+        ttc_check_undefined(s->check);
+        return;
+    }
+    const ttc_place_in_domain place = ttc_domain_locate(s->check->target_probe, s->check->target, NULL, UINT32_MAX, fault, sizeof fault);
+    if (place == TTC_OUTSIDE) ttc_check_violate(s->check, "a crossing outside of the coordinates:", fault);
+    else if (place == TTC_UNCLEAR || !set_lifted(s)) ttc_check_undefined(s->check);
+    if (s->check->outcome != TTC_HOLDS) return;
+    if (ttc_domain_locate(s->lifted, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+        ttc_check_violate(s->check, "the lift leaves the domain:", fault);
+    check_lift(s);
+    for (size_t i = 0; i < s->check->target->state_count; i++) check_return(s, i);
+    for (size_t i = 0; i < model->state_count && direction(s, s->lifted) == crossing; i++)
+        check_same(s, ttc_probe_value(s->lifted, model->states[i]), ttc_probe_value(s->check->probe, model->states[i]),
+                   "the lift of where the way back leads is another state in", model->symbols[model->states[i]].name);
+}
+
+void ttc_check_section(ttc_check *check)
+{
+    char reason[8];
+    section_check s = { .check = check, .section = section_of(check), .precision = ttc_probe_precision(check->probe) };
+    if (check->target != NULL && ttc_section_fits(check->model, s.section, check->target, reason, sizeof reason))
+        s.lifted = ttc_probe_create(check->model);
+    if (s.lifted == NULL) ttc_check_undefined(check);
+    else check_state(&s);
+    ttc_probe_destroy(s.lifted);
+}

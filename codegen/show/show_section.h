@@ -1,0 +1,10 @@
+/** What the records about sections say, for the eye. False as in show.h. */
+#ifndef TTC_SHOW_SECTION_H
+#define TTC_SHOW_SECTION_H
+
+#include "show/print.h"
+
+bool ttc_show_sections(FILE *stream, const ttc_model *model, ttc_notation notation); /* and poles; nothing where there are none */
+bool ttc_show_lift(FILE *stream, const ttc_model *model, ttc_notation notation);     /* in rows; of a table of coordinates */
+
+#endif

@@ -1,0 +1,169 @@
+#include "analysis/measure.h"
+
+#include "core/memory.h"
+#include "kernel/descriptor.h"
+#include "kernel/kernel.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, PROBES = 8, POINTS_TRIED = 64 };
+
+/* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
+static const double covered = 0.98;
+
+static void range_of(double *low, double *high, const jlt_quantity *q)
+{
+    if (isfinite(q->low) && isfinite(q->high)) {
+        const double middle = q->low / 2 + q->high / 2, half = q->high / 2 - q->low / 2;
+        *low = middle - covered * half;
+        *high = middle + covered * half;
+        return;
+    }
+    *low = isfinite(q->low) ? q->low + 0.05 : -2.0;
+    *high = isfinite(q->high) ? q->high - 0.05 : *low + 4.0;
+    if (isfinite(q->high)) *low = *high - 4.0;
+}
+
+static jlt_status density_at(double *density, const jlt_instance *instance, unsigned which, const double *x)
+{
+    const jlt_descriptor *d = instance->descriptor;
+    double values[STATES_MAX];
+    jlt_status st;
+
+    if (d->measure_count > STATES_MAX) return JLT_ERR_UNSUPPORTED;
+    st = jlt_kernel_eval(values, &d->measure_values, x, d->state_count, instance->block);
+    if (st == JLT_OK) *density = values[which];
+    return st;
+}
+
+/* The closed form depends on the one state alone: other states do not change it. */
+static bool depends_on_one(const jlt_instance *instance, unsigned which, const double *x, size_t along,
+                           jlt_random *random)
+{
+    double value, other, y[STATES_MAX];
+
+    if (density_at(&value, instance, which, x) != JLT_OK) return false;
+    for (int probe = 0; probe < PROBES; probe++) {
+        jlt_density_draw_state(y, instance->descriptor, random);
+        y[along] = x[along];
+        if (density_at(&other, instance, which, y) != JLT_OK || fabs(other - value) > 1e-12 * fabs(value)) return false;
+    }
+    return true;
+}
+
+static jlt_status compare(jlt_measure_attempt *a, const jlt_instance *instance, unsigned which, const double *x)
+{
+    double y[STATES_MAX], middle = 1.0;
+    jlt_status st = JLT_OK;
+
+    a->closed = jlt_memory_array(a->count, sizeof *a->closed);
+    if (a->closed == NULL) return JLT_ERR_NOMEM;
+    memcpy(y, x, instance->descriptor->state_count * sizeof *y);
+    y[a->along] = a->points[a->count / 2].at;
+    JLT_TRY(density_at(&middle, instance, which, y));
+    a->difference_bound = 1e-12;
+    for (size_t i = 0; i < a->count; i++) {
+        y[a->along] = a->points[i].at;
+        JLT_TRY(density_at(&a->closed[i], instance, which, y));
+        a->closed[i] /= middle;
+        a->difference = fmax(a->difference, fabs(a->points[i].density / a->closed[i] - 1.0));
+        a->difference_bound = fmax(a->difference_bound, a->points[i].error + 1e-12);
+    }
+    a->closed_form = instance->descriptor->measures[which].name;
+done:
+    return st;
+}
+
+jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
+{
+    const jlt_descriptor *d = instance->descriptor;
+    double x[STATES_MAX], low, high;
+    jlt_status st = JLT_OK;
+
+    *attempt = (jlt_measure_attempt){ .defect = INFINITY, .count = count };
+    if (d->state_count > STATES_MAX) return JLT_ERR_UNSUPPORTED;
+    for (size_t i = 0; i < d->state_count; i++) {
+        double defect;
+        st = jlt_density_defect(&defect, instance, i, random);
+        if (st != JLT_OK && st != JLT_ERR_NO_CONVERGENCE) return st;
+        attempt->defects[i] = st == JLT_OK ? defect : NAN;
+        if (st == JLT_OK && defect < attempt->defect) {
+            attempt->along = i;
+            attempt->defect = defect;
+        }
+    }
+    if (!isfinite(attempt->defect)) return JLT_ERR_NO_CONVERGENCE;
+    st = JLT_OK;
+    attempt->found = attempt->defect <= JLT_DENSITY_TOLERANCE;
+    if (!attempt->found) return JLT_OK;
+    attempt->points = jlt_memory_array(count, sizeof *attempt->points);
+    if (attempt->points == NULL) return JLT_ERR_NOMEM;
+    range_of(&low, &high, &d->states[attempt->along]);
+    for (int tries = 0; tries < TRIES; tries++) {
+        jlt_density_draw_state(x, d, random);
+        x[attempt->along] = low / 2 + high / 2;
+        st = jlt_density_tabulate(attempt->points, count, instance, attempt->along, low, high, x);
+        if (st == JLT_OK || st == JLT_ERR_NOMEM) break;
+    }
+    /* The slope has a pole in between, whatever the other states are. */
+    attempt->singular = st != JLT_OK && st != JLT_ERR_NOMEM;
+    if (attempt->singular) {
+        free(attempt->points);
+        attempt->points = NULL;
+        return JLT_OK;
+    }
+    for (unsigned i = 0; st == JLT_OK && attempt->closed_form == NULL && i < d->measure_count; i++)
+        if (depends_on_one(instance, i, x, attempt->along, random)) st = compare(attempt, instance, i, x);
+    return st;
+}
+
+void jlt_measure_clear(jlt_measure_attempt *attempt)
+{
+    free(attempt->points);
+    free(attempt->closed);
+    *attempt = (jlt_measure_attempt){ 0 };
+}
+
+/* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
+static jlt_status find_obstruction(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
+{
+    unsigned char given[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
+
+    if (d->state_count > JLT_LINEARIZATION_SIZE_MAX) return JLT_OK;
+    for (unsigned k = 0; k < d->equilibria_count; k++) {
+        for (unsigned i = 0; i < d->state_count; i++) given[i] = d->equilibria[k].is_free[i];
+        for (int attempt = 0; attempt < POINTS_TRIED && d->equilibria[k].obstructs; attempt++) {
+            jlt_density_draw_state(f->x, d, random);
+            jlt_linearization_complete(f->x, given, d, params);
+            const jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
+            if (st == JLT_ERR_NOMEM) return st;
+            f->obstructed = st == JLT_OK && f->obstruction.obstructs;
+            if (f->obstructed) return JLT_OK;
+        }
+    }
+    return JLT_OK;
+}
+
+jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params, size_t count,
+                            jlt_random *random)
+{
+    const jlt_descriptor *special = jlt_descriptor_choose(general, NULL, NULL, params);
+    jlt_status st = JLT_ERR_UNSUPPORTED;
+
+    if (special == NULL || special->measure_count > JLT_MEASURE_CLAIMS_MAX) goto done;
+    JLT_TRY(jlt_instance_create(&finding->instance, special, params));
+    JLT_TRY(jlt_measure_try(&finding->attempt, finding->instance, count, random));
+    JLT_TRY(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
+    JLT_TRY(find_obstruction(finding, general, params, random));
+done:
+    return st;
+}
+
+void jlt_measure_forget(jlt_measure_finding *finding)
+{
+    jlt_measure_clear(&finding->attempt);
+    jlt_instance_destroy(finding->instance);
+    *finding = (jlt_measure_finding){ 0 };
+}

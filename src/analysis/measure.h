@@ -1,0 +1,47 @@
+/** What is found of an invariant measure: the density of one state alone, computed from the divergence, beside those that the
+ *  table claims; or an equilibrium that excludes one. */
+#ifndef JLT_ANALYSIS_MEASURE_H
+#define JLT_ANALYSIS_MEASURE_H
+
+#include "analysis/density.h"
+#include "analysis/linearization.h"
+
+#include <stdbool.h>
+
+enum { JLT_MEASURE_STATES_MAX = 64, JLT_MEASURE_CLAIMS_MAX = 64, JLT_MEASURE_SAMPLES = 1000 };
+
+/* The attempt at a density of one state alone. */
+typedef struct {
+    double defects[JLT_MEASURE_STATES_MAX]; /* of every state; NaN where it could not be measured */
+    size_t along;             /* the state with the least defect */
+    double defect;
+    bool found;               /* the defect is rounding */
+    bool singular;            /* found, but it has a pole or a zero where f_q vanishes: not smooth and positive */
+    jlt_density_point *points; /* shape (count,), owned; NULL when none was found or it cannot be tabulated */
+    size_t count;
+    double *closed;           /* shape (count,), owned: the closed form, normalized alike; NULL when there is none */
+    const char *closed_form;  /* a density of the table that depends on that state alone, or NULL */
+    double difference, difference_bound; /* relative; the bound is the quadrature's estimate and 1e-12 for rounding */
+} jlt_measure_attempt;
+
+JLT_CHECKED jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count,
+                                       jlt_random *random);
+void jlt_measure_clear(jlt_measure_attempt *attempt); /* legal when zeroed */
+
+typedef struct {
+    jlt_instance *instance;                  /* owned: the most special kernel that serves */
+    jlt_measure_attempt attempt;
+    double residual[JLT_MEASURE_CLAIMS_MAX]; /* of the densities claimed, over JLT_MEASURE_SAMPLES random states */
+    bool obstructed;                         /* there is an equilibrium whose trace is not zero: */
+    double x[JLT_LINEARIZATION_SIZE_MAX];
+    jlt_linearization obstruction;
+} jlt_measure_finding;
+
+/** All of it. In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed
+ *  before, is to be given to jlt_measure_forget whatever is returned. Errors: UNSUPPORTED (no kernel serves, or too many
+ *  densities); those of density.h; NOMEM. */
+JLT_CHECKED jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
+                                        size_t count, jlt_random *random);
+void jlt_measure_forget(jlt_measure_finding *finding);
+
+#endif

@@ -1,0 +1,128 @@
+#include "claims/verify.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { CERTIFICATES = 3, TRIES = 400, DIGITS = 40 };
+
+/* Legs of Pythagorean triangles, so that sqrt(1 - x^2) is rational; and plain small numbers. */
+static const char *const legs[] = { "3/5", "4/5", "5/13", "12/13", "8/17", "15/17", "7/25", "24/25", "20/29", "21/29" };
+static const char *const plain[] = { "1", "2", "1/2", "1/3", "2/3", "3/4", "3/2", "2/5", "5/3", "7/4" };
+
+static const char *pick(jlt_random *random, const char *const *from, size_t count)
+{
+    return from[jlt_random_below(random, count)];
+}
+
+static void set(jlt_verify_run *run, uint32_t symbol, const char *fraction, bool negative)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%s%s", negative ? "-" : "", fraction);
+    (void)ttc_ball_set_fraction(run->oracle->ball, symbol, text);
+}
+
+static void draw_point(jlt_verify_run *run, const ttc_claim *claim)
+{
+    const jlt_descriptor *d = run->descriptor;
+    const jlt_oracle *o = run->oracle;
+
+    for (unsigned i = 0; i < d->param_count; i++) {
+        const bool any = d->params[i].sign == JLT_ANY_SIGN || d->params[i].sign == JLT_NONZERO;
+        set(run, o->params[i], pick(&run->random, plain, sizeof plain / sizeof *plain),
+            any && jlt_random_below(&run->random, 2) == 0);
+    }
+    for (unsigned i = 0; i < d->state_count; i++) {
+        const bool limited = d->states[i].low > -1e300 && d->states[i].high < 1e300;
+        const bool negative = d->states[i].low < 0.0 && jlt_random_below(&run->random, 2) == 0;
+        if (limited) set(run, o->states[i], pick(&run->random, legs, sizeof legs / sizeof *legs), negative);
+        else set(run, o->states[i], pick(&run->random, plain, sizeof plain / sizeof *plain), negative);
+    }
+    for (size_t i = 0; i < claim->when.count; i++)
+        ttc_ball_bind(o->ball, claim->when.items[i].symbol, claim->when.items[i].expression);
+    for (size_t i = 0; i < claim->bindings.count; i++)
+        ttc_ball_bind(o->ball, claim->bindings.items[i].symbol, claim->bindings.items[i].expression);
+}
+
+/* Parameters that a condition sets must keep the table's signs. */
+static bool allowed(const jlt_verify_run *run)
+{
+    const jlt_descriptor *d = run->descriptor;
+
+    for (unsigned i = 0; i < d->param_count; i++) {
+        int sign = 0;
+        if (!ttc_ball_exact_sign(&sign, run->oracle->ball, run->oracle->model->symbols[run->oracle->params[i]].node))
+            return false;
+        if ((d->params[i].sign == JLT_POSITIVE && sign <= 0) || (d->params[i].sign == JLT_NONNEGATIVE && sign < 0) ||
+            (d->params[i].sign == JLT_NONZERO && sign == 0))
+            return false;
+    }
+    return true;
+}
+
+static bool field_is_zero(const jlt_verify_run *run)
+{
+    for (size_t i = 0; i < run->oracle->model->state_count; i++) {
+        int sign = 1;
+        if (!ttc_ball_exact_sign(&sign, run->oracle->ball, run->oracle->field[i]) || sign != 0) return false;
+    }
+    return true;
+}
+
+/* "NAME = value" of every parameter and state; NULL when memory is out or a value is irrational. */
+static char *describe(const jlt_verify_run *run)
+{
+    const jlt_oracle *o = run->oracle;
+    const size_t params = run->descriptor->param_count, count = params + run->descriptor->state_count;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    bool good = stream != NULL;
+
+    for (size_t i = 0; good && i < count; i++) {
+        const ttc_symbol_entry *entry = &o->model->symbols[i < params ? o->params[i] : o->states[i - params]];
+        char *value = ttc_ball_exact_text(o->ball, entry->node);
+        good = value != NULL;
+        if (good) fprintf(stream, "%s%s = %s", i == 0 ? "" : ", ", entry->name, value);
+        free(value);
+    }
+    if (stream != NULL && fclose(stream) != 0) good = false;
+    if (good) return text;
+    free(text);
+    return NULL;
+}
+
+static void certify(jlt_verify_run *run, const jlt_equilibria *family)
+{
+    const ttc_claim *claim = jlt_verify_claim(run, family);
+    const size_t first = run->certificate_count;
+
+    for (int attempt = 0; claim != NULL && attempt < TRIES && run->certificate_count < first + CERTIFICATES; attempt++) {
+        jlt_verify_certificate c = { .family = family };
+        int sign = 0;
+        draw_point(run, claim);
+        if (!allowed(run) || !field_is_zero(run)) continue;
+        /* The trace vanishes on a part of the family: a point there shows nothing. */
+        if (!ttc_ball_exact_sign(&sign, run->oracle->ball, run->oracle->trace) || sign == 0) continue;
+        c.exact = true;
+        c.point = describe(run);
+        c.trace = ttc_ball_exact_text(run->oracle->ball, run->oracle->trace);
+        c.enclosure = ttc_ball_text(run->oracle->ball, run->oracle->trace, DIGITS, &c.excludes_zero);
+        run->certificates[run->certificate_count++] = c;
+        *(c.point != NULL && c.enclosure != NULL && c.excludes_zero ? &run->held : &run->failed) += 1;
+    }
+    if (run->certificate_count == first) {
+        run->certificates[run->certificate_count++] = (jlt_verify_certificate){ .family = family };
+        run->failed++;
+    }
+}
+
+jlt_status jlt_verify_certify(jlt_verify_run *run)
+{
+    const jlt_descriptor *d = run->descriptor;
+
+    run->certificates = calloc(CERTIFICATES * d->equilibria_count + 1, sizeof *run->certificates);
+    if (run->certificates == NULL) return JLT_ERR_NOMEM;
+    for (unsigned i = 0; i < d->equilibria_count; i++)
+        if (d->equilibria[i].obstructs) certify(run, &d->equilibria[i]);
+    return JLT_OK;
+}

@@ -1,0 +1,83 @@
+#include "claims/verify.h"
+
+#include "core/memory.h"
+#include "kernel/descriptor.h"
+#include "kernel/kernel.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS = 41, SAMPLES = 200, DRAWS_OF_PARAMS = 3 };
+
+static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
+{
+    double residual[64];
+    jlt_instance *instance = NULL;
+    jlt_status st = jlt_instance_create(&instance, d->descriptor, d->params);
+
+    if (st != JLT_OK || d->descriptor->measure_count > 64) goto done;
+    JLT_TRY(jlt_measure_try(&d->attempt, instance, POINTS, &run->random));
+    JLT_TRY(jlt_density_residual(residual, instance, SAMPLES, &run->random));
+    for (unsigned i = 0; i < d->descriptor->measure_count; i++) d->residual = fmax(d->residual, residual[i]);
+done:
+    jlt_instance_destroy(instance);
+    return st;
+}
+
+/* What the table claims decides what must be found. */
+static bool holds(const jlt_verify_run *run, const jlt_verify_density *d)
+{
+    const jlt_measure_attempt *a = &d->attempt;
+    bool obstructed = false;
+
+    if (d->status != JLT_OK) return false;
+    for (unsigned i = 0; i < run->descriptor->equilibria_count; i++)
+        obstructed = obstructed || run->descriptor->equilibria[i].obstructs;
+    if (d->descriptor->measure_count > 0)
+        return d->residual <= JLT_DENSITY_TOLERANCE && (a->closed_form == NULL || a->difference <= a->difference_bound);
+    return !a->found || a->singular || !obstructed || d->descriptor->impose != NULL;
+}
+
+static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, unsigned kind)
+{
+    const jlt_descriptor *general = run->descriptor;
+    jlt_verify_density *d = &run->densities[run->density_count];
+    double *drawn = jlt_memory_array(general->param_count, sizeof *drawn);
+    double zero[256] = { 0 };
+    jlt_status st = JLT_ERR_NOMEM;
+
+    d->descriptor = descriptor;
+    d->params = jlt_memory_array(general->param_count, sizeof *d->params);
+    run->density_count++;
+    if (drawn == NULL || d->params == NULL) goto done;
+    jlt_verify_draw_params(drawn, general, &run->random, kind);
+    memcpy(d->params, drawn, general->param_count * sizeof *drawn);
+    if (descriptor->impose != NULL) descriptor->impose(zero, drawn, d->params);
+    st = JLT_OK;
+    d->status = attempt(run, d);
+    if (d->status == JLT_ERR_NOMEM) st = d->status;
+    *(holds(run, d) ? &run->held : &run->failed) += 1;
+done:
+    free(drawn);
+    return st;
+}
+
+jlt_status jlt_verify_densities(jlt_verify_run *run)
+{
+    const jlt_descriptor *const *family = run->descriptor->family;
+    size_t room = 0;
+    jlt_status st = JLT_OK;
+
+    while (family[room] != NULL) room++;
+    run->densities = calloc((room + 1) * DRAWS_OF_PARAMS, sizeof *run->densities);
+    if (run->densities == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < room; i++) {
+        const jlt_descriptor *d = family[i];
+        if (d->time[0] != '\0' || d->elimination[0] != '\0') continue;
+        if (d != run->descriptor && d->measure_count == 0) continue;
+        for (unsigned kind = 0; st == JLT_OK && kind < (d->measure_count > 0 ? DRAWS_OF_PARAMS : 1u); kind++)
+            st = add(run, d, kind == 0 ? 0 : 1);
+    }
+    return st;
+}

@@ -1,0 +1,276 @@
+#include "claims/sample.h"
+
+#include "analysis/charpoly.h"
+#include "kernel/descriptor.h"
+#include "kernel/instance.h"
+#include "kernel/kernel.h"
+
+#include <complex.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { SIZE = JLT_SAMPLE_STATES_MAX };
+
+static const double roundoff = DBL_EPSILON / 2;
+
+/* Factors by which arithmetic other than the expression as written may exceed its running error bound: the optimizer
+ * reassociates and shares, which costs a few operations more; complex arithmetic costs up to four times the operations. */
+static const double rearranged = 4.0, in_complex = 16.0;
+
+static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, const char *bound)
+{
+    for (size_t i = 0; i < f->check_count; i++)
+        if (f->checks[i].name == name) return &f->checks[i];
+    if (f->check_count == JLT_VERIFY_CHECKS_MAX) return &f->checks[JLT_VERIFY_CHECKS_MAX - 1];
+    f->checks[f->check_count] = (jlt_verify_check){ .name = name, .bound = bound };
+    return &f->checks[f->check_count++];
+}
+
+/* value: the number itself, zero where it is exactly zero or not known to all digits; size: see jlt_verify_check. */
+static void record(jlt_verify_check *check, double error, double value, double size, double bound)
+{
+    /* Results below the normal range were refused already; what is left of rounding there is one subnormal. */
+    const double ratio = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074), part = isnan(ratio) ? INFINITY : ratio;
+    const double ulp = size * roundoff + 0x1p-1074;
+
+    check->compared++;
+    if (value != 0.0 && size > fabs(value)) check->lost = fmax(check->lost, log10(size / fabs(value)));
+    if (part <= check->worst_part && check->bound_ulp > 0.0) return;
+    check->worst_part = part;
+    check->error_ulp = error / ulp;
+    check->bound_ulp = bound / ulp;
+}
+
+static const char running_error[] = "4 times the running error of the expression as written (53-bit balls), and a rounding";
+static const char pair_error[] = "8 times the running error of the expression as written (53-bit balls), 4 for each of the two";
+static const char complex_error[] = "16 times the running error of the expression as written (53-bit balls), values rounded once, and a rounding";
+static const char charpoly_error[] = "k(n+3) roundings of the coefficient without cancellation, and the formula's";
+static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
+static const char null_error[] = "running errors of gradient and matrix, and n+4 roundings, without cancellation";
+
+/* Running error of the expression, and one rounding of the result where all that is written is exact. */
+static double running(double rounding, const ttc_enclosure *exact)
+{
+    return rounding + roundoff * fabs(exact->value);
+}
+
+static void against_enclosures(jlt_verify_check *check, const double *computed, const ttc_enclosure *exact, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        record(check, jlt_oracle_error(computed[i], &exact[i]), exact[i].value,
+               running(exact[i].rounding, &exact[i]) / roundoff,
+               rearranged * running(exact[i].rounding, &exact[i]) + exact[i].radius);
+}
+
+static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
+{
+    static const char name[] = "generated Jacobian against the table's matrix";
+    const size_t n = d->state_count;
+    double formula[SIZE * SIZE];
+    jlt_status st;
+
+    if (f->family->matrix == NULL) return JLT_OK;
+    st = jlt_kernel_eval_function(formula, f->family->matrix, n * n, s->x, n, s->params, d->param_count);
+    if (st != JLT_OK) return st;
+    against_enclosures(check_named(f, "table's matrix in ball enclosures of 256 bits", running_error), formula, s->jacobian,
+                       n * n);
+    for (size_t i = 0; i < n * n; i++)
+        record(check_named(f, name, pair_error), fabs(formula[i] - jacobian[i]), s->jacobian[i].value,
+               running(s->jacobian[i].rounding, &s->jacobian[i]) / roundoff,
+               2 * rearranged * running(s->jacobian[i].rounding, &s->jacobian[i]));
+    return JLT_OK;
+}
+
+/* Columns by Im f(x + i h e_j) / h: no subtraction, so h may be as small as 2^-100 of x_j. */
+static void compare_complex_step(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
+{
+    jlt_verify_check *check = check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
+    const size_t n = d->state_count;
+    double complex x[SIZE], out[SIZE];
+
+    if (d->rhs_complex == NULL) return;
+    for (size_t j = 0; j < n; j++) {
+        const double step = s->x[j] == 0.0 ? 0x1p-100 : ldexp(fabs(s->x[j]), -100);
+        for (size_t i = 0; i < n; i++) x[i] = s->x[i] + (i == j ? step * I : 0.0);
+        d->rhs_complex(x, s->params, out);
+        for (size_t i = 0; i < n; i++) {
+            const ttc_enclosure *exact = &s->jacobian[i * n + j];
+            record(check, fabs(cimag(out[i]) / step - jacobian[i * n + j]), exact->value,
+                   running(exact->plain_rounding, exact) / roundoff, in_complex * running(exact->plain_rounding, exact));
+        }
+    }
+}
+
+static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian,
+                                   const jlt_deflation *eigen)
+{
+    const size_t n = d->state_count;
+    double computed[SIZE + 1], scale[SIZE + 1], formula[SIZE + 1], re[SIZE], im[SIZE], roots[SIZE + 1], sizes[SIZE + 1];
+    double errors = 0.0;
+    jlt_status st = jlt_charpoly_faddeev_leverrier(computed, scale, jacobian, s->majorant, n);
+
+    if (st != JLT_OK) return st;
+    if (f->family->charpoly != NULL) {
+        st = jlt_kernel_eval_function(formula, f->family->charpoly, n + 1, s->x, n, s->params, d->param_count);
+        if (st != JLT_OK) return st;
+        for (size_t k = 1; k <= n; k++)
+            record(check_named(f, "characteristic polynomial, Faddeev-LeVerrier against the table's", charpoly_error),
+                   fabs(computed[k] - formula[k] / formula[0]), formula[k] / formula[0], scale[k],
+                   rearranged * (double)(k * (n + 3)) * roundoff * scale[k]);
+    }
+    for (size_t i = 0; i < n; i++) {
+        re[i] = eigen->values[i].re;
+        im[i] = eigen->values[i].im;
+        errors += eigen->values[i].error;
+    }
+    st = jlt_charpoly_from_roots(roots, sizes, re, im, n);
+    if (st != JLT_OK) return st;
+    for (size_t k = 1; k <= n; k++)
+        record(check_named(f, "eigenvalues against the characteristic polynomial", root_error),
+               fabs(roots[k] - computed[k]), 0.0, scale[k] + sizes[k],
+               errors * sizes[k - 1] * (double)k + rearranged * (double)(k * (n + 3)) * roundoff * (scale[k] + sizes[k]));
+    return JLT_OK;
+}
+
+static jlt_status compare_left_null(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
+{
+    jlt_verify_check *check;
+    const size_t n = d->state_count, count = f->family->left_null_count;
+    double w[SIZE * SIZE];
+    jlt_status st;
+
+    if (count == 0 || f->family->left_null_gradients == NULL) return JLT_OK;
+    st = jlt_kernel_eval_function(w, f->family->left_null_gradients, count * n, s->x, n, s->params, d->param_count);
+    if (st != JLT_OK) return st;
+    against_enclosures(check_named(f, "integrals' gradients in ball enclosures of 256 bits", running_error), w, s->gradient,
+                       count * n);
+    check = check_named(f, "integrals' gradients as left null vectors", null_error);
+    for (size_t k = 0; k < count; k++)
+        for (size_t j = 0; j < n; j++) {
+            double sum = 0.0, terms = 0.0, size = 0.0, bound = 0.0;
+            for (size_t i = 0; i < n; i++) {
+                const ttc_enclosure *gradient = &s->gradient[k * n + i], *entry = &s->jacobian[i * n + j];
+                const double weight = fmax(fabs(gradient->value), gradient->rounding / roundoff);
+                sum += w[k * n + i] * jacobian[i * n + j];
+                terms += fabs(w[k * n + i] * jacobian[i * n + j]);
+                size += weight * s->majorant[i * n + j];
+                bound += rearranged * (gradient->rounding * s->majorant[i * n + j] + weight * entry->rounding);
+            }
+            record(check, fabs(sum), 0.0, size, bound + (double)(n + 4) * roundoff * terms);
+        }
+    return JLT_OK;
+}
+
+static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, const jlt_sample *s, jlt_oracle *oracle,
+                                const jlt_instance *special, const double *jacobian)
+{
+    const jlt_descriptor *d = special->descriptor;
+    const size_t n = d->state_count;
+    double gradients[SIZE * SIZE], errors[SIZE * SIZE], gradient_errors[SIZE * SIZE];
+    size_t count = 0;
+    jlt_status st;
+
+    if (d->integral_gradients.call != NULL && d->integral_count <= SIZE) {
+        count = d->integral_count;
+        st = jlt_instance_gradients(special, gradients, s->x);
+        if (st == JLT_OK) st = jlt_oracle_gradient_errors(oracle, gradient_errors, gradients, d->integrals, count);
+        if (st != JLT_OK) return st;
+    }
+    for (size_t i = 0; i < n * n; i++) errors[i] = jlt_oracle_error(jacobian[i], &s->jacobian[i]);
+    st = jlt_deflation_compute(eigen, jacobian, errors, n, gradients, gradient_errors, count);
+    if (st != JLT_OK) return st;
+    f->gsl_worst = fmax(f->gsl_worst, eigen->plain_difference);
+    if (!isnan(eigen->arpack_difference)) {
+        f->arpack_worst = fmax(f->arpack_worst, eigen->arpack_difference);
+        f->arpack_used++;
+    }
+    return JLT_OK;
+}
+
+/* Everything for the kernels of one descriptor at one sample. */
+static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle *oracle, const jlt_descriptor *kernels,
+                          const jlt_descriptor *general)
+{
+    const size_t n = general->state_count;
+    double field[SIZE], jacobian[SIZE * SIZE], both[SIZE + SIZE * SIZE], divergence, trace;
+    jlt_instance *instance = NULL;
+    jlt_deflation *eigen = malloc(sizeof *eigen);
+    jlt_status st = eigen == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    if (st == JLT_OK) st = jlt_instance_create(&instance, kernels, s->params);
+    if (st != JLT_OK) goto done;
+    JLT_TRY(jlt_instance_rhs(instance, field, s->x));
+    JLT_TRY(jlt_instance_jacobian(instance, jacobian, s->x));
+    JLT_TRY(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->block));
+    JLT_TRY(jlt_instance_divergence(instance, &divergence, s->x));
+    for (size_t i = 0; i < n; i++)
+        record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]), 0.0,
+               s->field[i].rounding / roundoff, rearranged * s->field[i].rounding);
+    against_enclosures(check_named(f, "generated Jacobian in ball enclosures of 256 bits", running_error), jacobian,
+                       s->jacobian, n * n);
+    against_enclosures(check_named(f, "fused field and Jacobian in ball enclosures of 256 bits", running_error), both + n,
+                       s->jacobian, n * n);
+    against_enclosures(check_named(f, "generated divergence in ball enclosures of 256 bits", running_error), &divergence,
+                       &s->trace, 1);
+    if (f->family->trace != NULL) {
+        JLT_TRY(jlt_kernel_eval_function(&trace, f->family->trace, 1, s->x, n, s->params, general->param_count));
+        against_enclosures(check_named(f, "table's trace in ball enclosures of 256 bits", running_error), &trace, &s->trace,
+                           1);
+        record(check_named(f, "generated divergence against the table's trace", pair_error), fabs(divergence - trace),
+               s->trace.value, running(s->trace.rounding, &s->trace) / roundoff, 2 * rearranged * running(s->trace.rounding, &s->trace));
+    }
+    JLT_TRY(compare_matrix(f, s, general, jacobian));
+    compare_complex_step(f, s, general, jacobian);
+    JLT_TRY(compare_left_null(f, s, general, jacobian));
+    JLT_TRY(compare_eigen(f, eigen, s, oracle, instance, jacobian));
+    JLT_TRY(compare_charpoly(f, s, general, jacobian, eigen));
+done:
+    jlt_instance_destroy(instance);
+    free(eigen);
+    return st;
+}
+
+static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
+{
+    const jlt_descriptor *general = run->descriptor;
+    jlt_sample_subject subject = { 0 };
+    jlt_sample *s = malloc(sizeof *s);
+    jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    if (st == JLT_OK) st = jlt_sample_subject_init(&subject, run, f->family);
+    for (size_t k = 0; st == JLT_OK && k < run->samples && !*run->interrupt; k++) {
+        const jlt_descriptor *special;
+        jlt_status refused;
+        if (!jlt_sample_draw(s, run, &subject, k)) break;
+        f->samples++;
+        refused = jlt_sample_enclose(s, run, &subject);
+        if (refused == JLT_OK) refused = compare(f, s, run->oracle, general, general);
+        special = jlt_descriptor_choose(general, NULL, NULL, s->params);
+        if (refused == JLT_OK && special != NULL && special != general) refused = compare(f, s, run->oracle, special, general);
+        if (refused == JLT_ERR_NOMEM) st = refused;
+        if (refused != JLT_OK) f->refused++;
+    }
+    for (size_t i = 0; i < f->check_count; i++) *(f->checks[i].worst_part <= 1.0 ? &run->held : &run->failed) += 1;
+    /* Nothing compared is nothing verified. */
+    if (f->samples == f->refused) run->failed++;
+    jlt_sample_subject_clear(&subject);
+    free(s);
+    return st;
+}
+
+jlt_status jlt_verify_families(jlt_verify_run *run)
+{
+    const jlt_descriptor *d = run->descriptor;
+    jlt_status st = JLT_OK;
+
+    if (d->equilibria_count > 0 && (d->state_count > SIZE || d->param_count > JLT_SAMPLE_PARAMS_MAX))
+        return JLT_ERR_UNSUPPORTED;
+    run->families = calloc(d->equilibria_count + 1, sizeof *run->families);
+    if (run->families == NULL) return JLT_ERR_NOMEM;
+    for (; st == JLT_OK && run->family_count < d->equilibria_count; run->family_count++) {
+        run->families[run->family_count].family = &d->equilibria[run->family_count];
+        st = verify_family(run, &run->families[run->family_count]);
+    }
+    return st;
+}

@@ -1,0 +1,137 @@
+#include "claims/sample.h"
+
+#include "analysis/density.h"
+#include "kernel/descriptor.h"
+#include "kernel/kernel.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { REDRAWS = 1000 };
+
+const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibria *family)
+{
+    const ttc_model *model = run->oracle->model;
+
+    for (size_t i = 0; i < model->claim_count; i++)
+        if (model->claims[i].kind == TTC_CLAIM_EQUILIBRIA && strcmp(model->claims[i].name, family->name) == 0)
+            return &model->claims[i];
+    return NULL;
+}
+
+void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
+{
+    ttc_ball *ball = run->oracle->ball;
+
+    jlt_oracle_set_params(run->oracle, params, NULL);
+    jlt_oracle_set_states(run->oracle, x, NULL);
+    for (size_t i = 0; i < claim->when.count; i++)
+        ttc_ball_bind(ball, claim->when.items[i].symbol, claim->when.items[i].expression);
+    for (size_t i = 0; i < claim->bindings.count; i++)
+        ttc_ball_bind(ball, claim->bindings.items[i].symbol, claim->bindings.items[i].expression);
+}
+
+void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jlt_random *random, unsigned kind)
+{
+    for (unsigned i = 0; i < descriptor->param_count; i++) {
+        const jlt_quantity *q = &descriptor->params[i];
+        const double magnitude = kind == 2 ? jlt_random_magnitude(random, -8, 8) : jlt_random_magnitude(random, -1, 1);
+        const uint64_t die = jlt_random_below(random, 16);
+        if (kind == 0 && !isnan(q->value)) params[i] = q->value;
+        else if (q->sign == JLT_POSITIVE) params[i] = magnitude;
+        else if (q->sign == JLT_NONNEGATIVE) params[i] = die == 0 ? 0.0 : magnitude;
+        else if (q->sign == JLT_NONZERO || die != 0) params[i] = die < 8 ? -magnitude : magnitude;
+        else params[i] = 0.0;
+    }
+    /* Some coincidences that matter: two parameters equal, or one ulp apart. */
+    if (kind != 0 && descriptor->param_count > 1 && jlt_random_below(random, 8) == 0) {
+        const size_t from = (size_t)jlt_random_below(random, descriptor->param_count);
+        const size_t to = (size_t)jlt_random_below(random, descriptor->param_count);
+        const double value = jlt_random_below(random, 2) == 0 ? params[from] : nextafter(params[from], 2 * params[from]);
+        if (value != 0.0 && (value > 0.0 || descriptor->params[to].sign == JLT_ANY_SIGN ||
+                             descriptor->params[to].sign == JLT_NONZERO))
+            params[to] = value;
+    }
+}
+
+/* States: moderate, extreme in size, within 1e-12 of an end of their interval, or some of them zero. */
+static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, unsigned kind)
+{
+    jlt_density_draw_state(x, d, random);
+    for (unsigned i = 0; i < d->state_count; i++) {
+        const jlt_quantity *q = &d->states[i];
+        const bool limited = isfinite(q->low) && isfinite(q->high);
+        if (kind == 2 && !limited) x[i] = copysign(jlt_random_magnitude(random, -8, 8), x[i]);
+        if (kind == 3 && limited) {
+            const double end = jlt_random_below(random, 2) == 0 ? q->low : q->high;
+            x[i] = end - copysign(jlt_random_magnitude(random, -12, -2), end - (q->low / 2 + q->high / 2));
+        }
+        if (kind != 0 && !limited && jlt_random_below(random, 12) == 0) x[i] = 0.0;
+    }
+}
+
+bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number)
+{
+    const jlt_descriptor *d = run->descriptor;
+    const unsigned kind = (unsigned)(number % 4);
+
+    for (int attempt = 0; attempt < REDRAWS; attempt++) {
+        double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX];
+        size_t index;
+        jlt_verify_draw_params(params, d, &run->random, kind);
+        draw_states(x, d, &run->random, kind);
+        if (jlt_descriptor_check_state(d, x, &index) != JLT_OK) continue;
+        if (jlt_kernel_eval_function(sample->params, subject->family->impose, d->param_count, x, d->state_count, params,
+                                     d->param_count) != JLT_OK ||
+            jlt_kernel_eval_function(sample->x, subject->family->point, d->state_count, x, d->state_count, sample->params,
+                                     d->param_count) != JLT_OK)
+            continue;
+        if (jlt_descriptor_check_params(d, sample->params, &index) == JLT_OK &&
+            jlt_descriptor_check_state(d, sample->x, &index) == JLT_OK)
+            return true;
+    }
+    return false;
+}
+
+jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject)
+{
+    const size_t n = run->descriptor->state_count;
+    jlt_oracle *o = run->oracle;
+    jlt_status st;
+
+    jlt_verify_place(run, subject->claim, sample->params, sample->x);
+    JLT_TRY(jlt_oracle_enclose(o, sample->jacobian, o->jacobian, n * n));
+    JLT_TRY(jlt_oracle_enclose(o, &sample->trace, &o->trace, 1));
+    JLT_TRY(jlt_oracle_enclose(o, sample->gradient, subject->gradients, subject->family->left_null_count * n));
+    JLT_TRY(jlt_oracle_enclose(o, sample->field, o->field, n));
+    for (size_t i = 0; i < n * n; i++)
+        sample->majorant[i] = fmax(fabs(sample->jacobian[i].value), sample->jacobian[i].rounding / (DBL_EPSILON / 2));
+done:
+    return st;
+}
+
+jlt_status jlt_sample_subject_init(jlt_sample_subject *subject, const jlt_verify_run *run, const jlt_equilibria *family)
+{
+    const ttc_model *model = run->oracle->model;
+    const size_t n = model->state_count;
+
+    *subject = (jlt_sample_subject){ family, jlt_verify_claim(run, family), NULL };
+    if (subject->claim == NULL) return JLT_ERR_UNSUPPORTED;
+    subject->gradients = calloc(family->left_null_count * n + 1, sizeof *subject->gradients);
+    if (subject->gradients == NULL) return JLT_ERR_NOMEM;
+    for (size_t k = 0; k < family->left_null_count; k++) {
+        uint32_t claim = 0;
+        if (!ttc_model_find_claim(model, family->left_null[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
+        for (size_t j = 0; j < n; j++)
+            subject->gradients[k * n + j] = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+    }
+    return JLT_OK;
+}
+
+void jlt_sample_subject_clear(jlt_sample_subject *subject)
+{
+    free(subject->gradients);
+    *subject = (jlt_sample_subject){ 0 };
+}

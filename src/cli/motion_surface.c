@@ -1,0 +1,168 @@
+/* Sections that tables describe: the system of a command line, what it is refused for, and what headers and pictures say of it. */
+#include "cli/motion.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/digits.h"
+#include "kernel/descriptor.h"
+
+/* The names from `first` on, which parameters and levels have; and: what stands before the last of them. */
+static void list_names(char *text, size_t size, const jlt_surface *surface, unsigned first, unsigned end, const char *and)
+{
+    size_t used = 0;
+
+    *text = '\0';
+    for (unsigned i = first; i < end && used < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", i == first ? "" : i + 1 == end ? and : ", ", surface->names[i]);
+}
+
+static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, const char *what)
+{
+    const jlt_section_chart *section = surface->section;
+    char text[512];
+    double level;
+    int used = snprintf(text, sizeof text, "no state with %s = %.10g has", surface->table->states[section->column].name, section->level);
+
+    for (unsigned i = surface->params; i < surface->count && used < (int)sizeof text; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s %s = %.10g", i == surface->params ? "" : i + 1 == surface->count ? " and" : ",",
+                         surface->names[i], values[i]);
+    if (!jlt_surface_nearest_level(surface, values, &level)) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s", what, text);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: %s %s %s %.10g, or take others", what, text, level > values[surface->params] ? "raise" : "lower",
+                            surface->names[surface->params], level > values[surface->params] ? "above" : "below", level);
+}
+
+jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what)
+{
+    static const char *const conditions[] = { "", " > 0", " >= 0", " != 0" };
+    char where[256] = "";
+
+    if (what != NULL) snprintf(where, sizeof where, "%s: ", what);
+    if (status == JLT_ERR_EMPTY) return refuse_empty(surface, values, where);
+    for (unsigned i = 0; status == JLT_ERR_DOMAIN && i < surface->params; i++) {
+        const jlt_quantity *q = &surface->table->params[surface->entries[i]];
+        const double v = values[i];
+        const bool fits = q->sign == JLT_ANY_SIGN || v > 0 || (q->sign == JLT_NONNEGATIVE && v == 0) || (q->sign == JLT_NONZERO && v != 0);
+        if (!fits) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model, q->name, conditions[q->sign]);
+    }
+    if (status == JLT_ERR_ARG)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, crossed in the other --direction alone", where,
+                                surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
+    if (status == JLT_ERR_DOMAIN)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe parameters are so far apart that products of them leave the range of doubles", where);
+    return jlt_command_fail(jlt_command_exit(status), "%sthe section %s of %s: %s", where, surface->section->name, surface->table->model,
+                            jlt_status_text(status));
+}
+
+jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
+{
+    const jlt_section_chart *section = system->surface->section;
+    char text[512];
+    size_t used = 0;
+
+    for (unsigned k = 0; k < section->coordinate_count && used < sizeof text; k++) {
+        const jlt_quantity *q = &section->coordinates[k];
+        if (!section->is_angle[k] && isfinite(q->low) && isfinite(q->high))
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name, q->low, q->high);
+    }
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: %sthe orbit return before it ends at a pole or at rest", what, used > 0 ? text : "");
+}
+
+/* A section is one of motion while what its levels fix are integrals, and its table stands for the asked one. */
+static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
+{
+    const jlt_descriptor *table = surface->table;
+    bool told = false;
+    char levels[256];
+
+    for (unsigned i = surface->params; i < surface->count; i++) {
+        const jlt_claim *claim = jlt_descriptor_claim(asked, "integral", surface->names[i]);
+        if (claim == NULL || claim->verdict == JLT_PROVED) continue;
+        jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
+        told = true;
+    }
+    if (!told) jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
+    list_names(levels, sizeof levels, surface, surface->params, surface->count, " and ");
+    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section on levels of %s, then: ask for one of the table itself, --section %s=%.10g, "
+                            "with all other states as coordinates", levels, table->states[surface->section->column].name, surface->section->level);
+}
+
+/* What is typed, over the defaults. */
+static jlt_exit read_values(double *values, const jlt_motion_options *options, const jlt_surface *surface)
+{
+    const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
+    char text[512];
+
+    memcpy(values, surface->defaults, surface->count * sizeof *values);
+    for (unsigned k = 0; k < 2; k++)
+        for (size_t i = 0; i < lists[k]->count; i++) {
+            const jlt_assignment *item = &lists[k]->items[i];
+            const unsigned index = jlt_surface_value(surface, item->name);
+            if (index == surface->count || (index >= surface->params) != (k == 1)) {
+                list_names(text, sizeof text, surface, k == 0 ? 0 : surface->params, k == 0 ? surface->params : surface->count, ", ");
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
+                                        k == 0 ? "parameter" : "level", item->name, text);
+            }
+            values[index] = item->value;
+        }
+    for (unsigned i = 0; i < surface->count; i++)
+        if (isnan(values[i]))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s has no default: add --%s %s=VALUE", surface->names[i],
+                                    i < surface->params ? "set" : "level", surface->names[i]);
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface)
+{
+    double values[JLT_CHART_VALUES_MAX];
+    char text[512];
+    jlt_exit code;
+
+    if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL) {
+        list_names(text, sizeof text, surface, surface->params, surface->count, " and ");
+        return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section STATE=VALUE: the table says all there is to know of levels of %s",
+                                options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo", text);
+    }
+    code = read_values(values, options, surface);
+    if (code != JLT_EXIT_DONE) return code;
+    const jlt_status st = jlt_surface_system(system, surface, values, &options->flow);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(surface, values, st, st == JLT_ERR_DOMAIN ? "--set" : NULL);
+}
+
+jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_options *options, const jlt_descriptor *asked)
+{
+    const bool is_plane = options->section != NULL && strchr(options->section, '=') != NULL;
+    const jlt_claim *broken = NULL;
+
+    *has = !is_plane && jlt_surface_find(surface, &broken, asked, options->section) == JLT_OK;
+    if (!is_plane && !*has && options->section != NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
+                                options->section, asked->model);
+    return *has && broken != NULL ? refuse_broken(surface, broken, asked) : JLT_EXIT_DONE;
+}
+
+static const char *start_name(jlt_surface_start purpose)
+{
+    static const char *const names[JLT_STARTS] = { "regular", "chaotic", "saddle" };
+    return names[purpose];
+}
+
+jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
+                                  const char *wanted)
+{
+    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
+    size_t used = 0;
+
+    for (unsigned i = 0; *start == NULL && section != NULL && i < section->start_count; i++) {
+        if (strcmp(section->starts[i].name, start_name(purpose)) != 0) continue;
+        for (unsigned k = 0; k < section->coordinate_count && used < sizeof options->start; k++) {
+            char digits[JLT_DIGITS_SIZE];
+            jlt_digits_shortest(digits, section->starts[i].point[k]);
+            used += (size_t)snprintf(options->start + used, sizeof options->start - used, "%s%s=%s", k == 0 ? "" : ",",
+                                     section->coordinates[k].name, digits);
+        }
+        *start = options->start;
+    }
+    if (*start != NULL) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_USAGE, "%s, with all coordinates of the section", wanted);
+}

@@ -1,0 +1,76 @@
+#include "cli/program.h"
+
+#include "base/exhaustion.h"
+#include "cli/interrupt.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* What standard output still holds must arrive, also after --help of a command, which ends the program by itself. */
+static void close_output(void)
+{
+    const bool failed = ferror(stdout) != 0;
+
+    if (fclose(stdout) != 0 || failed) {
+        fprintf(stderr, "jellett: cannot write to standard output: %s\n", strerror(errno));
+        _exit(JLT_EXIT_IO);
+    }
+}
+
+/* A descriptor that was closed must not be given to a file that is opened later: what is written to it fails, as before. */
+static bool open_standard(void)
+{
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
+        if (fcntl(descriptor, F_GETFD) < 0
+            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
+    return true;
+}
+
+static void end_without_memory(void)
+{
+    static const char text[] = "jellett: out of memory\n";
+    ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
+
+    (void)written; /* there is nowhere else to say it */
+    jlt_interrupt_abandon();
+    _exit(JLT_EXIT_NUMERICAL);
+}
+
+jlt_exit jlt_program_begin(void)
+{
+    if (!open_standard()) return JLT_EXIT_IO;
+    jlt_interrupt_begin();
+    ttc_exhaustion_handle(end_without_memory);
+    argp_err_exit_status = JLT_EXIT_USAGE;
+    return atexit(close_output) == 0 ? JLT_EXIT_DONE : JLT_EXIT_NUMERICAL;
+}
+
+jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv)
+{
+    char name[64], *first = argv[0];
+    jlt_exit code;
+
+    /* argp takes the name of the program from here. */
+    snprintf(name, sizeof name, "jellett %s", command->name);
+    argv[0] = name;
+    code = command->run(argc, argv);
+    argv[0] = first;
+    jlt_interrupt_obey();
+    return code == JLT_EXIT_PLANNED ? JLT_EXIT_DONE : code;
+}
+
+bool jlt_program_beside(char *path, size_t size, const char *name)
+{
+    const ssize_t length = readlink("/proc/self/exe", path, size - 1);
+
+    if (length <= 0) return false;
+    path[length] = '\0';
+    char *const file = strrchr(path, '/') + 1;
+    if ((size_t)(file - path) + strlen(name) >= size) return false;
+    strcpy(file, name);
+    return true;
+}

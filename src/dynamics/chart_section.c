@@ -1,0 +1,237 @@
+#include "dynamics/chart_section.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "dynamics/linear.h"
+
+enum { Q = JLT_CHART_COORDINATES_MAX };
+
+static const double pi = 3.14159265358979323846;
+
+static const jlt_chart_section *of(const jlt_chart *base) { return (const jlt_chart_section *)(const void *)base; }
+
+static bool within(const jlt_chart_section *self, const double *q)
+{
+    for (unsigned k = 0; k < self->base.dim; k++) {
+        const jlt_quantity *coordinate = &self->section->coordinates[k];
+        if (self->base.period[k] == 0 && !(q[k] > coordinate->low && q[k] < coordinate->high)) return false;
+    }
+    return true;
+}
+
+static bool in_region(const jlt_chart_section *self, const double *q)
+{
+    double region[JLT_CHART_STATES_MAX];
+
+    if (self->section->region_count == 0) return true;
+    self->section->region(q, self->values, region);
+    for (unsigned i = 0; i < self->section->region_count; i++)
+        if (!(region[i] > 0)) return false;
+    return true;
+}
+
+bool jlt_chart_section_holds(const jlt_chart_section *self, const double *q)
+{
+    return within(self, q) && in_region(self, q);
+}
+
+/* The nearest numbers to multiples of pi/2 mean these themselves: a velocity of rounding size would decide how an orbit goes on that
+ * runs through a pole. */
+static void clear_rounding(const jlt_chart_section *self, double *x, const double *q, const double *slopes)
+{
+    const unsigned width = self->base.dim + self->section->level_count;
+
+    for (unsigned k = 0; k < self->base.dim; k++) {
+        const double last_digit = DBL_EPSILON * fmax(1, fabs(q[k]) / 2);
+        for (unsigned i = 0; self->section->is_angle[k] && i < self->base.states; i++)
+            if (fabs(x[i]) < last_digit * fabs(slopes[i * width + k])) x[i] = 0;
+    }
+}
+
+static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const double *q)
+{
+    const jlt_chart_section *self = of(base);
+    const unsigned d = base->dim, width = d + self->section->level_count;
+    double slopes[JLT_CHART_SLOPES_MAX];
+
+    for (unsigned k = 0; k < d; k++)
+        if (!isfinite(q[k])) return JLT_ERR_NONFINITE;
+    if (!within(self, q)) return JLT_ERR_DOMAIN;
+    if (!in_region(self, q)) return JLT_ERR_EMPTY;
+    self->section->lift(q, self->values, x);
+    self->section->lift_slopes(q, self->values, slopes);
+    clear_rounding(self, x, q, slopes);
+    x[base->column] = base->level;
+    for (unsigned i = 0; tangent != NULL && i < base->states; i++) memcpy(tangent + i * d, slopes + i * width, d * sizeof *tangent);
+    return JLT_OK;
+}
+
+/* Near an end a coordinate may pass its bound by a rounding error. */
+static double bounded(const jlt_quantity *of, double value)
+{
+    return isnan(value) ? value : fmax(of->low, fmin(of->high, value));
+}
+
+static void lower(const jlt_chart *base, double *q, double *slope, const double *x)
+{
+    const jlt_chart_section *self = of(base);
+    const unsigned n = base->states;
+    double back[2 * Q], slopes[2 * JLT_CHART_SLOPES_MAX];
+
+    self->section->back(x, self->values, back);
+    if (slope != NULL) self->section->back_slopes(x, self->values, slopes);
+    for (unsigned k = 0; k < base->dim; k++) {
+        const double a = back[2 * k], b = back[2 * k + 1], *da = slopes + 2 * k * n, *db = da + n;
+        const bool is_angle = self->section->is_angle[k] != 0;
+        q[k] = is_angle ? atan2(a, b) : bounded(&self->section->coordinates[k], a);
+        for (unsigned i = 0; slope != NULL && i < n; i++) slope[k * n + i] = is_angle ? (b * da[i] - a * db[i]) / (a * a + b * b) : da[i];
+    }
+    jlt_chart_wrap(base, q);
+}
+
+static double flux(const jlt_chart *base, const double *x, const double *f)
+{
+    const jlt_chart_section *self = of(base);
+    const unsigned width = base->dim + self->section->level_count;
+    double q[Q], slopes[JLT_CHART_SLOPES_MAX], matrix[JLT_CHART_SLOPES_MAX], roots = 1;
+
+    lower(base, q, NULL, x);
+    self->section->lift_slopes(q, self->values, slopes);
+    for (unsigned i = 0, row = 0; i < self->plain; i++)
+        if (i != base->column) memcpy(matrix + row++ * width, slopes + i * width, width * sizeof *matrix);
+    for (unsigned i = self->plain; i < base->states; i++) roots *= x[i];
+    return f[base->column] * fabs(jlt_linear_determinant(matrix, width)) / roots;
+}
+
+/* The end of a state's interval that is nearest, and roots that vanish there. */
+static int side(const jlt_chart *base, double *x)
+{
+    const jlt_chart_section *self = of(base);
+    const jlt_quantity *states = self->table->states;
+    double nearest = INFINITY;
+    int sign = 0;
+    unsigned at = 0;
+
+    for (unsigned i = 0; i < self->table->pole_count; i++) {
+        const unsigned state = self->table->poles[i].state;
+        const double below = fabs(x[state] - states[state].low), above = fabs(x[state] - states[state].high);
+        if (!(fmin(below, above) < nearest)) continue;
+        nearest = fmin(below, above);
+        at = state;
+        sign = above < below ? 1 : -1;
+    }
+    x[at] = sign > 0 ? states[at].high : states[at].low;
+    for (unsigned i = self->plain; i < base->states; i++) x[i] = 0;
+    return sign;
+}
+
+/* ---- points of the section ---- */
+
+unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles)
+{
+    unsigned others = 0, places = 4096;
+
+    if (self->base.period[coordinate] != 0) return angles;
+    for (unsigned k = 0; k < self->base.dim; k++) others += self->base.period[k] == 0;
+    while (places > 2 && pow(places, others) > 4096.5) places /= 2;
+    return places;
+}
+
+size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles)
+{
+    size_t all = 1;
+
+    for (unsigned k = 0; k < self->base.dim; k++) all *= jlt_chart_section_places(self, k, angles);
+    return all;
+}
+
+void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles)
+{
+    for (unsigned k = 0; k < self->base.dim; k++) {
+        const jlt_quantity *coordinate = &self->section->coordinates[k];
+        const double period = self->base.period[k];
+        const double low = period != 0 ? -period / 2 : fmax(coordinate->low, -INFINITY);
+        const unsigned places = jlt_chart_section_places(self, k, angles);
+        const double from = isfinite(low) ? low : isfinite(coordinate->high) ? coordinate->high - 2 : -1;
+        const double to = period != 0 ? period / 2 : isfinite(coordinate->high) ? coordinate->high : from + 2;
+        q[k] = from + (to - from) * ((double)(index % places) + 0.5) / places;
+        index /= places;
+    }
+}
+
+/* ---- what a reversor does ---- */
+
+enum { POINTS = 5 };
+
+/* Signs that it gives the coordinates, where it does that at points of the section. */
+static bool changes_signs(jlt_chart_section *self, const signed char *signs)
+{
+    static const double same = 1e-9; /* of a coordinate, or its period */
+    const unsigned angles = 8;
+    const size_t all = jlt_chart_section_points(self, angles);
+    unsigned seen = 0;
+
+    for (unsigned k = 0; k < self->base.dim; k++) self->base.mirror[k] = 0;
+    for (size_t i = 0; i < all && seen < POINTS; i++) {
+        double q[Q], opposite[Q], p[Q], same_way[Q], other_way[Q], x[JLT_CHART_STATES_MAX];
+        jlt_chart_section_point(self, q, (i * 2654435761u) % all, angles);
+        if (lift(&self->base, x, NULL, q) != JLT_OK) continue;
+        for (unsigned k = 0; k < self->plain; k++) x[k] *= signs[k];
+        lower(&self->base, p, NULL, x);
+        for (unsigned k = 0; k < self->base.dim; k++) opposite[k] = -q[k];
+        jlt_chart_difference(&self->base, same_way, p, q);
+        jlt_chart_difference(&self->base, other_way, p, opposite);
+        for (unsigned k = 0; k < self->base.dim; k++) {
+            const double size = same * fmax(fabs(q[k]), self->base.period[k]);
+            const bool same_sign = fabs(same_way[k]) <= size, other_sign = fabs(other_way[k]) <= size;
+            const int sign = same_sign ? 1 : -1;
+            if (same_sign && other_sign) continue; /* it tells nothing, as at 0 */
+            if (!(same_sign || other_sign) || self->base.mirror[k] == -sign) return false;
+            self->base.mirror[k] = sign;
+        }
+        seen++;
+    }
+    return seen == POINTS;
+}
+
+static void find_reversor(jlt_chart_section *self)
+{
+    const jlt_descriptor *general = self->table->family[0];
+
+    for (unsigned i = 0; i < general->reversor_count && !self->base.reversible; i++) {
+        const jlt_reversor *reversor = &general->reversors[i];
+        const bool keeps = self->base.level == 0 && reversor->signs[self->base.column] < 0;
+        if (keeps && general->claims[reversor->claim].verdict == JLT_PROVED) self->base.reversible = changes_signs(self, reversor->signs);
+    }
+}
+
+jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *table, const jlt_section_chart *section,
+                                  const double *values)
+{
+    const unsigned count = table->param_count + section->level_count, width = section->coordinate_count + section->level_count;
+    const unsigned plain = table->family[0]->state_count;
+
+    if (count > JLT_CHART_VALUES_MAX || section->coordinate_count > Q || table->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_UNSUPPORTED;
+    if (table->state_count * width > JLT_CHART_SLOPES_MAX || table->state_count * section->coordinate_count > JLT_CHART_SLOPES_MAX)
+        return JLT_ERR_UNSUPPORTED;
+    if (width + 1 != plain || section->region_count > JLT_CHART_STATES_MAX) return JLT_ERR_UNSUPPORTED;
+    *out = (jlt_chart_section){ .table = table, .section = section, .plain = plain };
+    memcpy(out->values, values, count * sizeof *values);
+    out->base.dim = section->coordinate_count;
+    out->base.states = table->state_count;
+    out->base.column = section->column;
+    out->base.level = section->level;
+    for (unsigned k = 0; k < out->base.dim; k++) {
+        out->base.names[k] = section->coordinates[k].name;
+        out->base.period[k] = section->is_angle[k] ? 2 * pi : section->coordinates[k].period;
+    }
+    if (out->base.dim == 1) out->base.names[1] = "";
+    out->base.lift = lift;
+    out->base.lower = lower;
+    out->base.flux = flux;
+    out->base.side = table->pole_count > 0 ? side : NULL;
+    find_reversor(out);
+    return JLT_OK;
+}

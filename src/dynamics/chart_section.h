@@ -1,0 +1,39 @@
+/** The chart of a section that tables describe: coordinates, lift, way back and levels are those of the records `section` and `lift`,
+ *  whose kernels do the work (kernel_abi.h, jlt_section_chart).
+ *
+ *  The flux of volume follows from the lift. On the section volume is dx_column times the other states' volume, which is
+ *  |det d(other states)/d(coordinates, levels)| dq dlevels; a root s that is a state of its own contributes 1/s, as the lifted field
+ *  keeps s^2 - radicand everywhere, and the volume of the larger space carries 1/(2s) on s^2 = radicand. */
+#ifndef JLT_DYNAMICS_CHART_SECTION_H
+#define JLT_DYNAMICS_CHART_SECTION_H
+
+#include "dynamics/chart.h"
+
+enum { JLT_CHART_VALUES_MAX = 64, JLT_CHART_COORDINATES_MAX = 16, JLT_CHART_SLOPES_MAX = 1024 };
+
+typedef struct {
+    jlt_chart base;
+    const jlt_descriptor *table; /* the section's field */
+    const jlt_section_chart *section;
+    unsigned plain;              /* states without lifted roots, which stand after them */
+    double values[JLT_CHART_VALUES_MAX]; /* parameters of the table, then levels */
+} jlt_chart_section;
+
+/** section: one of the table's, a general field with all its states. values: shape (param_count + level_count,), copied.
+ *  It is reversible where a reversor that the table proves keeps the section and changes signs of coordinates alone: so found at
+ *  points where there are states.
+ *  Errors: UNSUPPORTED, more values, coordinates or states than there is room for, or not as many coordinates and levels as states. */
+JLT_CHECKED jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *table, const jlt_section_chart *section,
+                                              const double *values);
+
+/** True where the section has a state at q, shape (dim,): q lies within the coordinates' intervals, and the region holds there. */
+bool jlt_chart_section_holds(const jlt_chart_section *self, const double *q);
+
+/** Points q, shape (dim,), that cover the coordinates' intervals, of which unbounded ones are seen for two units: number `index` of
+ *  jlt_chart_section_points. A coordinate is looked at in so many places, the first of them quickest: angles in `angles`, all others in
+ *  as many as make 4096 of them together. */
+size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles);
+unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles);
+void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
+
+#endif

@@ -1,0 +1,104 @@
+#include "dynamics/drift.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end)
+{
+    *end = (jlt_drift_end){ .t = 0 };
+    self->row = (jlt_drift_row){ .returns = 0 };
+    self->told = 0;
+    self->stopped = false;
+}
+
+jlt_status jlt_drift_note(jlt_drift *self, size_t returns, double t, size_t evaluations, const double *now)
+{
+    const bool due = (returns & (returns - 1)) == 0 || returns == self->returns;
+
+    self->row.returns = returns;
+    self->row.t = t;
+    self->row.evaluations = evaluations;
+    for (unsigned k = 0; k < self->count; k++) {
+        const double drift = fabs(now[self->watched[k]] - self->first[k]) / self->sizes[k];
+        if (!isfinite(drift)) return JLT_ERR_NONFINITE;
+        self->row.drift[k] = fmax(self->row.drift[k], drift);
+    }
+    if (due) self->told = returns;
+    self->stopped = !self->tell(self->context, &self->row, due);
+    return JLT_OK;
+}
+
+void jlt_drift_finish(jlt_drift *self, const jlt_drift_end *end)
+{
+    if (end->name[0] != '\0' && self->row.returns > self->told) (void)self->tell(self->context, &self->row, true);
+}
+
+double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k)
+{
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        if (!(rows[i].drift[k] > 0) || rows[i].returns * 16 < rows[count - 1].returns) continue;
+        const double u = log((double)rows[i].returns), v = log(rows[i].drift[k]);
+        n++, x += u, y += v, xx += u * u, xy += u * v;
+    }
+    return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);
+}
+
+/* Integrals at the start; their sizes: |F|, or 1 where that is 0, or no more than rounding of the terms that make it. */
+static void set_first(jlt_drift *self, const double *values, const double *gradients, const double *x)
+{
+    static const double rounding = 1e-14; /* of some forty terms, half a unit in the last place each */
+    const unsigned states = self->system->instance->descriptor->state_count;
+
+    for (unsigned k = 0; k < self->count; k++) {
+        const unsigned i = self->watched[k];
+        double terms = 0;
+        for (unsigned j = 0; j < states; j++) terms += fabs(gradients[i * states + j] * x[j]);
+        self->first[k] = values[i];
+        self->sizes[k] = fabs(values[i]) > rounding * terms ? fabs(values[i]) : 1;
+    }
+}
+
+jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method)
+{
+    const jlt_descriptor *d = self->system->instance->descriptor;
+    const jlt_kernel_function integrals = d->integral_values.call;
+    const double *block = self->system->field.p;
+    double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now), *gradients = now + d->integral_count;
+    jlt_flow flow = self->system->flow;
+    jlt_section *section = NULL;
+    jlt_return at;
+    jlt_status st = JLT_ERR_NOMEM;
+
+    jlt_drift_begin(self, end);
+    flow.method = method;
+    if (now == NULL) goto done;
+    JLT_TRY(jlt_section_create(&section, &flow));
+    JLT_TRY(jlt_section_start(section, &at, self->q, 1));
+    integrals(at.x, block, now);
+    d->integral_gradients.call(at.x, block, gradients);
+    set_first(self, now, gradients, at.x);
+    for (size_t i = 1, steps, evaluations; i <= self->returns && !self->stopped; i++) {
+        JLT_TRY(jlt_section_next(section, &at));
+        if (at.interrupted) break;
+        if (jlt_section_failed(at.fate)) {
+            st = jlt_section_fate_status(at.fate);
+            goto done;
+        }
+        if (at.fate != JLT_FATE_ALIVE) {
+            jlt_section_fate_text(end->name, self->system->observed, at.fate, at.lost);
+            end->t = at.t;
+            end->returns = i - 1;
+            break;
+        }
+        integrals(at.x, block, now);
+        jlt_section_cost(section, &steps, &evaluations);
+        JLT_TRY(jlt_drift_note(self, i, at.t, evaluations, now));
+    }
+    jlt_drift_finish(self, end);
+done:
+    jlt_section_destroy(section);
+    free(now);
+    return st;
+}

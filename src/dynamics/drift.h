@@ -1,0 +1,56 @@
+/** How integrals drift along one orbit of a section. */
+#ifndef JLT_DYNAMICS_DRIFT_H
+#define JLT_DYNAMICS_DRIFT_H
+
+#include "dynamics/section.h"
+#include "dynamics/system.h"
+#include "integrate/invariant.h"
+
+enum { JLT_DRIFT_ROWS_MAX = 64 }; /* powers of two */
+
+typedef struct {
+    size_t returns;
+    double t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched: |F - F(start)| by its size */
+    size_t evaluations;
+} jlt_drift_row;
+
+/* What may come before all returns are done. */
+typedef struct {
+    char name[JLT_FATE_TEXT_MAX]; /* as fates are called; "": none */
+    double t;                     /* in the table's unit */
+    size_t returns;
+} jlt_drift_end;
+
+typedef struct {
+    const jlt_system *system;
+    double q[JLT_CHART_DIM_MAX]; /* the start on the section */
+    size_t returns;
+    unsigned count;                       /* integrals watched */
+    unsigned watched[JLT_INVARIANTS_MAX]; /* their indices among those of the kernel */
+
+    /* Called after every return: true, go on. due: after powers of two, and last of all. */
+    bool (*tell)(void *context, const jlt_drift_row *row, bool due);
+    void *context;
+
+    /* Of the orbit under way, for those who follow it. */
+    double first[JLT_INVARIANTS_MAX], sizes[JLT_INVARIANTS_MAX]; /* of those watched, at the start */
+    jlt_drift_row row;
+    size_t told; /* returns of the last row that was due */
+    bool stopped;
+} jlt_drift;
+
+/** One method over all returns of the section, or to the orbit's end. The drift is divided by |F(start)|, or not where that is
+ *  0 or no more than rounding. Errors: NONFINITE, an integral; those of the section. */
+JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method);
+
+/** Power of the returns with which the drift of the integral k grows: the slope of a line through the logarithms of the last
+ *  four doublings; NaN where fewer than three of the rows (count,) have one. */
+double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k);
+
+/** For those who follow orbits of their own: before the first return, with first and sizes set; after each, with the integrals
+ *  (of the kernel) there; and at last. Errors of the second: NONFINITE. */
+void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end);
+JLT_CHECKED jlt_status jlt_drift_note(jlt_drift *self, size_t returns, double t, size_t evaluations, const double *now);
+void jlt_drift_finish(jlt_drift *self, const jlt_drift_end *end);
+
+#endif

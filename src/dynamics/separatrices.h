@@ -1,0 +1,26 @@
+/** The separatrices of a saddle of a two-dimensional map: both branches of either manifold, and where they cross. */
+#ifndef JLT_DYNAMICS_SEPARATRICES_H
+#define JLT_DYNAMICS_SEPARATRICES_H
+
+#include "dynamics/homoclinic.h"
+
+enum { JLT_SEPARATRICES = 4 }; /* unstable on side +1, on side -1; stable on side +1, on side -1 */
+
+typedef struct {
+    const jlt_chart *chart;
+    jlt_branch branch[JLT_SEPARATRICES];
+    jlt_manifold curve[JLT_SEPARATRICES];
+    jlt_homoclinic *crossings[2][2]; /* owned: by the side of the unstable branch, of the stable one */
+    size_t count[2][2];
+} jlt_separatrices;
+
+/** Grow all four; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map must outlive
+ *  it. Errors: those of jlt_branch_init and jlt_manifold_grow. */
+JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
+                                             const jlt_manifold_options *options);
+
+/** After that, where they cross. Errors: those of jlt_homoclinic_find. */
+JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self);
+void jlt_separatrices_clear(jlt_separatrices *self); /* legal when zeroed */
+
+#endif

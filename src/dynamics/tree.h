@@ -1,0 +1,38 @@
+/** The tree of periodic orbits as a value runs: a branch, the branches that begin at its bifurcations, and so on. */
+#ifndef JLT_DYNAMICS_TREE_H
+#define JLT_DYNAMICS_TREE_H
+
+#include "dynamics/continuation.h"
+
+/* How a branch ended, or that none was found. */
+typedef struct {
+    bool found;
+    size_t branch;
+    const jlt_continuation_point *origin; /* the bifurcation at which it begins; NULL: the first branch */
+    int side;                             /* of it, where none was found */
+    bool is_known;                        /* it came to a bifurcation of the branch `known`, which the rest is */
+    size_t known;
+    jlt_status status;                    /* of one that is not known */
+    jlt_continuation_end end;             /* where that is JLT_OK */
+} jlt_tree_end;
+
+/* What is told of it, as it grows. */
+typedef struct {
+    jlt_status (*point)(void *context, size_t branch, const jlt_continuation_point *point); /* an error ends all */
+    void (*end)(void *context, const jlt_tree_end *end);
+    void *context;
+} jlt_tree_sink;
+
+/* Bifurcations whose branches were not followed: of the last generation, and period doublings of orbits too long. */
+typedef struct {
+    size_t last, longer;
+} jlt_tree_left;
+
+/** Follow the first orbit, and what begins on its branch, that many generations: both sides of a branch point, one of a period
+ *  doubling. Sections of two coordinates only, where generations > 0. Errors: NOMEM; those of the sink; of the first branch
+ *  those of jlt_continuation_run. */
+JLT_CHECKED jlt_status jlt_tree_grow(jlt_tree_left *left, const jlt_chart *chart, const jlt_family *family,
+                                     const jlt_continuation_point *first, int direction, size_t generations,
+                                     const jlt_continuation_options *options, const jlt_tree_sink *sink);
+
+#endif

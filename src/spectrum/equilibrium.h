@@ -1,0 +1,37 @@
+/** One equilibrium of a table with its spectrum: completed from its family or found by Newton's method, checked, and linearized
+ *  at exact values. */
+#ifndef JLT_SPECTRUM_EQUILIBRIUM_H
+#define JLT_SPECTRUM_EQUILIBRIUM_H
+
+#include "analysis/linearization.h"
+#include "spectrum/oracle.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    const jlt_descriptor *descriptor; /* general field, of JLT_LINEARIZATION_SIZE_MAX states at most */
+    jlt_oracle *oracle;               /* of its table */
+    const char **params;              /* shape (params,): "p/q" where that counts and not the double it was rounded to; NULL */
+    const char *x[JLT_LINEARIZATION_SIZE_MAX];        /* the same of states */
+    unsigned char given[JLT_LINEARIZATION_SIZE_MAX];  /* states that the family must not set */
+    bool find;                                        /* the states are a guess: an equilibrium nearby is meant */
+    size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* the states given, in order of importance */
+} jlt_equilibrium_question;
+
+/* What the status is about. */
+typedef enum {
+    JLT_EQUILIBRIUM_PARAMS, JLT_EQUILIBRIUM_STATES, JLT_EQUILIBRIUM_SEARCH, JLT_EQUILIBRIUM_POINT
+} jlt_equilibrium_stage;
+
+typedef struct {
+    jlt_status status; /* of a point EMPTY: it is no equilibrium, and only the residual is there */
+    jlt_equilibrium_stage stage;
+    size_t index;      /* of the parameter or state that the table does not allow */
+    jlt_linearization result;
+} jlt_equilibrium;
+
+/** The equilibrium at these parameters and states, both changed in place. Where balls settle nothing, the result is what
+ *  doubles know. */
+void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_question *question, double *params, double *x);
+
+#endif
