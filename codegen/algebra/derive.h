@@ -1,4 +1,5 @@
-/** Total derivatives in a model, exact and as expressions: the prover's own, apart from those that kernels are made of. */
+/** Total derivatives along a model's motion, as exact ratios and as expressions. The prover has these to itself: kernels are
+ *  made from other code. */
 #ifndef TTC_DERIVE_H
 #define TTC_DERIVE_H
 

@@ -1,4 +1,4 @@
-/* The rates of functions, from those of what they are functions of. */
+/* Rates of change of cosines, sines, exponentials and logarithms, from the rates of their arguments. */
 #include "algebra/derive.h"
 #include "algebra/valuation.h"
 

@@ -1,4 +1,4 @@
-/* What a ratio is: what it uses, its sign, its text. */
+/* Questions about a ratio: which variables it uses, its sign, its text. */
 #include "algebra/ratio.h"
 
 #include <stdio.h>

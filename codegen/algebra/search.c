@@ -1,4 +1,4 @@
-/* Trying small rational numbers. */
+/* Searches for a real point that meets conditions by trying small rational numbers. */
 #include "algebra/search.h"
 
 #include "algebra/solver.h"

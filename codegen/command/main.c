@@ -17,7 +17,7 @@ enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE =
        OPTION_LANES = 'l' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
-#define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
+#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to look for short programs; default quick", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
@@ -32,8 +32,8 @@ static const struct argp_option prove_options[] = {
     END_OF_OPTIONS
 };
 static const struct argp_option show_options[] = {
-    { "format", OPTION_FORMAT, "FORMAT", 0, "text (as in the table; the default), latex, or dot (the graph of the shared "
-                                            "expressions, for Graphviz)", 0 },
+    { "format", OPTION_FORMAT, "text|latex|dot", 0, "As in the table (the default), for LaTeX, or the graph of the shared expressions, for "
+                                                    "Graphviz", 0 },
     END_OF_OPTIONS
 };
 

@@ -1,5 +1,5 @@
-/* A report lists the claims of the table first, in its order, and then what is derived: roots, variants, times,
- * eliminations and poles, by kind and name. */
+/* A report of proofs lists the table's claims first, in its order, and then the derived ones (roots, variants, times,
+ * eliminations, poles), by kind and name; this order is relied on here. */
 #include "kernels/unproved.h"
 
 #include <stdlib.h>

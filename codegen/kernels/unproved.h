@@ -1,4 +1,4 @@
-/** Claims that kernels rest on without a proof: what is served must hold. */
+/** Finds the claims without a proof that a kernel rests on: such kernels are not written unless asked for, and are marked. */
 #ifndef TTC_UNPROVED_H
 #define TTC_UNPROVED_H
 

@@ -1,4 +1,4 @@
-/** Numbers of a table that no double can hold. */
+/** Finds numbers in a table that are too large or too small for a double. */
 #ifndef TTC_WIDE_NUMBER_H
 #define TTC_WIDE_NUMBER_H
 

@@ -1,4 +1,4 @@
-/* Several deterministic ways to the same program; the cheapest is kept. */
+/* Makes a program in several ways, all deterministic, and keeps the cheapest. */
 #include "optimize/optimize.h"
 
 #include "optimize/extract_binomial.h"

@@ -1,4 +1,4 @@
-/* The same program on another block. */
+/* Rewrites a program for another layout of its prepared block. */
 #include "optimize/program.h"
 
 #include <stdlib.h>

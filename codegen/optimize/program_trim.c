@@ -1,4 +1,4 @@
-/* Dead values removed, order kept. */
+/* Removes values that nothing uses; the order of the others stays. */
 #include "optimize/program.h"
 
 #include <stdlib.h>

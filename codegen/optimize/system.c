@@ -1,4 +1,4 @@
-/* Variables, cubes and sums. */
+/* The optimizer's system: creates and changes its variables, cubes and sums. */
 #include "optimize/system.h"
 
 #include "fields/formula.h"

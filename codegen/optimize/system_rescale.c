@@ -1,4 +1,5 @@
-/* A unit u = k u' is as good as u' wherever users have scales of their own, for those take k in at no cost. */
+/* Takes constant factors out of units: where a unit is u = k u', its users can use u' and multiply their own scales by k,
+ * which costs nothing at run time. */
 #include "optimize/system.h"
 
 #include <stdlib.h>

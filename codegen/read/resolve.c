@@ -1,4 +1,4 @@
-/* What can be said only when the whole table is read: references between claims, eliminations, completeness. */
+/* Checks that need the whole table: references between claims, eliminations, an equation for every state. */
 #include "read/parser.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Words of a table. The lexer knows lines: a record opens at a keyword that is the first word of its line. */
+/* Tokens of a table. The lexer marks where records begin: at a keyword that is the first word of its line. */
 #ifndef TTC_TOKEN_H
 #define TTC_TOKEN_H
 

@@ -1,4 +1,4 @@
-/** Expressions for the eye. The text form is the table's own: parsed again, it gives the same node. */
+/** Prints expressions as text or LaTeX. The text is in the language of tables: parsed again, it gives the same node. */
 #ifndef TTC_PRINT_H
 #define TTC_PRINT_H
 

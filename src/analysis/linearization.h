@@ -10,15 +10,16 @@
 
 enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 
-/* An equilibrium may lie off the state by this part of each x_j, and of its distance from the ends of its interval: by two
- * roundings of x_j at least, but by no more than a thousandth of that distance. Beyond its ends there is none. */
+/* A state counts as an equilibrium when one lies this near: relative to each |x_j|, and to the distance of x_j from the
+ * ends of its interval, whichever is less; two roundings of x_j are always allowed, but no more than a thousandth of that
+ * distance. */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
 /* Motion near the equilibrium, across the integrals' levels and the family of equilibria it belongs to. */
 typedef enum {
     JLT_STABLE,   /* every eigenvalue but zero has a negative real part, and zero is semisimple */
     JLT_UNSTABLE, /* one has a positive real part, or zero is defective: growth, at least linear */
-    JLT_CENTRE,   /* none of both: some on the imaginary axis to within their error, or none but zero */
+    JLT_CENTRE,   /* neither: some lie on the imaginary axis to within their error, or all are zero */
     JLT_UNDECIDED /* errors leave it open */
 } jlt_verdict;
 
@@ -54,7 +55,7 @@ const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstab
 void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
                                 const double *params);
 
-/** Residual alone, and the variant that computed it. Out: f, residual, residual_ratio, jacobian, gradients,
+/** The residual alone, and which variant computed it. Out: f, residual, residual_ratio, jacobian, gradients,
  *  integrals, descriptor, n of *result.
  *  Errors: as jlt_linearization_compute, but a large residual is none. */
 JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor,
@@ -81,9 +82,9 @@ JLT_CHECKED jlt_status jlt_linearization_enclose(jlt_linearization *result, cons
                                                  const jlt_ball_value *params, const jlt_ball_value *x);
 
 /** Newton's method (shortest steps in the least-squares sense, since equilibria come in families) from x to a nearby
- *  equilibrium. States marked as given are held as far as possible: first all, then all but the last, and so on.
- *  In/out: x, untouched on failure. In: given, shape (states,); order, shape (held,), the given states in order of
- *  importance. Errors: NO_CONVERGENCE, DOMAIN, NONFINITE, UNSUPPORTED, NOMEM. */
+ *  equilibrium. States that the caller gave are held as far as possible: first all of them, then all but the last, and so on.
+ *  In/out: x, shape (states,), untouched on failure. In: params, shape (params,); order, shape (held,), indices of the states
+ *  to hold, the most important first. Errors: NO_CONVERGENCE, DOMAIN, NONFINITE, UNSUPPORTED, NOMEM. */
 JLT_CHECKED jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params,
                                               const size_t *order, size_t held);
 

@@ -23,7 +23,7 @@ enum { DRY = 1000 };
 
 static const struct argp_option option_table[] = {
     { "into", 'C', "FOLDER", 0, "Write the scene's files there; default the current folder", 0 },
-    { "set", 's', "NAME=VALUE,...", 0, "Parameters that take the place of the scene's, in all of its commands", 0 },
+    { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's, in all of its commands", 0 },
     { "dry-run", DRY, NULL, 0, "Show the commands, and run nothing", 0 },
     { 0 },
 };

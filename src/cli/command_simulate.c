@@ -17,7 +17,7 @@ static const struct argp_option option_table[] = {
     { "times", TIMES, "T,T,...", 0, "Rows at these times, in order; the start is at t = 0; all of one sign", 1 },
     { "until", UNTIL, "T", 0, "Rows from 0 to T; T < 0 goes backwards", 1 },
     { "every", EVERY, "DT", 0, "Time between rows of --until; default a hundredth of it", 1 },
-    { "tier", TIER, "NAME", 0, "The model to use; default the smallest that can answer (jellett plan lists them)", 1 },
+    { "tier", TIER, "TIER", 0, "The model to use; default the smallest that can answer (jellett plan lists them)", 1 },
     { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well: a column of differences each", 1 },
     { "track", TRACK, NULL, 0, "Attitude, centre of mass and contact point as well", 1 },
     { "project", PROJECT, NULL, 0, "After every step back onto the start's levels of all integrals", 1 },

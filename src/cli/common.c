@@ -15,7 +15,7 @@ enum { METHOD = 1000, KEEP, PLAN };
 
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
-    { "set", 's', "NAME=VALUE,...", 0,
+    { "set", 's', "PARAM=VALUE,...", 0,
       "Parameters; the others have the table's defaults, which jellett models MODEL shows, for the spherical top (5.1) of the paper", 10 },
     { NULL, 0, NULL, 0, "Output:", 12 },
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
@@ -29,7 +29,7 @@ static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "tol", 't', "VALUE", 0,
       "Tolerance: about what ten returns err by, in units of the problem, by every method; default 1e-12", 11 },
-    { "method", METHOD, "NAME", 0,
+    { "method", METHOD, "METHOD", 0,
       "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
       "rkf45, msadams", 11 },
     { 0 },

@@ -1,5 +1,6 @@
-/** What signals do: INT, TERM and HUP ask a command to finish the row it is at. One that cannot ask itself, or does not within a
- *  second, is ended; so it is by a signal that comes more than a second after the first. Files under way never stay behind. */
+/** Signals INT, TERM and HUP ask a command to finish the row it is at. A command that does not look at that request, or does
+ *  not finish within a second, is ended, and a signal more than a second after the first ends it at once. No temporary file
+ *  stays behind. */
 #ifndef JLT_CLI_INTERRUPT_H
 #define JLT_CLI_INTERRUPT_H
 

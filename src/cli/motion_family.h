@@ -1,4 +1,4 @@
-/** The systems of a command line as some of its parameters and levels run. */
+/** The systems that a command line describes while some of its parameters and levels run over their ranges. */
 #ifndef JLT_CLI_MOTION_FAMILY_H
 #define JLT_CLI_MOTION_FAMILY_H
 
@@ -16,8 +16,8 @@ typedef struct {
     unsigned no_angle;                    /* the state that was none when the last system was made, else the number of states */
 } jlt_motion_family;
 
-/** system: the one that the options describe; they must stay. axes: what runs, shape (count,), of which names are read; option: for
- *  messages. *out must not move, and is cleared after, whatever is returned. Says what is wrong. */
+/** system: the one that the options describe; they must stay. axes: what runs, shape (count,), of which names are read; option:
+ *  for messages. *out must not move, and is cleared after, whatever is returned. Says what is wrong. */
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
                                 const jlt_grid_axis *axes, size_t count, const char *option);
 void jlt_motion_family_clear(jlt_motion_family *family);

@@ -1,4 +1,5 @@
-/** What --section and its options say of a table: read once, and made for any values of its parameters and levels. */
+/** The section of a table that --section, --level, --solve, --modulo and --mirror describe: the options are read once, and
+ *  systems are made from them for any values of parameters and levels. */
 #ifndef JLT_CLI_MOTION_PLANE_H
 #define JLT_CLI_MOTION_PLANE_H
 
@@ -17,8 +18,8 @@ typedef struct {
     unsigned level_count;
 } jlt_motion_plane;
 
-/** Says what is wrong. running: parameters and levels whose values will change, shape (count,), of which names are read. Zero *out
- *  before, clear it after. */
+/** Says what is wrong. running: parameters and levels whose values will change, shape (count,), of which names are read. Zero
+ *  *out before, clear it after. */
 jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *descriptor,
                                const jlt_grid_axis *running, size_t count);
 void jlt_motion_plane_clear(jlt_motion_plane *plane);

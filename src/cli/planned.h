@@ -1,11 +1,12 @@
-/** What a plan says: the models that could answer, from the smallest up, which one does, and why. */
+/** Prints a plan: the models that could answer, from the smallest up, which one does, and why. */
 #ifndef JLT_CLI_PLANNED_H
 #define JLT_CLI_PLANNED_H
 
 #include "cli/motion.h"
 #include "scene/plan.h"
 
-/** A line for each candidate: the chosen one marked, its kernel with the operations of one call of its right-hand side, and the reason. */
+/** A line for each candidate: the chosen one marked, its kernel with the operations of one call of its right-hand side, and the
+ *  reason. */
 /* why: the chosen one is taken; NULL: as the plan has it. */
 void jlt_planned_show(const jlt_plan *plan, const char *why);
 

@@ -1,4 +1,4 @@
-/** Rows of a table turned into text by several threads, and written in the order in which they came. */
+/** Turns rows of a table into text on several threads, and writes them in the order in which they came. */
 #ifndef JLT_CLI_WRITER_H
 #define JLT_CLI_WRITER_H
 

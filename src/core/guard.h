@@ -1,4 +1,4 @@
-/** A guard around floating-point work: what overflowed, underflowed or was undefined inside becomes a status.
+/** A guard around floating-point work: an overflow, a lost underflow or an undefined operation inside it becomes a status.
  *
  *      jlt_guard guard;
  *      jlt_guard_enter(&guard);

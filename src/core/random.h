@@ -11,7 +11,10 @@ typedef struct {
     uint64_t word[4];
 } jlt_random;
 
+/* Start the sequence of this seed; call it before anything else. */
 void jlt_random_seed(jlt_random *random, uint64_t seed);
+
+/* 64 random bits. */
 uint64_t jlt_random_bits(jlt_random *random);
 
 /* Uniform in [0, count); count > 0. */
@@ -23,7 +26,8 @@ double jlt_random_unit(jlt_random *random);
 /* Uniform in (low, high). */
 double jlt_random_between(jlt_random *random, double low, double high);
 
-/* A magnitude uniform in the logarithm over (10^low, 10^high), by multiplications alone. */
+/* A positive number whose logarithm is uniform: between 10^low and 10^high. It is built by multiplications, so that all
+ * machines agree. */
 double jlt_random_magnitude(jlt_random *random, double low, double high);
 
 #endif

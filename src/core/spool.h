@@ -1,5 +1,6 @@
-/** Records of many sequences, written as they come and read back one sequence after another: the latest of each in memory, what
- *  is older in an unnamed temporary file, so that memory does not grow with their number. */
+/** Stores the records of many sequences as they come, and reads them back one sequence after another. The latest records of
+ *  each sequence stay in memory, older ones go to an unnamed temporary file: memory does not grow with the number of
+ *  records. */
 #ifndef JLT_CORE_SPOOL_H
 #define JLT_CORE_SPOOL_H
 
@@ -9,9 +10,9 @@
 
 typedef struct jlt_spool jlt_spool;
 
-/** Records of `width` numbers in `sequences` sequences, each with `room` records in memory. The file, in TMPDIR or /tmp, is not
- *  made before it is needed, and closed in programs that are started. Errors: ARG, a zero; NOMEM.
- *  Memory: (sequences + 1) * room records. */
+/** A record is `width` numbers; each of the `sequences` sequences keeps up to `room` records in memory. The file lies in TMPDIR
+ *  or /tmp; it is made when it is first needed, and programs started from this one do not inherit it.
+ *  Errors: ARG, one of the numbers is 0; NOMEM. Memory: (sequences + 1) * room records. */
 JLT_CHECKED jlt_status jlt_spool_create(jlt_spool **out, size_t width, size_t sequences, size_t room);
 void jlt_spool_destroy(jlt_spool *self); /* NULL is legal */
 

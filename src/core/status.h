@@ -1,4 +1,4 @@
-/** Outcome of every fallible function. */
+/** The status that every function returns that can fail, and the macro that passes a failure on. */
 #ifndef JLT_CORE_STATUS_H
 #define JLT_CORE_STATUS_H
 

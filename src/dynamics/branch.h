@@ -13,19 +13,20 @@
 typedef struct {
     jlt_map *map;
     double q[2], v[2];  /* the saddle's point; the eigenvector, side included */
-    double lambda;      /* > 1: growth away from the saddle, of F or of its inverse */
-    size_t returns;     /* of P in one F */
+    double lambda;      /* > 1: by what F, or its inverse, multiplies the distance from the saddle */
+    size_t returns;     /* how many P make one F */
     int time_direction; /* +1 unstable, -1 stable */
     double seed;
 } jlt_branch;
 
-/** side +1 or -1: along the eigenvector whose larger component is positive, or against it. point: which point of the
- *  orbit, 0 .. period-1. seed: distance of the first point, 1e-8 .. 1e-2.
+/** Take the stable or the unstable branch at one point of the orbit. In: point, its index, 0 .. period-1; side, +1 along the
+ *  eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, 1e-8 .. 1e-2.
  *  Errors: ARG, the orbit is no saddle of a two-dimensional map; those of jlt_periodic_rotate. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point,
                                        bool stable, int side, double seed);
 
-/** gamma(sigma), and when tangent is not NULL its derivative by the variational equations (five times dearer).
+/** The point q = gamma(sigma) and, unless NULL, tangent, shape (2,), its derivative by the variational equations, which costs
+ *  five times as much.
  *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: floor(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 

@@ -19,7 +19,7 @@ struct jlt_chart {
     unsigned dim, states;                /* of q and of x */
     unsigned column;                     /* the section is x[column] = level */
     double level;
-    const char *names[JLT_CHART_DIM_MAX]; /* where there is one alone, "" follows: pictures show two */
+    const char *names[JLT_CHART_DIM_MAX]; /* of the coordinates; a single one is followed by "", since pictures show two */
     double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
     double turn;                         /* period of x[column], of which the section is then every level + k turn; 0: none */
     unsigned solved_count;               /* states that the levels determine, and which they are */
@@ -49,28 +49,30 @@ struct jlt_chart {
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
 
-/** Make angles of the states with periods[i] != 0, shape (states,): coordinates are taken to (-period/2, period/2], and points
- *  whose coordinates differ by periods are one. Of plane sections. */
+/** Declare the states with periods[i] != 0 to be angles; periods: shape (states,). Their coordinates are brought into
+ *  (-period/2, period/2], and points whose coordinates differ by periods are the same point. For plane sections. */
 void jlt_chart_set_periods(jlt_chart *self, const double *periods);
 
-/** The events that are crossings of the section; events has room for JLT_CHART_EVENTS_MAX. Returns how many: one, or where the
- *  section's state turns one on each side of the start as well. */
 enum { JLT_CHART_EVENTS_MAX = 3 };
+
+/** The events whose crossings are those of the section. Out: events, shape (JLT_CHART_EVENTS_MAX,). Returns how many: one, or
+ *  three where the section's state is an angle, for the levels a turn below and above as well. */
 unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_direction direction);
 
-/** The section's state to within half a turn of its level, in place; nothing where it has no turn. x: shape (states,). */
+/** Bring the section's state to within half a turn of its level, in place; a state that is no angle stays. x: shape
+ *  (states,). */
 void jlt_chart_turn_back(const jlt_chart *self, double *x);
 
-/** The same for every state that is an angle, of plane sections and those on levels. */
+/** The same for every state that is an angle, on plane sections and on levels. */
 void jlt_chart_wrap_state(const jlt_chart *self, double *x);
 
 /** Whether a state lies within the bounds. */
 bool jlt_chart_holds(const jlt_chart *self, const double *x);
 
-/** q -> q - p with angles taken to (-pi, pi]. All of shape (dim,); out may be either. */
+/** out = q - p, with differences of angles brought into (-pi, pi]. All of shape (dim,); out may be q or p. */
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);
 
-/** Angles taken to (-pi, pi], in place. */
+/** Bring the angles of q, shape (dim,), into (-pi, pi], in place. */
 void jlt_chart_wrap(const jlt_chart *self, double *q);
 
 /** Euclidean length of jlt_chart_difference. */

@@ -1,9 +1,8 @@
-/** A plane section restricted to levels of a table's integrals.
- *
- *  As many states as there are levels are solved for by Newton's method, always from one guess; the section's coordinates are the
- *  other states, in order. On the section and its levels the solved states are functions of the coordinates, with the derivative
- *  -(dF/dy)^-1 dF/dq, y the solved states: a branch of them, which ends where that matrix is singular. A return on another branch is
- *  told apart by jlt_chart_level_follows. */
+/** A plane section restricted to levels of a table's integrals.  * As many states as there are levels are solved for by
+ *  Newton's method, always from one guess; the section's coordinates are the other states, in order. On the section and its
+ *  levels the solved states are functions of the coordinates, with the derivative -(dF/dy)^-1 dF/dq, y the solved states: a
+ *  branch of them, which ends where that matrix is singular. A return on another branch is told apart by
+ *  jlt_chart_level_follows. */
 #ifndef JLT_DYNAMICS_CHART_LEVEL_H
 #define JLT_DYNAMICS_CHART_LEVEL_H
 
@@ -24,14 +23,15 @@ typedef struct {
     unsigned free[JLT_CHART_DIM_MAX]; /* the state of each coordinate */
 } jlt_chart_level;
 
-/** From a plane section (its angles, too, if set before), with levels (count,). integrals: kernels of all integrals, kept.
- *  lift's errors: EMPTY, Newton's method finds no state; NONFINITE. The reversor stays where it keeps all solved states.
+/** Make the chart from a plane section, with its angles if they are set before, and levels, shape (count,). The kernels
+ *  `integrals` of all integrals are kept by reference. The chart has the plane's reversor when that changes the sign of no
+ *  solved state. Its lift returns EMPTY where Newton's method finds no state, and NONFINITE.
  *  Errors: ARG, too many levels, one integral or state twice, or the section's own state. */
 JLT_CHECKED jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
                                             const jlt_level *levels, unsigned count);
 
-/** Whether x (states,), on the section, is on the branch that the chart's lift gives for its coordinates, within 1e-6. True for
- *  charts without solved states. Cost: one lift. */
+/** Whether x, shape (states,), a point of the section, is the state that lift gives for the coordinates of x, within 1e-6. True
+ *  for charts without solved states. Cost: one lift. */
 bool jlt_chart_level_follows(const jlt_chart *self, const double *x);
 
 #endif

@@ -1,11 +1,10 @@
-/** Continuation of a periodic orbit in one parameter or level, by pseudo-arclength, with its bifurcations.
- *
- *  Unknowns are u = (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the
- *  tangent (Keller), so that folds are passed. DP comes from the variational equations, dP/dvalue from central
- *  differences: that one only directs the steps, the points found satisfy the equation to rounding. Steps turn by 0.3 at
- *  most, so that none jumps over a fold unseen, and branches of symmetric orbits stay symmetric.
- *  Bifurcations are sign changes of test functions, located by the secant method on the arclength, or left in the bracket
- *  that was reached where steps cease to converge:
+/** Continuation of a periodic orbit in one parameter or level, by pseudo-arclength, with its bifurcations.  * Unknowns are u =
+ *  (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the tangent (Keller), so that
+ *  folds are passed. DP comes from the variational equations, dP/dvalue from central differences: it serves to predict the next
+ *  point only, and every point found satisfies the equation to rounding. From one step to the next the tangent turns by at most
+ *  0.3 rad, so that no fold is jumped over, and branches of symmetric orbits stay symmetric. Bifurcations are sign changes of
+ *  test functions, located by the secant method on the arclength, or left in the bracket that was reached where steps cease to
+ *  converge:
  *      fold                the tangent's component along the parameter
  *      period doubling     det(DP^period + I)
  *      branch point        the determinant of the bordered Jacobian (the orbit loses its symmetry, or meets another family)
@@ -50,12 +49,12 @@ typedef struct {
 } jlt_continuation_options;
 
 typedef enum {
-    JLT_CONTINUATION_RANGE,  /* value left [low, high]: the last point is where */
-    JLT_CONTINUATION_POINTS,
+    JLT_CONTINUATION_RANGE,  /* value reached an end of [low, high], which is the last point */
+    JLT_CONTINUATION_POINTS, /* points_max are found */
     JLT_CONTINUATION_STUCK,  /* no step above step_min converged: a pole, an empty level, tangency with the section */
     JLT_CONTINUATION_INTERRUPT,
     JLT_CONTINUATION_CLOSED, /* back at the orbit it began with */
-    JLT_CONTINUATION_HALVED  /* in an orbit of half the period, at a period doubling: its row is the last */
+    JLT_CONTINUATION_HALVED  /* the orbit became one of half its period, at a period doubling, which is the last point */
 } jlt_continuation_end;
 
 /** Called for every point and every bifurcation in order; a status other than JLT_OK ends the run with it. */
@@ -71,8 +70,8 @@ JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt
                                             void *context);
 
 /** From a located branch point or period doubling, the first point of the other branch, on the given side (+1, -1) at the
- *  distance `offset` in u, or at a half of it as often as none converges, twelve times at most; sections of two coordinates only.
- *  Its tangent points away.
+ *  distance `offset` in u, or at a half of it as often as none converges, twelve times at most; sections of two coordinates
+ *  only. Its tangent points away.
  *  Errors: ARG; NO_CONVERGENCE; those of the map. */
 JLT_CHECKED jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,
                                                const jlt_continuation_point *at, int side, double offset,

@@ -7,17 +7,17 @@
 typedef struct {
     jlt_fate fate;      /* ALIVE: neither an end nor a lost return within the budget */
     unsigned lost;      /* of invalid: the index of the condition that breaks */
-    double t;           /* of the end, or of the last return */
+    double t;           /* time of the end, or of the last return, since the start */
     size_t returns;
-    double x[JLT_CHART_STATES_MAX]; /* there; at a pole the limit */
-    double least;       /* value met of the model's conditions; it holds throughout only where this is positive */
+    double x[JLT_CHART_STATES_MAX]; /* the state at that time; at a pole the limit */
+    double least;       /* least value of the model's conditions along the orbit: the model held throughout if it is positive */
     bool interrupted;
 } jlt_fates_end;
 
 /** Follow the orbit from q for at most `returns` returns. Errors: as jlt_section_start and jlt_section_next. */
 JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
 
-/** Numbers of starts by fate. Zeroed is empty. */
+/** Numbers of starts by fate; begin with all zero. */
 typedef struct {
     size_t starts;                /* that exist on the levels */
     size_t by_fate[JLT_FATE_COUNT];

@@ -8,14 +8,15 @@ typedef struct {
     double q[2];
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
-    double angle_error; /* the most that a tolerance ten times larger, a seed twice as large, or both change, doubled */
+    double angle_error; /* twice the largest change by a tolerance ten times larger, a seed twice as large, or both */
     double residual;    /* distance of the two branches' points after refinement */
     double lobe;        /* area between this crossing and the next one along the unstable branch, signed; NaN at the last */
 } jlt_homoclinic;
 
-/** All crossings of two polygons, refined by Newton's method on the branches with tangents from the variational equations,
- *  sorted along the unstable branch. Out: *points, (count,), owned by the caller (free); none: NULL, 0.
- *  coarse: maps for the error bar, of ten times the tolerance.
+/** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
+ *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there
+ *  are none.
+ *  In: coarse, a map of ten times the tolerance, from which angle_error is found.
  *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 20 branch points a crossing. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,

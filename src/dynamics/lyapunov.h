@@ -1,6 +1,6 @@
 /** Lyapunov exponents of a return map: growth rates of its derivative, by repeated QR (Benettin et al. 1980, Dieci et al.).
  *
- *  In section coordinates the flow's own direction and the levels' directions, whose exponents are zero, are already out. */
+ *  Section coordinates leave out the direction of the flow and those across the levels, whose exponents are zero. */
 #ifndef JLT_DYNAMICS_LYAPUNOV_H
 #define JLT_DYNAMICS_LYAPUNOV_H
 
@@ -17,7 +17,7 @@ typedef struct {
 /** Called after every return; nonzero ends the run. */
 typedef int (*jlt_lyapunov_observer)(void *context, const jlt_lyapunov_state *state);
 
-/** From q over `returns` returns. out holds the last state also when an error ends the run.
+/** Follow the orbit from q, shape (dim,), for `returns` returns. *out holds the last state, also when an error ends the run.
  *  Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
                                         jlt_lyapunov_observer observer, void *context);

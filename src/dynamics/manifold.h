@@ -1,4 +1,4 @@
-/** Growing a branch of a manifold as a polygon, point after point, with spacing set by arc length and curvature.
+/** Grows a branch of a manifold as a polygon, point after point; arc length and curvature set the spacing.
  *
  *  Every point is computed from the seed itself (jlt_branch), so nothing is interpolated and errors do not pile up. A point
  *  is accepted when its distance to the last one is under `spacing` and the polygon turns there by less than `turn`, or when
@@ -26,7 +26,7 @@ typedef struct {
     size_t points_max; /* default 20000 */
 } jlt_manifold_options;
 
-/** A polygon, owned: two coordinates, sigma and arc length of each point. Zeroed is empty. */
+/** A polygon, which owns its arrays: two coordinates, sigma and arc length of each point. All zero, it is empty. */
 typedef struct {
     double *points; /* shape (count, 2) */
     double *sigma;  /* shape (count,), increasing */

@@ -4,7 +4,7 @@
 
 #include "dynamics/symmetric.h"
 
-/** Orbits without duplicates, owned. Zeroed is empty. */
+/** A list of orbits without duplicates, which it owns. All zero, it is empty. */
 typedef struct {
     jlt_periodic *orbits; /* shape (count,) */
     size_t count, capacity;
@@ -15,7 +15,7 @@ void jlt_orbits_clear(jlt_orbits *self); /* frees; legal on a zeroed list */
 /** Add unless it is there: an orbit found twice is kept once. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit);
 
-/** By period, then by T, then by the first point. */
+/** Sort by period, then by T, then by the first point. */
 void jlt_orbits_sort(jlt_orbits *self);
 
 /** Index of the mirror image of orbit `index`; itself when symmetric; count when it is not in the list. */
@@ -26,14 +26,15 @@ typedef struct {
     double low[JLT_CHART_DIM_MAX], high[JLT_CHART_DIM_MAX]; /* of the grid of starts, ends included (angles: high left out) */
     size_t counts[JLT_CHART_DIM_MAX];                      /* of the grid; 0: no grid */
     double near;   /* Newton is tried for period p from q where |P^p(q) - q| < near; default 0.3 */
-    size_t settle; /* besides, from where q is after this many returns: finds attracting orbits; 0: not */
+    size_t settle; /* try again from where q is after this many returns, which finds attracting orbits; 0: do not */
     const jlt_symmetric_line *lines;
     size_t line_count;
     void (*progress)(void *context, size_t done, size_t all, size_t found); /* NULL: nobody */
     void *context;
 } jlt_orbits_options;
 
-/** Search. Mirror images of asymmetric orbits are added, each measured on its own. On an error the list holds what was found.
+/** Search, and add what is found to the list; mirror images of asymmetric orbits are added too, each measured by itself. On an
+ *  error the list holds what was found until then.
  *  Errors: ARG; NOMEM; NO_CONVERGENCE when interrupted. */
 JLT_CHECKED jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options);
 

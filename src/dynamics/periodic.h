@@ -33,19 +33,20 @@ typedef struct {
     jlt_orbit_type type;
 } jlt_periodic;
 
-/** Newton from q (dim,), period returns. held: shape (dim,), 1 where a coordinate must keep its value (a family of orbits
- *  is then made unique), or NULL; the equations are solved in the sense of least squares.
- *  out is reduced to the primitive period. Errors: NO_CONVERGENCE; those of jlt_map_apply at q; ARG. */
+/** Find an orbit of `period` returns by Newton's method from q, shape (dim,). held: shape (dim,), 1 for each coordinate that
+ *  must keep its value, which picks one orbit of a family; or NULL. The equations are solved in the sense of least squares.
+ *  Out: *out, with its primitive period, which may divide `period`. Errors: NO_CONVERGENCE; those of jlt_map_apply at q;
+ *  ARG. */
 JLT_CHECKED jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
                                          const unsigned char *held);
 
-/** Everything about a periodic orbit from its points, which are taken as they stand. Errors: those of jlt_map_apply. */
+/** Fill everything else from period and points, which are not improved. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io);
 
 /** Make point `first` the first one, and measure again. */
 JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first);
 
-/** The same orbit: equal period, and the first point of b within `distance` of a point of a. */
+/** Whether two orbits are the same: equal period, and the first point of b within `distance` of a point of a. */
 bool jlt_periodic_same(const jlt_chart *chart, const jlt_periodic *a, const jlt_periodic *b, double distance);
 
 #endif

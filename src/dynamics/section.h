@@ -1,6 +1,6 @@
-/** Orbits seen through a surface of section: one return after another, and what becomes of the orbit.
+/** Follows an orbit from one return to a surface of section to the next, and says how it ends.
  *
- *  Rows are handed out one at a time, so memory does not grow with their number. */
+ *  Rows come one at a time, so memory does not grow with their number. */
 #ifndef JLT_DYNAMICS_SECTION_H
 #define JLT_DYNAMICS_SECTION_H
 
@@ -8,8 +8,8 @@
 #include "integrate/orbit.h"
 #include "kernel/observed.h"
 
-/** A flow with a section: what all of the dynamics works on. Plain data; nothing is owned, and chart and field must live
- *  as long as what is made from it. Zero means the default, in all fields after `field`. */
+/** A flow with a section, on which everything in dynamics/ works. Plain data; nothing is owned, and chart and field must live
+ *  as long as what is made from it. In all members after `field`, zero means the default. */
 typedef struct {
     const jlt_chart *chart;
     const jlt_field *field;
@@ -19,7 +19,7 @@ typedef struct {
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
-    jlt_invariants kept;              /* not empty: projected back onto their levels of the start after every step */
+    jlt_invariants kept;              /* after every step the state is put back onto the start's levels of these; zero: none */
     const jlt_observed *observed;     /* of states of the field, in its units: where the model holds; default: everywhere */
     bool end_where_invalid;           /* an orbit ends where a condition of the model breaks; default: it goes on, and rows tell the
                                          least value met */
@@ -36,7 +36,7 @@ typedef enum {
     JLT_FATE_INVALID,      /* ended where a condition of the model breaks */
     JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
     JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, in the model's own time */
-    JLT_FATE_BUDGET,       /* neither a return nor an end was found: steps or time of one return are spent */
+    JLT_FATE_BUDGET,       /* max_steps or t_max was spent without a return or an end */
     /* The method failed; x is the last point it accepted. */
     JLT_FATE_NONFINITE,
     JLT_FATE_NO_CONVERGENCE,
@@ -47,35 +47,37 @@ typedef enum {
 /** alive, pole+, pole-, invalid, equilibrium, left_domain, budget, nonfinite, no_convergence, no_progress. */
 const char *jlt_section_fate_name(jlt_fate fate);
 
-/** The same, with lost_NAME for invalid: the name of the condition that breaks, as jlt_observed_condition gives it. */
 enum { JLT_FATE_TEXT_MAX = 72 };
+
+/** The same, but for invalid lost_NAME, where NAME is that of the condition that broke (jlt_observed_condition). */
 void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate, unsigned lost);
 
-/** The fate of an orbit that a function's failure ends. False: none, the failure is not of the orbit. */
+/** The fate that a function's status means for the orbit. False when the failure says nothing of the orbit (memory, say). */
 bool jlt_section_fate_of(jlt_fate *fate, jlt_status status);
 
-/** What the fate says in the terms of functions: OK for alive, DOMAIN for an orbit that ended, else the method's failure. */
+/** The status that a fate means: OK for alive, DOMAIN for an orbit that ended, else the failure of the method. */
 jlt_status jlt_section_fate_status(jlt_fate fate);
 
-/** Whether the orbit's row ends by a failure of the method. */
+/** Whether this fate is a failure of the method: nonfinite, no_convergence or no_progress. */
 bool jlt_section_failed(jlt_fate fate);
 
 typedef struct {
     size_t number;               /* 0 is the start */
-    double t;                    /* since the start, negative backwards */
+    double t;                    /* time since the start, negative when the orbit is followed backwards */
     double q[JLT_CHART_DIM_MAX]; /* NaN where the orbit ended off the section */
     int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
     jlt_fate fate;
-    unsigned lost;               /* of invalid: the index of the condition that breaks */
-    bool interrupted;            /* the flag was raised before the next return; the row repeats the point then reached */
+    unsigned lost;               /* JLT_FATE_INVALID: the index of the condition that broke */
+    bool interrupted;            /* flow->interrupt became nonzero before the next return; the row holds the point reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
-    double least;                /* value of the model's conditions at accepted steps since the start; INFINITY: there are none */
+    double least;                /* least value of the model's conditions over accepted steps since the start; INFINITY: none */
 } jlt_return;
 
 typedef struct jlt_section jlt_section;
 
-/** Errors: ARG (chart and field do not fit), as jlt_orbit_create, NOMEM. */
+/** Create a section; *flow is copied. Call jlt_section_start before jlt_section_next. Errors: ARG, chart and field do not fit;
+ *  as jlt_orbit_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow);
 void jlt_section_destroy(jlt_section *self); /* NULL is legal */
 
@@ -91,10 +93,9 @@ JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *ro
  *  Errors: ARG, NOMEM; what else jlt_orbit_next may end with is a fate. */
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
-/** The next return, found by another integrator at time t since the start, at x (states,) on the section, both in the flow's
- *  units: row gets what
- *  jlt_section_next makes of it, but for the least value of conditions, which is looked at there alone; that function goes on from there.
- *  Not after an end. */
+/** Tell the section that another integrator has found the next return: at time t since the start, at x, shape (states,), both
+ *  in the units of chart and field. *row becomes what jlt_section_next would have made of it, except that `least` takes
+ *  conditions at this point alone into account; jlt_section_next goes on from here. Not to be called after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 
 /** Accepted and rejected steps, and field evaluations, since creation of the orbit. */

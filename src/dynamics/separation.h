@@ -11,10 +11,10 @@
 
 typedef struct {
     size_t returns;        /* counted after the settling, of each orbit */
-    size_t alive_forward, alive_backward;
-    size_t forward, backward, common; /* cells visited */
+    size_t alive_forward, alive_backward; /* orbits that had not ended by then */
+    size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */
     double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart */
-    double mirror_overlap; /* of the forward set's mirror image with the backward set: 1 but for finite length */
+    double mirror_overlap; /* the same of the forward set's mirror image and the backward set: tends to 1 with length */
 } jlt_separation;
 
 typedef struct {
@@ -24,8 +24,9 @@ typedef struct {
     size_t returns;    /* counted at most */
 } jlt_separation_options;
 
-/** Rows for returns = 2^k up to options->returns, *rows of them (at most 48), into out. starts: (count, 2); those that
- *  have no state are passed over; orbits that end are counted up to their end when it comes after the settling.
+/** Count the cells visited. Out: a row of `out`, which has room for 48, for each power of two of returns up to
+ *  options->returns; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends
+ *  is counted up to its end.
  *  Errors: ARG, a section of more than two coordinates or without reversor; NOMEM; NO_CONVERGENCE (interrupted). */
 JLT_CHECKED jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow,
                                               const double *starts, size_t count,

@@ -1,6 +1,6 @@
 /** Symmetric periodic orbits of a reversible map, as zeros of one function of one variable.
  *
- *  The reversor S of the flow fixes the states whose mirrored coordinates vanish. An orbit that meets this set twice is
+ *  The reversor S of the flow leaves the states alone whose mirrored coordinates vanish. An orbit that meets this set twice is
  *  periodic and its own mirror image, and every symmetric periodic orbit meets it in exactly two points, half a period
  *  apart. So an orbit is started on the set, at the free coordinate u of a line, and followed over j crossings of the
  *  section in both directions: where the mirrored coordinate h_j(u) (the sine of it, for an angle) changes sign through
@@ -21,8 +21,8 @@ typedef struct {
 /** Called for every orbit found; a status other than JLT_OK ends the search with it. */
 typedef jlt_status (*jlt_symmetric_sink)(void *context, const jlt_periodic *orbit);
 
-/** All zeros that the samples separate, up to period_max returns of the map. Each orbit is polished by
- *  jlt_periodic_find and starts at its point nearest to the fixed set. Samples without a state are passed over.
+/** Search for the orbits of up to period_max returns. Two zeros of h_j between neighbouring samples are not seen. Each orbit is
+ *  refined by jlt_periodic_find and starts at its point nearest to the fixed set. Samples without a state are skipped.
  *  Errors: UNSUPPORTED, the chart is not reversible or mirrors more than one coordinate; ARG; NOMEM; the sink's.
  *  Cost: samples * period_max returns, and about 12 more for each zero. */
 JLT_CHECKED jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max,

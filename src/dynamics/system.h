@@ -1,4 +1,4 @@
-/** From names and numbers to a flow with a section: the kernel, its parameters, the field, and the chart. */
+/** A system: a kernel with its parameters, its field, and the chart of a section, all that dynamics/ needs, owned together. */
 #ifndef JLT_DYNAMICS_SYSTEM_H
 #define JLT_DYNAMICS_SYSTEM_H
 
@@ -20,26 +20,31 @@ typedef struct {
     jlt_flow flow; /* points into this object */
 } jlt_system;
 
-/** Bind a kernel to its parameters, shape (param_count,), in these units: instance, field, what is observed, flow. For those who make
- *  systems; charts are theirs. Errors: UNSUPPORTED, no Jacobian; DOMAIN, NONFINITE; NOMEM. */
+/** Fill instance, field, observed and flow of a system from a kernel and its parameters, shape (param_count,), in the table's
+ *  units; states are counted in `units`. For functions that make systems: the chart is left to them. Errors: UNSUPPORTED, no
+ *  Jacobian; DOMAIN, NONFINITE; NOMEM. */
 JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
                                        const jlt_flow *options);
 
-/** Any kernel, on the section STATE = level. params, shape (param_count,), in the table's order. signs: its reversor, shape
- *  (state_count,), or NULL. options: chart, field and rhs_jacobian are not read; NULL: all defaults (upward crossings).
+/** The section x[column] = level of any kernel. Out: *out, NULL on failure; destroy with jlt_system_destroy. In: params, shape
+ *  (param_count,), in the table's order and units; signs, +1 or -1 for each state, shape (state_count,), if the model is
+ *  reversible by x -> signs * x, else NULL; options, of which chart, field and rhs_jacobian are not read; NULL: all defaults
+ *  (upward crossings).
  *  Errors: ARG; UNSUPPORTED, no Jacobian; DOMAIN, NONFINITE; NOMEM. */
 JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params,
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
-/** Angles among the states of a plane section: periods, shape (states,), 0 for none. Before levels.
- *  Errors: DOMAIN, the field changes with a period, measured at a point; *state then tells whose. */
+/** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
+ *  jlt_system_levels. Errors: DOMAIN, the field is not the same a period further on, as measured at one point; *state then
+ *  tells which. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
 
 /** Restrict a plane section to levels (count,) of its table's integrals. Errors: ARG, as jlt_chart_level_init. */
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
 void jlt_system_destroy(jlt_system *self); /* NULL is legal */
 
-/** Systems as a value runs, and the map of the one asked about last. Zero `system` and `map` before use. */
+/** A family of systems in one value, with the system and the map of the value that was asked for last. Set `system` and `map`
+ *  to NULL before use. */
 typedef struct {
     jlt_status (*make)(void *context, jlt_system **out, double value); /* destroyed by the family */
     void *context;

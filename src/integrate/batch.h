@@ -1,4 +1,4 @@
-/** Many orbits at once, one a lane: section maps by explicit Runge-Kutta methods on batched kernels.
+/** Follows many orbits at once, one in each lane of a vector: section maps by explicit Runge-Kutta methods on batched kernels.
  *
  *  Every lane has its own step, its own error control and its own fate; a finished lane is refilled from the list of
  *  starts, so that none runs empty before the list ends. Crossings are queued and refined a full vector at a time.
@@ -21,12 +21,12 @@ typedef enum {
     JLT_LANE_DONE,    /* all its returns are made */
     JLT_LANE_ROOT,    /* the lifted root fell below root_floor: near a pole; go on from there with a scalar method */
     JLT_LANE_STALLED, /* the step fell below what time resolves, or a value is not finite */
-    JLT_LANE_BUDGET   /* max_steps */
+    JLT_LANE_BUDGET   /* max_steps are spent on one return */
 } jlt_lane_end;
 
-/** What the map needs to know. Plain data. */
+/** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */
 typedef struct {
-    const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_kernels_best */
+    const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_isa_best */
     const double *p;                 /* prepared block */
     unsigned dim;                    /* states */
     bool clock;                      /* physical time is carried as one more column after the states, in starts, rows and ends */
@@ -48,7 +48,8 @@ typedef struct {
  *  With several threads it is called by several at once, though never for the same orbit. */
 typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
 
-/** Called once an orbit, with its last point, unless the run ends before; as above. */
+/** Called once for each orbit, with its last point x (columns,) and the number of its returns, unless the run ends before. A
+ *  nonzero answer ends the run; threads as above. */
 typedef int (*jlt_batch_end)(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x);
 
 typedef struct {
@@ -57,10 +58,11 @@ typedef struct {
     size_t stages;   /* evaluations of a full vector */
 } jlt_batch_work;
 
-/** The map from starts (count, columns), row after row, `returns` times each; columns = dim, and one more with the clock, whose
- *  error is controlled as a state's against the size of the states: it never lengthens a step.
- *  A start with x[column] = 0 is on the section, which is no crossing. work may be NULL.
- *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 or 15 stages of a full row a step. No memory grows with
+/** Follow the orbits from starts, shape (count, columns), for `returns` returns each. columns is dim, and one more with the
+ *  clock, whose error is controlled like that of a state. A start on the section, x[column] = 0, does not count as a crossing.
+ *  Out: work, the work done; may be NULL. context is passed to row and end.
+ *  Errors: ARG; UNSUPPORTED, no code here has as many lanes as the kernels; NOMEM.
+ *  Cost: 12 or 15 evaluations of the field a step, by method, each on a full row of lanes. Memory does not grow with
  *  `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                                          jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work);

@@ -1,12 +1,11 @@
-/** Events: zeros of a function along the orbit, found on the step's polynomial and refined on the flow itself.
- *
- *  Between two accepted points the event function is a polynomial in theta; all its zeros on the step are isolated by
- *  subdivision of its Bernstein form, so two zeros in a step are two crossings. Its end values are those of the computed
- *  points, shared by neighbouring steps, and the side the orbit is on is remembered: a crossing is counted where the side
- *  changes, once, wherever the step ends fall. A start on the section belongs to the side it leaves to and is no crossing.
- *  Each zero is refined by Newton's method on states computed by a fresh step from the start of the step, so its error is that
- *  of the method and not of the polynomial. Where a zero of the slope lies within the error of touching, the extremum is refined
- *  in the same way: zeros on both sides of it are two crossings, and a touch within rounding is reported as grazing. */
+/** Events: zeros of a function along the orbit, found on the step's polynomial and refined on the flow itself.  * Between two
+ *  accepted points the event function is a polynomial in theta; all its zeros on the step are isolated by subdivision of its
+ *  Bernstein form, so two zeros in a step are two crossings. Its end values are those of the computed points, shared by
+ *  neighbouring steps, and the side the orbit is on is remembered: a crossing is counted where the side changes, once, wherever
+ *  the step ends fall. A start on the section belongs to the side it leaves to and is no crossing. Each zero is refined by
+ *  Newton's method on states computed by a fresh step from the start of the step, so its error is that of the method and not of
+ *  the polynomial. Where a zero of the slope lies within the error of touching, the extremum is refined in the same way: zeros
+ *  on both sides of it are two crossings, and a touch within rounding is reported as grazing. */
 #ifndef JLT_INTEGRATE_EVENT_H
 #define JLT_INTEGRATE_EVENT_H
 
@@ -24,14 +23,15 @@ typedef struct {
     void *context;
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked */
-    /* The longest step from x, where f is the field, in this direction of tau: where the field is rough near g = 0. NULL: any. */
+    /* The longest step from x, where f is the field, in this direction of tau: where the field is rough near g = 0. NULL:
+     * any. */
     double (*longest_step)(void *context, const double *x, const double *f, double direction);
 } jlt_event;
 
 typedef struct {
-    unsigned event;   /* index in the list asked for */
+    unsigned event;   /* index in the list of events that the caller gave */
     int direction;    /* JLT_RISING, JLT_FALLING for growing t; 0: grazing */
-    double theta;     /* in the last step */
+    double theta;     /* where in the last step, 0 at its start and 1 at its end */
     double residual;  /* g there */
     double slope;     /* dg/dtau there */
 } jlt_crossing;

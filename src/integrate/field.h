@@ -1,14 +1,13 @@
-/** What is integrated: an autonomous field dx/dtau = f(x), its time, and what is known of it. Plain data; nothing is owned.
- *
- *  A field in a time of its own (dt = factor(x) dtau) carries the physical time t as a quadrature: the integrator keeps it
- *  as one more component after the states, with the same order and in the same error control. */
+/** A field to integrate: dx/dtau = f(x), autonomous, with its time and whatever else is known of it. Plain data; nothing is
+ *  owned.  * A field in a time of its own (dt = factor(x) dtau) carries the physical time t as a quadrature: the integrator
+ *  keeps it as one more component after the states, with the same order and in the same error control. */
 #ifndef JLT_INTEGRATE_FIELD_H
 #define JLT_INTEGRATE_FIELD_H
 
 #include "core/status.h"
 #include "kernel_abi.h"
 
-/* The largest field is that of 128 states with their derivatives by as many coordinates, and an integral. */
+/* The largest field has 128 states, their derivatives by 128 coordinates, and one integral. */
 enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
 
 typedef struct {
@@ -26,14 +25,15 @@ typedef struct {
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
 } jlt_field;
 
-/** How near a state may come to a finite bound of its domain, relative to the bound: nearer, fewer than 16 bits of the distance
- *  are left, and the field, which divides by its root, is worth nothing. */
+/** How near a state may come to a finite bound of its domain, relative to the bound. Nearer, fewer than 16 bits of the distance
+ *  are left, and a field that divides by the root of that distance has no correct digits worth speaking of. */
 #define JLT_FIELD_NEAREST 0x1p-37
 
-/** The field of a generated kernel. In the model's own time its domain is watched; a lifted root does without. p: its prepared
- *  block, kept by the caller as long as the field is in use.
- *  The last state is taken for the pole's root when the kernel has a time of its own and that state is bounded by 0 below.
- *  Errors: UNSUPPORTED, the descriptor has no right-hand side. */
+/** Make the field of a generated kernel. In the model's own time t the field watches the domain of its states; in a time of its
+ *  own, where a root is lifted to a state, it need not. The last state is taken for the root that vanishes at a pole when the
+ *  kernel has a time of its own and that state is bounded below by 0.
+ *  In: p, the prepared block, which must live as long as the field. Errors: UNSUPPORTED, the descriptor has no right-hand
+ *  side. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
 
 #endif

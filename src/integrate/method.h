@@ -1,11 +1,9 @@
-/** One-step methods behind one table.
- *
- *  A stepper holds the current point and the last accepted step. Its method advances it by one accepted step at a time with
- *  its own control of the local error, and gives the step as a polynomial and, more accurately, as a state at a fraction of it.
- *
- *  The estimate of a step's error is held under a share of the tolerance times max(|x_i|, scale_i), in the norm of the method (see
- *  there). Estimates are more or less cautious, and the errors of steps add up: the shares are measured, so that after ten returns of
- *  the regular orbits of (5.1) the error is about the tolerance by every method. At equal error they cost nothing. */
+/** Methods of integration, as a table of records, and the stepper that they advance.  * A stepper holds the current point and
+ *  the last accepted step. Its method advances it by one accepted step at a time, with its own control of the local error. It
+ *  gives the solution inside that step as a polynomial, and more accurately as the state at one given fraction of it.  * Each
+ *  method keeps its estimate of a step's error below tolerance * share * max(|x_i|, scale_i), in its own norm (see its file).
+ *  Some estimates are more cautious than others, and errors of steps add up, so each method has a share of its own, which was
+ *  measured: after ten returns of the regular orbits of (5.1) the error is about the tolerance by every method. */
 #ifndef JLT_INTEGRATE_METHOD_H
 #define JLT_INTEGRATE_METHOD_H
 
@@ -32,7 +30,7 @@ typedef struct {
 
     double tau;           /* end of the last step, now; compensated by tau_low */
     double tau_low;
-    double *x, *x_low;    /* the point now, and what rounding has cut off it */
+    double *x, *x_low;    /* the point now, and the rounding error of x that is carried along: x + x_low is the better value */
     double *f;            /* dx/dtau there */
     double h_next;        /* proposed, > 0 */
 
@@ -41,7 +39,7 @@ typedef struct {
     double *x_start, *f_start;
     double *dense;        /* x(tau_start + theta*h)_i = sum_k dense[k*stride + i] theta^k, 0 <= theta <= 1 */
     unsigned dense_degree;
-    double dense_error;   /* of it inside the step, an estimate, relative to max(|x_i|, scale_i); filled with it */
+    double dense_error;   /* estimate of the polynomial's error inside the step, relative to max(|x_i|, scale_i) */
     bool dense_ready;
 
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
@@ -69,23 +67,23 @@ struct jlt_method {
     /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
      * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
-    /* So that a step far from an event costs little; either may be NULL, not both. An estimate from above of the total variation of
-     * a column on the last step, from what is at hand; the column's polynomial in Bernstein form, b (degree + 1,), with
-     * dense_error, where that costs no evaluation. Returns the degree. */
+    /* These two make a step far from an event cheap; one of them may be NULL. variation: an upper estimate of the total
+     * variation of a column over the last step, without an evaluation of the field. bernstein: the column's polynomial in
+     * Bernstein form, b (degree + 1,), without an evaluation; it fills dense_error and returns the degree. */
     double (*variation)(const jlt_stepper *self, unsigned column);
     unsigned (*bernstein)(jlt_stepper *self, unsigned column, double *b);
 };
 
-/** The table: gauss (the default: the fastest at every accuracy in `jellett bench`), dop853, taylor, rk8pd, rkf45, msadams. NULL
- *  past the end. */
+/** The table: gauss (the default: the fastest at every accuracy in `jellett bench`), dop853, taylor, rk8pd, rkf45, msadams.
+ *  NULL past the end. */
 const jlt_method *jlt_method_at(size_t index);
 
 /** By name; NULL when there is none; the default for NULL. */
 const jlt_method *jlt_method_find(const char *name);
 
-/** A stepper at rest at nowhere. method NULL: the default. tolerance in (0, 1); max_step > 0 or INFINITY. `field` is
- *  copied by reference and must live on.
- *  Errors: ARG; UNSUPPORTED, taylor on a field without a jet; NOMEM. */
+/** Create a stepper; call jlt_stepper_start before jlt_stepper_advance. Out: *out, NULL on failure.
+ *  In: method, NULL for the default; tolerance in (0, 1); max_step > 0 in tau, or INFINITY. The stepper keeps a pointer to
+ *  `field`, which must live as long. Errors: ARG; UNSUPPORTED, taylor on a field without a jet; NOMEM. */
 JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field,
                                           double tolerance, double max_step);
 void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
@@ -95,11 +93,11 @@ void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
 JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
                                          double first_step);
 
-/** Put another state in place of the point, near it (a projection): time, counters and proposed step stay. The last step's
- *  polynomial is bent to end there. Errors: NONFINITE. Cost: 1 evaluation; msadams loses its past. */
+/** Replace the point by x, shape (dim,), a state near it (a projection). Time, counters and the proposed step stay, and the
+ *  last step's polynomial is changed to end at x. Errors: NONFINITE. Cost: 1 evaluation; msadams starts again at order 1. */
 JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
 
-/** One accepted step, |h| <= limit. On failure the point is that of the last accepted step.
+/** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
  *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the step
  *  led to the edge of the field's domain or beyond. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
@@ -108,7 +106,8 @@ JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
  *  (the others). */
 JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
 
-/** Value of one column, or of all (columns,), of that polynomial; jlt_stepper_dense came before. */
+/** The value of that polynomial at theta in [0, 1], for one column or for all, out (columns,). Call jlt_stepper_dense
+ *  before. */
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
 void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
 

@@ -1,4 +1,4 @@
-/** One orbit: propagated to times, to crossings, or into a pole, with invariants watched.
+/** Follows one orbit to given times, to crossings of a surface, or into a pole, and watches invariants on the way.
  *
  *      jlt_orbit *orbit = NULL;
  *      JLT_TRY(jlt_orbit_create(&orbit, jlt_method_find("dop853"), &field, &(jlt_options){ .tolerance = 1e-13 }));
@@ -22,20 +22,20 @@ typedef struct {
     size_t max_steps;         /* budget of accepted and rejected steps of one call; default 10^7 */
     const volatile sig_atomic_t *interrupt; /* nonzero ends the call with JLT_END_INTERRUPT; NULL: none */
     jlt_invariants invariants;
-    bool project;             /* after each step back onto the levels of the start, along the gradients, when off by more
-                                 than rounding */
-    bool ignore_pole;         /* go on in regularised time, for ever */
+    bool project;             /* after each step put the state back onto the start's levels of the invariants, along their
+                                 gradients, when it is off by more than rounding */
+    bool ignore_pole;         /* do not end at a pole: go on in regularised time, for ever */
 } jlt_options;
 
 typedef enum {
     JLT_END_TIME,      /* t_end is reached */
     JLT_END_EVENT,     /* a crossing */
     JLT_END_POLE,      /* the orbit ends here: t is when, x the limit, with the root 0 */
-    JLT_END_OBSERVER,  /* the observer said so */
-    JLT_END_INTERRUPT  /* the flag was raised */
+    JLT_END_OBSERVER,  /* the observer returned nonzero */
+    JLT_END_INTERRUPT  /* options.interrupt became nonzero */
 } jlt_end;
 
-/** Where a call ended. x and t are those of the crossing or of t_end, and not of the step's end. */
+/** Where a call ended. x and t belong to the crossing or to t_end; the last step may reach beyond. */
 typedef struct {
     jlt_end end;
     double t, tau;         /* tau is INFINITY at a pole */
@@ -49,33 +49,38 @@ typedef struct jlt_orbit jlt_orbit;
 /** Called after every accepted step; nonzero ends the run. */
 typedef int (*jlt_observer)(void *context, jlt_orbit *orbit);
 
-/** Errors: as jlt_stepper_create; UNSUPPORTED, project with a multistep method. `field` must live on. */
+/** Create an orbit; call jlt_orbit_start before the rest. Out: *out, NULL on failure. `field` must live as long as the orbit.
+ *  Errors: as jlt_stepper_create; UNSUPPORTED, project with a multistep method. */
 JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field,
                                         const jlt_options *options);
 void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */
 
-/** Put it at x (dim,) at time t; direction +1 or -1. Levels of the invariants and event sides are taken anew.
+/** Start at x, shape (dim,), at time t, forwards (direction +1) or backwards (-1) in time. The invariants' levels, and the side
+ *  of each event that the orbit is on, are those of x.
  *  Errors: ARG, another direction; NONFINITE, t, x or the field there; NOMEM. */
 JLT_CHECKED jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction);
-void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context); /* NULL: nobody */
+
+/** From now on call `observer` with `context` after every accepted step; NULL: no more. */
+void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context);
 
 enum { JLT_ORBIT_EVENTS_MAX = 16 };
 
-/** Go on to the next crossing of one of the events, to physical time t_end (+-INFINITY: no end), or into the pole,
- *  whichever comes first. Call again to go on: the same event list continues the same count of crossings; a changed list
- *  starts from the current point. count <= 8; levels are finite, else ARG. At JLT_END_TIME the next call starts from there
- *  with nothing lost.
- *  Errors: NONFINITE, NO_PROGRESS, BUDGET; DOMAIN, a field in the model's own time came to the edge of its domain; out then
- *  holds the last accepted point with end JLT_END_TIME. */
+/** Go on to the next crossing of one of the events, shape (count,), to physical time t_end (+-INFINITY: no end), or into the
+ *  pole, whichever comes first; *out says which. Call again to go on from there: with the same events no crossing is lost or
+ *  found twice; with others the search begins at the current point.
+ *  Errors: ARG, count > JLT_ORBIT_EVENTS_MAX, or a level that is not finite; NONFINITE, NO_PROGRESS, BUDGET; DOMAIN, a field in
+ *  the model's own time came to the edge of its domain. On these last four *out holds the last accepted point, with end
+ *  JLT_END_TIME. */
 JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count,
                                       jlt_outcome *out);
 
-/** To t_end exactly. x: shape (dim,). Errors: as above, x then holds the last accepted point; DOMAIN also where a pole was
- *  reached before, x then holds the limit. */
+/** Follow the orbit to t_end exactly. Out: x, shape (dim,). Errors: as jlt_orbit_next, x then holds the last accepted point;
+ *  DOMAIN also when the orbit ends at a pole before t_end, x then holds the limit. */
 JLT_CHECKED jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double *x);
 
-/** To each of `times` (count,), monotone in the orbit's direction; states: (count, dim). *done: rows filled.
- *  Errors: as jlt_orbit_propagate; INTERRUPT leaves OK with *done < count. */
+/** The states at `times`, shape (count,), which must be monotone in the orbit's direction.
+ *  Out: states, shape (count, dim); *done, how many rows are filled. An interrupt returns OK with *done < count.
+ *  Errors: as jlt_orbit_propagate. */
 JLT_CHECKED jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t *done, const double *times, size_t count);
 
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, the last step, counters */

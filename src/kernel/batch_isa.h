@@ -6,11 +6,12 @@
 
 #include "kernel_abi.h"
 
-/** Whether the processor, and the operating system, run these kernels. */
+/** Whether the processor and the operating system support the instruction set of these kernels. */
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels);
 
-/** The widest that runs with at most `lanes` lanes; never NULL for a generated descriptor and lanes >= 2. 0: the bound is that of
- *  the environment variable JELLETT_LANES (2, 4 or 8), or none. */
+/** The widest batched kernels of a descriptor that run here with at most `lanes` lanes. lanes 0: the environment variable
+ *  JELLETT_LANES (2, 4 or 8) gives the bound; where it is not set there is none. NULL: the descriptor has no such kernels,
+ *  which cannot be for a built-in descriptor and lanes >= 2. */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
 #endif

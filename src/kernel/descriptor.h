@@ -20,9 +20,10 @@ const jlt_descriptor *jlt_descriptor_find(const char *model, const char *variant
 const jlt_descriptor *jlt_descriptor_sibling(const jlt_descriptor *of, const char *variant, const char *time,
                                              const char *elimination);
 
-/** The most special variant of a descriptor's model that serves these parameters: its substitutions leave them unchanged, and it
- *  has the most integrals, then the fewest operations. NULL when there is none in this time with this elimination.
- *  In: params, shape (params,) of the model. */
+/** The most special variant of a descriptor's model that holds for these parameters. A variant holds when what it substitutes
+ *  leaves the parameters as they are; of those that hold, the one with the most integrals is taken, then the one with the
+ *  fewest operations. NULL when there is none in this time with this elimination.
+ *  In: params, shape (param_count,), of the model, in the table's units. */
 const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char *time, const char *elimination,
                                             const double *params);
 
@@ -33,12 +34,14 @@ const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind
  *  `size` bytes. False, and "", when everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);
 
-/* Position of a name; false when there is none. */
+/* The index of a state or parameter of this name; false when there is none, *index then stays. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);
 bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index);
 
-/** Check values against the table's domain: NONFINITE for NaN and infinities, DOMAIN outside (low, high), or [low, high)
- *  for a parameter that may vanish; *index then tells which. */
+/** Check x, shape (state_count,), or params, shape (param_count,), against the table's domain. *index tells the first that
+ *  fails.
+ *  Errors: NONFINITE, a NaN or an infinity; DOMAIN, a state outside its open interval, or a parameter that breaks its sign
+ *  condition. */
 JLT_CHECKED jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const double *x, size_t *index);
 JLT_CHECKED jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index);
 

@@ -1,4 +1,4 @@
-/** A descriptor with parameter values: everything a kernel call needs besides the state. */
+/** An instance: a descriptor bound to values of its parameters, which is all that a kernel call needs beside the state. */
 #ifndef JLT_KERNEL_INSTANCE_H
 #define JLT_KERNEL_INSTANCE_H
 
@@ -19,18 +19,22 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
                                            const double *params);
 
-/** The same for states counted in units of their own: the block is prepared from the parameters in these. */
+/** The same for callers who count states in these units: the block is prepared from the parameters converted to them, so that
+ *  kernels called with it take and give numbers in them. `params` stays in the table's units. */
 JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
                                               const jlt_units *units);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 
-/** Whether the field is the same in these units: so it is where each of its terms has the dimension that the units of states and
- *  parameters say, and there is no number with a dimension of its own. Found by evaluation at generic states of several sizes, where
- *  both must agree to the bit. Errors: as jlt_instance_create. */
+/** Whether the field may be evaluated in these units: whether every term of an equation has the dimension of that equation, by
+ *  the units that the table writes beside its states and parameters. Out: *scales. It is tested, not derived: the field is
+ *  evaluated in both units at generic states of several sizes, and the results must agree to the bit. Errors: as
+ *  jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params,
                                            const jlt_units *units);
 
-/** Checked forms, as jlt_kernel_eval; x, shape (states,), must lie in the table's domain (else DOMAIN). */
+/** Kernels called with all checks of jlt_kernel_eval. In: x, shape (state_count,), in the units of the instance.
+ *  Out: f, shape (state_count,); jacobian, shape (state_count, state_count), df_i/dx_j in row i; *divergence; gradients of the
+ *  integrals, shape (integral_count, state_count). Errors: DOMAIN, x lies outside the table's domain; as jlt_kernel_eval. */
 JLT_CHECKED jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x);
 JLT_CHECKED jlt_status jlt_instance_jacobian(const jlt_instance *instance, double *jacobian, const double *x);
 JLT_CHECKED jlt_status jlt_instance_divergence(const jlt_instance *instance, double *divergence, const double *x);

@@ -1,4 +1,4 @@
-/** Checked evaluation: a generated kernel called so that a wrong number cannot pass.
+/** Checked evaluation of generated kernels.
  *
  *  A kernel itself reports nothing. Here its arguments must be finite, and an overflow, a lost underflow, a division by
  *  zero or an invalid operation anywhere inside it is an error, also where the result looks harmless. Step loops that need
@@ -9,7 +9,7 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-/* A kernel of more outputs is UNSUPPORTED here. */
+/* The most outputs of a kernel that is evaluated here; with more it is refused as UNSUPPORTED. */
 enum { JLT_KERNEL_OUTPUTS_MAX = 4096 };
 
 /** Evaluate one kernel.

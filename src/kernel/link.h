@@ -1,7 +1,6 @@
-/** Which tables serve in place of each other, by proof.
- *
- *  Two tables are linked where one claims a reduction onto, or an embedding into, the other, where this is proved, and where the
- *  table that it was proved for is this very one, by its SHA-256; and where a chain of such claims leads from one to the other. */
+/** Which tables may answer in place of each other, because a proof says that they describe the same motion.  * Two tables are
+ *  linked when one of them claims a reduction onto the other, or an embedding into it, when that claim is proved, and when the
+ *  proof was made for this very table (its SHA-256 is compared). A chain of such links is a link as well. */
 #ifndef JLT_KERNEL_LINK_H
 #define JLT_KERNEL_LINK_H
 
@@ -9,8 +8,9 @@
 
 #include "kernel_abi.h"
 
-/** Whether a chain of links leads from one table to the other; every table is linked to itself. Tables between are those built in.
- *  Out: *broken, where there is no chain: the claim of either that would link them but is not proved; NULL, there is none. */
+/** Whether a chain of links leads from one table to the other; every table is linked to itself. Only built-in tables may stand
+ *  between the two. Out: *broken, when the answer is no: a claim of either table that would link them if it were proved, or
+ *  NULL. */
 bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to);
 
 #endif

@@ -1,14 +1,14 @@
-/** Kernels that were compiled after this program: a shared object as ttc build makes it. */
+/** Loads kernels at run time, from a shared object that `ttc build` has made of a table. */
 #ifndef JLT_KERNEL_LOAD_H
 #define JLT_KERNEL_LOAD_H
 
 #include "core/status.h"
 #include "kernel_abi.h"
 
-/** Load the object and give the general field of its first model, from which its family is reached. Objects stay loaded until the
- *  program ends, since descriptors point into them.
- *  path: absolute, or with a slash. What it holds runs as this program does: take it from whom you trust.
- *  Errors: IO, it cannot be loaded; UNSUPPORTED, it is of another version. */
+/** Load an object. Out: *model, the general field of its first model; model->family lists the others. An object stays loaded
+ *  until the program ends, since descriptors point into it.
+ *  In: path, which must contain a slash. The object's code runs with the rights of this program: load only what you trust.
+ *  Errors: IO, it cannot be loaded; UNSUPPORTED, it was made for another version of the kernel ABI. */
 JLT_CHECKED jlt_status jlt_load(const jlt_descriptor **model, const char *path);
 
 #endif

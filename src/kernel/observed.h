@@ -1,7 +1,6 @@
-/** What a table says to look at along orbits (`observe`), and where its model holds (`valid`).
- *
- *  Their kernels are those of the general field with all its states; what is asked are states of one field of the model in the same
- *  time, in units of a problem; they are evaluated, and what is told is, in the table's own. */
+/** Quantities that a table asks to be watched along orbits (`observe`), and conditions under which its model holds (`valid`).
+ *  * The caller has states of some field of the model, in units of a problem (kernel/units.h). They are converted to the
+ *  table's units here; values come out in the table's units. */
 #ifndef JLT_KERNEL_OBSERVED_H
 #define JLT_KERNEL_OBSERVED_H
 
@@ -13,27 +12,31 @@ enum { JLT_OBSERVED_CONDITIONS_MAX = 256, JLT_OBSERVED_STATES_MAX = 256 }; /* as
 
 typedef struct jlt_observed jlt_observed;
 
-/** Out: *observed, NULL on failure, for jlt_observed_destroy. of: a descriptor of the model, without an eliminated state, whose
- *  states will be asked about; params, shape (param_count,) in its table's units. Errors: as jlt_instance_create. */
+/** Out: *observed, NULL on failure; destroy with jlt_observed_destroy.
+ *  In: of, the descriptor whose states will be passed in, without an eliminated state; params, shape (param_count,), in the
+ *  table's units; units, those of the states. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params,
                                            const jlt_units *units);
 void jlt_observed_destroy(jlt_observed *observed); /* legal on NULL */
 
-/** How many quantities are observed, and what they are, shape (count,). */
+/** How many quantities are observed, and their names, units and meanings, shape (count,). */
 unsigned jlt_observed_count(const jlt_observed *observed);
 const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed);
 
-/** Their values at x (states,), shape (count,); NaN where a pole leaves one open. Cost: that of the kernel, with memory for none. */
+/** Their values, shape (count,), at x, shape (states,); NaN for one that has no finite value there. Cost: one kernel; nothing
+ *  is allocated. */
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x);
 
-/** The least value that `valid` conditions have at x: the model holds where it is positive. INFINITY: there are none, or none is
- *  known there. *condition, unless NULL, gets the index of the one that has it, or stays. */
+/** The least of the values that the `valid` conditions have at x, shape (states,): the model holds where it is positive.
+ *  INFINITY when there are no conditions, or none can be evaluated there. Out: *condition, unless NULL: the index of the
+ *  condition that has the least value; it stays as it is when the result is INFINITY. */
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
-/** The value of one of these conditions. */
+/** The value of one of these conditions at x; the index must be below jlt_observed_conditions. */
 double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x);
 
-/** How many there are, and what they are called: one by its index, ANY of several "valid". */
+/** How many conditions there are, and the name of one by its index. JLT_OBSERVED_ANY stands for all of them together: its name
+ *  is that of the only condition, or "valid" when there are several. */
 enum { JLT_OBSERVED_ANY = JLT_OBSERVED_CONDITIONS_MAX };
 unsigned jlt_observed_conditions(const jlt_observed *observed);
 const char *jlt_observed_condition(const jlt_observed *observed, unsigned condition);

@@ -1,23 +1,23 @@
-/** Units of measurement in which a problem's numbers are of the order of 1.
- *
- *  Errors are controlled against max(|x|, 1), and steps begin at lengths that suit rates of the order of 1: both mean what they say
- *  when mass, length and time are counted in units of the problem. These are powers of two, so that changing over to them and back
- *  rounds nothing, and kernels, whose terms have one dimension each, give the same bits for problems that differ by such units. */
+/** Units of mass, length and time in which the numbers of a problem are of the order of 1.  * Integrators measure errors
+ *  against max(|x|, 1) and choose first steps for rates of the order of 1; both make sense only in such units. The units are
+ *  powers of two of kg, m and s: conversion rounds nothing, and two problems that differ only by such units give the same
+ *  bits. */
 #ifndef JLT_KERNEL_UNITS_H
 #define JLT_KERNEL_UNITS_H
 
 #include "kernel_abi.h"
 
-/** Binary exponents of the units, in kg, m and s. Zero means those themselves. */
+/** The units are 2^mass kg, 2^length m and 2^time s. All zero: kg, m and s. */
 typedef struct {
     int mass, length, time;
 } jlt_units;
 
-/** Binary exponent of a compound unit, written as in tables: "kg*m^2/s^2", "kg m^2", "rad/s", "1", "". Names other than kg, m and s
- *  are numbers. */
+/** Binary exponent of a compound unit, written as in tables: "kg*m^2/s^2", "kg m^2", "rad/s", "1", "". Names other than kg, m
+ *  and s are numbers. */
 int jlt_units_exponent(const jlt_units *units, const char *unit);
 
-/** Values (count,) of quantities, from those of the table to numbers of these units, and back. out may be in. */
+/** Convert values, shape (count,), of the quantities `of`, shape (count,): jlt_units_count from the table's units to these,
+ *  jlt_units_restore back. out and in may be the same array. */
 void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 

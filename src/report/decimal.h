@@ -1,4 +1,4 @@
-/** Quantities with their values, as short as reads back, for people. */
+/** Writes names with their values for people, each with the fewest digits that read back. */
 #ifndef JLT_REPORT_DECIMAL_H
 #define JLT_REPORT_DECIMAL_H
 

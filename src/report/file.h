@@ -1,4 +1,4 @@
-/** Whole files or none. */
+/** Writes files whole or not at all. */
 #ifndef JLT_REPORT_FILE_H
 #define JLT_REPORT_FILE_H
 
@@ -21,8 +21,8 @@ JLT_CHECKED jlt_status jlt_file_begin(jlt_file *self, const char *path);
 /** Flush to the disk, and move into place. Errors: IO (errno says why). */
 JLT_CHECKED jlt_status jlt_file_commit(jlt_file *self);
 
-/** The same with the whole lines that were written: what follows the last newline is cut. A signal handler may call it: it frees
- *  nothing, and the file still has to be ended. Errors: EMPTY, there is no whole line; IO. */
+/** The same with the whole lines that were written: what follows the last newline is cut. A signal handler may call it: it
+ *  frees nothing, and the file still has to be ended. Errors: EMPTY, there is no whole line; IO. */
 JLT_CHECKED jlt_status jlt_file_commit_lines(const jlt_file *self);
 
 /** Close, and remove what was not moved into place. Legal when zeroed, and twice; keeps errno. */

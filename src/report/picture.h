@@ -1,4 +1,4 @@
-/** Pictures by gnuplot. */
+/** Draws pictures by gnuplot. */
 #ifndef JLT_REPORT_PICTURE_H
 #define JLT_REPORT_PICTURE_H
 
@@ -10,8 +10,8 @@
 /* True when the extension of the path is one that jlt_picture_draw knows: .svg, .png, .pdf. */
 bool jlt_picture_known(const char *path);
 
-/** A whole script: `script`, gnuplot commands without terminal and output, with data in `$NAME << EOD` blocks, behind the terminal
- *  that the extension of `path` asks for. For the caller to free(). Errors: ARG (another extension), NOMEM. */
+/** A whole script: `script`, gnuplot commands without terminal and output, with data in `$NAME << EOD` blocks, behind the
+ *  terminal that the extension of `path` asks for. For the caller to free(). Errors: ARG (another extension), NOMEM. */
 JLT_CHECKED jlt_status jlt_picture_script(char **whole, size_t *length, const char *path, const char *script);
 
 /** The picture that gnuplot draws by a whole script; for the caller to free().

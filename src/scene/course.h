@@ -1,9 +1,9 @@
-/** One motion in the tier of a plan: the asked model's states at times, with what is watched.
- *
+/** A course: one motion, computed in the tier that a plan has chosen, and given as states of the model that was asked about.
+ *   *
  *      JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
  *      for (...) JLT_TRY(jlt_course_to(course, t, &row));          // times in one direction, row.end == JLT_END_TIME
- *
- *  Whatever the tier, rows hold the states of the model that was asked about, so that tiers can be compared. */
+ *   * Rows are the same in every tier, so that tiers can be compared: states at given times, drift of integrals, observed
+ *  quantities. */
 #ifndef JLT_SCENE_COURSE_H
 #define JLT_SCENE_COURSE_H
 
@@ -15,7 +15,7 @@ typedef struct {
     const jlt_method *method;               /* NULL: the default */
     double tolerance;                       /* of the local error, relative to scale; 0: 1e-12 */
     size_t max_steps;                       /* of one call; 0: 10^7 */
-    bool project;                           /* after every step back onto the levels of the start */
+    bool project;                           /* put the state back onto the start's levels of all integrals after every step */
     const volatile sig_atomic_t *interrupt; /* may be NULL */
 } jlt_course_options;
 
@@ -25,9 +25,9 @@ typedef struct {
     const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
     const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
-    double least;             /* value of the model's conditions over the accepted steps since the start; INFINITY: there are none */
-    double lost_at;           /* when it was first seen not to be positive; NaN: never */
-    const char *lost;         /* the condition that then was broken; NULL: none */
+    double least;             /* least value of the model's conditions over accepted steps since the start; INFINITY: none */
+    double lost_at;           /* time at which `least` was first seen not to be positive; NaN: never */
+    const char *lost;         /* the condition that was broken then; NULL: none */
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: which one, +1 or -1 */
@@ -36,25 +36,27 @@ typedef struct {
 
 typedef struct jlt_course jlt_course;
 
-/** question and plan are copied; what they point to must live on only for descriptors.
- *  Errors: UNSUPPORTED (no kernel; project with more integrals than are served), those of jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
+/** Create the course. *question and *plan are copied, with params and start; descriptors they point to must live as long as the
+ *  course. Out: *out, NULL on failure. Errors: UNSUPPORTED (no kernel; project with more integrals than are served), those of
+ *  jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
 JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                                          const jlt_course_options *options);
 void jlt_course_destroy(jlt_course *self); /* NULL is legal */
 
-/** Go to time t; the start is at 0, and t must not turn back. *row is filled in any case in which JLT_OK is returned.
+/** Go on to time t, in the table's unit; the start is at 0, and times go in one direction. *row is filled whenever JLT_OK is
+ *  returned.
  *  Errors: those of jlt_orbit_next, and DOMAIN, the tier's coordinates end before t: the row then holds the last point reached,
  *  or has x NULL and lost_at NaN when there is none; ARG (t turns back). */
 JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
 
-/** The kernel that does the work, bound to its parameters and levels; for quadratures the asked model's own. */
+/** The kernel that is integrated, bound to its parameters and levels; with quadratures the asked model's own. */
 const jlt_instance *jlt_course_kernel(const jlt_course *self);
 
 /** Number and names of the integrals watched. */
 unsigned jlt_course_integrals(const jlt_course *self);
 const char *jlt_course_integral(const jlt_course *self, unsigned index);
 
-/** What is observed, shape (count,). */
+/** How many quantities the asked model's table observes. Out: *quantities, shape (count,): their names, units and meanings. */
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities);
 
 /** Steps and evaluations of the field so far; both 0 for quadratures. */

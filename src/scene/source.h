@@ -1,4 +1,4 @@
-/** The text of a scene file, before libconfig sees it: of what that would take for something else without a word. */
+/** Checks the text of a scene file before libconfig reads it, for what libconfig would silently read as something else. */
 #ifndef JLT_SCENE_SOURCE_H
 #define JLT_SCENE_SOURCE_H
 

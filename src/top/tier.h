@@ -1,9 +1,8 @@
-/** Tiers: the same motion by models of different size.
- *
- *  The system as a whole is 17-dimensional. What is asked of it often needs less: the attitude and the track follow from
- *  five states by quadratures, those five live on levels of integrals, and in special cases little or nothing is left to
- *  integrate. A tier says which kernel does the work, whom it serves, and how its coordinates and the five reduced states
- *  become each other. The table goes from the smallest to the largest; comparisons are taken by name only. */
+/** Tiers: the same motion by models of different size.  * The full system has 17 states, but most questions need fewer:
+ *  attitude and track follow from five states by quadratures, these five move on levels of integrals, and in special cases
+ *  little or nothing is left to integrate. A tier says which kernel is integrated, for which parameters and starts it may be,
+ *  and how its coordinates are computed from the five reduced states and back. The table is ordered from the smallest to the
+ *  largest; some tiers serve for comparison and are taken by name only. */
 #ifndef JLT_TOP_TIER_H
 #define JLT_TOP_TIER_H
 
@@ -25,7 +24,8 @@ typedef struct {
     int mirror;                       /* -1: the reversor's image is integrated, in reversed time */
 } jlt_tier_view;
 
-/** What must be proved for a tier to serve: that a chain of claims links its table to the asked one, and claims of the latter. */
+/** What must be proved for a tier to serve: that a chain of claims links its table to the asked one, and claims of the
+ *  latter. */
 enum { JLT_TIER_CLAIMS_MAX = 3 };
 
 typedef struct {
@@ -35,7 +35,8 @@ typedef struct {
     } claims[JLT_TIER_CLAIMS_MAX];
 } jlt_tier_proofs;
 
-/* value > 0 where the coordinates are good. longest_step: as in jlt_event, where the kernel is rough near the edge. */
+/* Where coordinates of a tier end: value > 0 where they are good. longest_step: as in jlt_event, for a kernel that is rough
+ * near there. */
 typedef struct {
     double (*value)(void *view, const double *y);
     double (*longest_step)(void *view, const double *y, const double *f, double direction);
@@ -65,23 +66,29 @@ const jlt_tier *jlt_tier_at(size_t index);
 
 const jlt_tier *jlt_tier_find(const char *name); /* NULL when there is none */
 
-/** True for models that tiers speak of: the spherical top's reduced system, in its five states. */
+/** Whether a model has tiers: the spherical top's reduced system has, in its five states. */
 bool jlt_tier_has(const jlt_descriptor *model);
 
-/** Views of an orbit of `model` from x, shape (JLT_TOP_STATES,), with its parameters: as told, and in units of the problem, which are
- *  those of the table where the model's terms have no units in common. params, in those units, shape (model->param_count,), is kept by
- *  reference, as is told_params. Errors: ARG, the model has not the top's parameters; as jlt_instance_scales. */
+/** Open two views of the orbit of `model` from x, shape (JLT_TOP_STATES,): *told in the units of the table, in which
+ *  told_params and x are, and *view in units of the problem, *units; where the table's units do not fit together these are the
+ *  table's as well.
+ *  Out: params, shape (model->param_count,), the parameters in *units. Both views point to told_params or params, which must
+ *  live on.
+ *  Errors: ARG, the model has not the top's parameters; as jlt_instance_scales. */
 JLT_CHECKED jlt_status jlt_tier_open(jlt_tier_view *told, jlt_tier_view *view, jlt_units *units, double *params, const jlt_tier *tier,
                                      const jlt_descriptor *kernel, const jlt_descriptor *model, const double *told_params, const double *x);
 
-/** States that an orbit has come to, in place, within rounding of their domain; at a pole (ends) at it. Returns which, +1 or -1, or 0. */
+/** Round the states x, shape (JLT_TOP_STATES,), that an orbit has reached into their domain, in place; with `ends`, to the pole
+ *  at which it ended. Returns the side of that pole, +1 or -1, or 0. */
 int jlt_tier_settle(double *x, bool ends);
 
-/** What a pole is called, and the limits of the other states there, for messages. */
 enum { JLT_TIER_TEXT_MAX = 256 };
+
+/** For messages: what the pole at x is called, and the limits of the other states there. */
 void jlt_tier_pole_text(char pole[JLT_TIER_TEXT_MAX], char limits[JLT_TIER_TEXT_MAX], const double *x);
 
-/** Levels and reversal for an orbit from x, shape (JLT_TOP_STATES,); tier NULL: the model's own kernel. */
+/** Fill a view of the orbit from x, shape (JLT_TOP_STATES,): its levels, and whether the reversor's image is integrated in its
+ *  place. tier NULL: the model's own kernel. */
 void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descriptor *descriptor, const jlt_top *top,
                    const double *x);
 

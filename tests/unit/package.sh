@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# `cpack -G DEB` makes a package that has the programs, the library, headers, kernels, models and man pages, and that depends on the
-# packages of all libraries that are loaded; unpacked into any folder, the programs run from there and the examples build.
+# `cpack -G DEB` makes packages of the programs, of the shared library, and of what is built with it; each has what it should, with
+# a changelog of its version, and depends on the packages of all libraries that are loaded. Unpacked into any folder, the programs run
+# from there and the examples build. lintian, where it is installed, finds no error.
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -9,24 +10,37 @@ fail() { echo "$*"; status=1; }
 
 (cd "$JLT_BINARY_DIR" && umask 077 && cpack -G DEB -B "$scratch") > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 version=$(jellett --version | sed 's/^jellett //;q')
-package=$scratch/jellett_${version}_$(dpkg --print-architecture).deb
-[ -f "$package" ] || { echo "no $package among $(ls "$scratch")"; exit 1; }
-dpkg-deb -x "$package" "$scratch/root"
+architecture=$(dpkg --print-architecture)
 tree=$scratch/root/usr
-
-for path in bin/ttc bin/jellett libexec/jellett/jellett-bench include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h \
-    share/jellett/models/spherical_top.tt share/jellett/examples/section.c share/man/man1/ttc.1 share/man/man1/jellett.1 \
-    share/doc/jellett/LICENSE; do
-    [ -f "$tree/$path" ] || fail "the package has no /usr/$path"
-done
+while read -r package paths; do
+    file=$scratch/${package}_${version}_$architecture.deb
+    [ -f "$file" ] || { echo "no $file among $(ls "$scratch")"; exit 1; }
+    dpkg-deb -x "$file" "$scratch/$package"
+    for path in $paths share/doc/$package/copyright share/doc/$package/changelog.gz; do
+        [ -e "$scratch/$package/usr/$path" ] || [ -L "$scratch/$package/usr/$path" ] || fail "$package has no /usr/$path"
+    done
+    gzip -dc "$scratch/$package/usr/share/doc/$package/changelog.gz" > "$scratch/changelog"
+    [ "$(dpkg-parsechangelog -l "$scratch/changelog" -S Version)" = "$version" ] || fail "the changelog is not of $version"
+    dpkg-deb -x "$file" "$scratch/root"
+done <<'LIST'
+jellett bin/ttc bin/jellett libexec/jellett/jellett-bench share/jellett/models/spherical_top.tt share/man/man1/ttc.1.gz share/man/man1/jellett.1.gz share/zsh/vendor-completions/_jellett
+libjellett0 lib/libjellett.so.0
+libjellett-dev lib/libjellett.so lib/libjellett.a include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h share/jellett/examples/section.c
+LIST
+[ "$(find "$scratch"/{jellett,libjellett0,libjellett-dev} -type f | wc -l)" = "$(find "$scratch/root" -type f | wc -l)" ] ||
+    fail "a file is in two packages"
 library=$(find "$tree" -name libjellett.so)
-[ -n "$library" ] && [ -n "$(find "$tree" -name libjellett.a)" ] || fail "the package has not both libraries"
+if command -v lintian > /dev/null; then
+    lintian --allow-root --fail-on error "$scratch"/*.deb > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "^ lintian finds errors"; }
+fi
 [ -z "$(find "$scratch/root" ! -type l \( -perm /022 -o ! -perm -044 \))" ] || fail "permissions are the umask's"
 ! grep -rlIF -e "$JLT_BINARY_DIR" -e "$scratch" "$tree" || fail "^ these files name the folder in which they were built"
 
 # What the loader asks for is in packages that this one depends on; who calls Z3 or Arb, which package they are in, is dpkg's to say.
-depends=" $(dpkg-deb -f "$package" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "
+depends_of() { echo " $(dpkg-deb -f "$scratch/$1_${version}_$architecture.deb" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "; }
 for file in "$tree/bin/ttc" "$tree/bin/jellett" "$tree/libexec/jellett/jellett-bench" "$library"; do
+    depends=$(depends_of jellett)
+    [ "$file" != "$library" ] || depends=$(depends_of libjellett0)
     while read -r soname; do
         path=$(ldd "$file" | awk -v name="$soname" '$1 == name { print $3 }')
         owner=$(dpkg -S "*/$soname" 2>/dev/null | sed 's/:.*//' | sort -u)
@@ -60,5 +74,5 @@ if ! nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep -E '__[at]san_init' > 
     "$JLT_CC" -std=c11 "$tree/share/jellett/examples/section.c" -o "$scratch/section" $(pkg-config --cflags --libs jellett) -lm
     [ "$(LD_LIBRARY_PATH=${library%/*} "$scratch/section" | wc -l)" = 5 ] || fail "section.c does not run"
 fi
-[ $status -ne 0 ] || echo "${package##*/}, $(stat -c %s "$package") bytes; depends on$depends"
+[ $status -ne 0 ] || stat -c '%n: %s bytes' "$scratch"/*.deb
 exit $status

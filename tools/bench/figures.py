@@ -134,7 +134,7 @@ def kernels():
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    print("\n".join(part for part in [*sections(), grazing(), threads(), kernels(), tiers()] if part))
+    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), tiers()] if part))
 
 
 main()

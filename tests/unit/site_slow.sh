@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# The site is rendered without a warning, its links and anchors lead somewhere, and it loads nothing from elsewhere. Needs what
+# tools/install-deps --docs installs.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$JLT_SOURCE_DIR"
+tools/docs/render "$scratch/site" > "$scratch/log" 2>&1 || {
+    cat "$scratch/log"
+    ! grep -q '^render: missing' "$scratch/log" || exit 77
+    exit 1
+}
+python3 tools/docs/links --site "$scratch/site"
+for page in index man/jellett man/ttc api/dynamics api/kernel_abi gallery/README tools/docs/commands; do
+    [ -s "$scratch/site/$page.html" ] || { echo "there is no page $page"; exit 1; }
+done
+pictures=$(grep -o '<img [^>]*src="[^"]*\.svg"' "$scratch/site/gallery/README.html" | wc -l)
+[ "$pictures" -ge "$(cat tools/scenes/*.scene | grep -c 'plot = ')" ] || { echo "the gallery has $pictures pictures"; exit 1; }

@@ -1,0 +1,44 @@
+# Sphinx's settings for the site that tools/docs/render makes.
+from pygments.lexer import RegexLexer, bygroups, using
+from pygments.lexers.shell import BashLexer
+from pygments.token import Generic
+
+project = "jellett"
+extensions = ["myst_parser", "breathe"]
+root_doc = "README"
+html_theme = "furo"
+html_title = "jellett"
+html_static_path = ["style.css"]
+html_css_files = ["style.css"]
+html_show_sourcelink = False
+html_show_copyright = False
+html_show_sphinx = False
+html_copy_source = False
+html_use_index = False
+smartquotes = False  # -- is an option
+myst_heading_anchors = 4  # as on a forge: #words-of-the-heading
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
+highlight_language = "text"
+breathe_projects = {"jellett": "xml"}
+breathe_default_project = "jellett"
+breathe_domain_by_extension = {"h": "c"}
+breathe_default_members = ("members", "undoc-members")
+breathe_show_include = False
+breathe_show_define_initializer = True
+
+
+class Transcript(RegexLexer):
+    """Commands stand behind "$ ", and go on behind a backslash; all else is what they say, "#" at the start of a line as well."""
+
+    name = "console"
+    tokens = {
+        "root": [
+            (r"^(\$ )((?:.*\\\n)*.*\n?)", bygroups(Generic.Prompt, using(BashLexer))),
+            (r".*\n", Generic.Output),
+        ]
+    }
+
+
+def setup(app):
+    app.add_lexer("console", Transcript)
