@@ -1,6 +1,7 @@
 #include "cli/drift.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/symbol.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,6 +31,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case PROJECT: o->project = true; return 0;
+    case ARGP_KEY_END: jlt_plot_check_log(&o->motion.common, "xy", state); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -117,32 +119,45 @@ static jlt_exit run_all(jlt_drift *r, const options *o, unsigned *drawn)
 
 static jlt_exit draw(const jlt_drift *r, const options *o, unsigned drawn, const char *points)
 {
-    jlt_command_output script;
-    size_t colour = 0;
+    static const char *const dashes[] = { "solid", "dashed", "dotted" };
+    const jlt_chart *chart = r->system->flow.chart;
+    unsigned series = 0;
+    jlt_plot plot;
     FILE *stream;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fprintf(stream, "set encoding utf8\n%sset title \"Drift of the integrals, ", points);
-    jlt_motion_caption(stream, r->system, NULL);
-    fprintf(stream, "\\nstart %s, tolerance %.3g%s\" noenhanced\n", o->start, o->motion.flow.tolerance,
-            o->project ? ", projected" : "");
-    fputs("set logscale xy\nset format '10^{%T}'\nset xlabel \"returns\"\nset ylabel \"relative drift: ", stream);
-    for (unsigned k = 0; k < r->count; k++)
-        fprintf(stream, "%s%s %s", k == 0 ? "" : ", ", r->names[k], k == 0 ? "solid" : k == 1 ? "dashed" : "dotted");
-    fputs("\" noenhanced\nset grid\nset key top left\nplot ", stream);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    stream = plot.stream;
+    fputs(points, stream);
+    jlt_plot_words(&plot, "Drift of the integrals from ");
+    for (unsigned k = 0; k < chart->dim; k++) jlt_plot_value(&plot, chart->names[k], r->q[k]);
+    jlt_plot_words(&plot, "\n");
+    jlt_motion_caption(&plot, r->system, NULL);
+    jlt_plot_value(&plot, "tolerance", o->motion.flow.tolerance);
+    if (o->project) jlt_plot_words(&plot, ", projected");
+    jlt_plot_axis(&plot, 'x', "returns", JLT_EXTENT_OPEN, 0);
+    jlt_plot_log(&plot, 'x', 10);
+    jlt_plot_axis(&plot, 'y', "relative drift", JLT_EXTENT_OPEN, 0);
+    jlt_plot_log(&plot, 'y', 10);
+    fputs(JLT_LOOK_GRID "plot ", stream);
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const char *name = jlt_method_at(m)->name;
         if ((drawn >> m & 1u) == 0) continue;
-        colour++;
         for (unsigned k = 0; k < r->count; k++) {
-            fprintf(stream, "%s$%s using 1:%u with lines ", colour > 1 || k > 0 ? ", " : "", name, k + 2);
-            if (k == 0) fprintf(stream, "lw 2 lc %zu title '%s'", colour, name);
-            else fprintf(stream, "dt %d lc %zu notitle", k == 1 ? 2 : 3, colour);
+            fprintf(stream, "%s$%s using 1:%u ", series > 0 || k > 0 ? ", " : "", name, k + 2);
+            jlt_look_pen(stream, plot.look, (jlt_pen){ "linespoints", .colour = series, .dash = k, .mark = series, .size = 0.4 });
+            fprintf(stream, k == 0 ? " title '%s'" : " notitle", name);
         }
+        series++;
+    }
+    for (unsigned k = 0; k < r->count && r->count > 1; k++) {
+        fputs(", keyentry ", stream);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .dash = k });
+        fputs(" title '", stream);
+        jlt_symbol_write(stream, r->names[k]);
+        fprintf(stream, ", %s'", dashes[k < 2 ? k : 2]);
     }
     fputc('\n', stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    return jlt_plot_draw(&plot);
 }
 
 /* The integrals that the table of a section proves. */

@@ -11,13 +11,13 @@ static void write_row(const jlt_drift *self, const jlt_method *method, const jlt
     fprintf(self->file, "%s,%zu,", method->name, row->returns);
     jlt_csv_value(self->file, row->t);
     fprintf(self->file, ",%zu", row->evaluations);
-    if (self->points != NULL) fprintf(self->points, "%zu", row->returns);
+    double point[1 + JLT_INVARIANTS_MAX] = { (double)row->returns };
     for (unsigned k = 0; k < self->count; k++) {
         fprintf(self->file, ",%.3g", row->drift[k]);
-        if (self->points != NULL) fprintf(self->points, " %.4g", row->drift[k]);
+        point[1 + k] = row->drift[k];
     }
     fputc('\n', self->file);
-    if (self->points != NULL) fputc('\n', self->points);
+    if (self->points != NULL) jlt_look_row(self->points, point, 1 + self->count);
 }
 
 jlt_status jlt_drift_note(jlt_drift *self, const jlt_method *method, jlt_drift_row *row, jlt_drift_row *rows, size_t *count,

@@ -4,6 +4,7 @@
 
 #include "cli/common.h"
 #include "cli/grid.h"
+#include "cli/plot.h"
 #include "cli/stream.h"
 #include "dynamics/system.h"
 #include "top/known.h"
@@ -43,12 +44,13 @@ void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 /** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
 jlt_exit jlt_motion_project(jlt_system *system);
 
-/** A picture's axes, x and y: labels of the first two coordinates, and the frame of a section that is known as a whole. */
-void jlt_motion_labels(FILE *stream, const jlt_system *system);
-void jlt_motion_frame(FILE *stream, const jlt_system *system);
+/** The coordinates that a picture shows: those of --axes, else the first two; of a section of one, that one twice. */
+jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system);
 
-/** One label: set xlabel "NAME", with what is added to it. */
-void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added);
+/** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it. WHOLE: the
+ *  section, as far as that is known. */
+#define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
+void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
 /** The start that a known section has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
 jlt_exit jlt_motion_default_start(const char **start, const jlt_system *system, jlt_known_start purpose, const char *wanted);
@@ -76,8 +78,8 @@ size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
 /** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
 
-/* One line for captions: parameters and levels, but for the one that is swept, if any. */
-void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept);
+/* For captions: parameters and levels, but for the one that is swept, if any. */
+void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept);
 
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);

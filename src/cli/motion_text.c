@@ -68,42 +68,49 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     fputs("; nothing is random, so there is no seed\n", stream);
 }
 
-static void caption_value(FILE *stream, bool *is_first, const char *name, double value, const char *swept)
-{
-    if (swept != NULL && strcmp(name, swept) == 0) return;
-    fprintf(stream, "%s%s=%.6g", *is_first ? "" : ", ", name, value);
-    *is_first = false;
-}
-
-void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
+void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept)
 {
     const jlt_descriptor *d = system->instance->descriptor;
     const char *names[JLT_INVARIANTS_MAX];
     double levels[JLT_INVARIANTS_MAX];
     const unsigned level_count = jlt_motion_levels(system, names, levels);
-    bool is_first = true;
 
     for (unsigned i = 0; i < d->param_count; i++) {
         unsigned k = 0;
         while (k < level_count && strcmp(names[k], d->params[i].name) != 0) k++;
-        if (k == level_count) caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
+        if (k == level_count && (swept == NULL || strcmp(d->params[i].name, swept) != 0))
+            jlt_plot_value(plot, d->params[i].name, system->instance->params[i]);
     }
-    for (unsigned k = 0; k < level_count; k++) caption_value(stream, &is_first, names[k], levels[k], swept);
+    for (unsigned k = 0; k < level_count; k++)
+        if (swept == NULL || strcmp(names[k], swept) != 0) jlt_plot_value(plot, names[k], levels[k]);
 }
 
-void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added)
+static const char *unit_of(const jlt_system *system, unsigned coordinate)
 {
-    if (system->known != NULL) fprintf(stream, "set %clabel \"%s%s\"\n", axis, system->known->labels[coordinate], added);
-    else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
+    const jlt_descriptor *d = system->instance->descriptor;
+    size_t index;
+
+    if (system->known != NULL) return system->known->units[coordinate];
+    return jlt_descriptor_state(d, system->flow.chart->names[coordinate], &index) ? d->states[index].unit : "";
 }
 
-void jlt_motion_labels(FILE *stream, const jlt_system *system)
+void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range)
 {
-    jlt_motion_label(stream, system, 'x', 0, "");
-    jlt_motion_label(stream, system, 'y', 1, "");
+    const double period = system->flow.chart->period[coordinate];
+    const double *frame = system->known != NULL ? &system->known->frame[2 * coordinate] : NULL;
+    char label[JLT_LOOK_LABEL_MAX];
+
+    jlt_look_label(label, system->flow.chart->names[coordinate], unit_of(system, coordinate));
+    if (period != 0 && range.high - range.low > period / 2) range = (jlt_extent){ -period / 2, period / 2 };
+    else if (isinf(range.low)) range = frame != NULL ? (jlt_extent){ frame[0], frame[1] } : JLT_EXTENT_OPEN;
+    jlt_plot_axis(plot, axis, label, range, period);
 }
 
-void jlt_motion_frame(FILE *stream, const jlt_system *system)
+jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system)
 {
-    if (system->known != NULL) fprintf(stream, "set xrange [%s]\nset yrange [%s]\n", system->known->frame[0], system->known->frame[1]);
+    const jlt_chart *chart = system->flow.chart;
+
+    shown[0] = 0;
+    shown[1] = chart->dim > 1;
+    return jlt_plot_shown(shown, &options->common, chart->names, chart->dim);
 }

@@ -94,8 +94,8 @@ static jlt_fate turned_at(const jlt_system *system)
 
 static const double defaults[VALUES] = { 1, 1, 1, 1. / 3, 1. / 3, 0.51, 2.15, -0.56 }; /* (5.1) of Kilin & Ivanova (2023) */
 static const char *const coordinates[] = { "eta", "gamma3" }; /* as the chart has them */
-static const char *const labels[] = { "η [rad]", "γ_3" };
-static const char *const frame[] = { "-pi:pi", "-1:1" };
+static const char *const units[] = { "rad", "" };
+static const double pi = 3.14159265358979323846, frame[] = { -pi, pi, -1, 1 };
 
 const jlt_known jlt_known_top = {
     .subject = "the spherical top",
@@ -108,7 +108,7 @@ const jlt_known jlt_known_top = {
     .coordinates = coordinates,
     .coordinate_count = sizeof coordinates / sizeof *coordinates,
     .starts = { "eta=0.44,gamma3=-0.62", "eta=0.1,gamma3=-0.6", "eta=0,gamma3=-0.61" },
-    .labels = labels,
+    .units = units,
     .frame = frame,
     .domain = "gamma3 must lie strictly between -1 and 1, and the orbit return before it ends at a pole or at rest",
     .at_return = { sizeof return_names / sizeof *return_names, return_names, at_return },

@@ -31,8 +31,8 @@ typedef struct jlt_known {
     const char *const *coordinates; /* (dim,) */
     unsigned coordinate_count;
     const char *starts[JLT_STARTS];
-    const char *const *labels;      /* (dim,): of coordinates, in the markup of gnuplot */
-    const char *const *frame;       /* (dim,): what a picture of the whole section shows, LOW:HIGH */
+    const char *const *units;       /* (dim,): of coordinates */
+    const double *frame;            /* (dim, 2): from where to where the whole section lies */
     const char *domain;             /* what a start must be that has no orbit, for a message */
     jlt_known_columns at_return, at_end;
 
