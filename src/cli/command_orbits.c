@@ -208,6 +208,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
 {
     const unsigned dim = system->flow.chart->dim;
     size_t found[JLT_ORBIT_DEGENERATE + 1] = { 0 };
+    jlt_extent extent[2] = { JLT_EXTENT_NONE, JLT_EXTENT_NONE };
     bool first = true;
     jlt_plot plot;
     FILE *stream;
@@ -218,13 +219,17 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
     for (size_t i = 0; i < list->count; i++) {
         const jlt_periodic *orbit = &list->orbits[i];
         found[orbit->type]++;
-        for (const double *q = orbit->points; q < orbit->points + orbit->period * dim; q += dim)
+        for (const double *q = orbit->points; q < orbit->points + orbit->period * dim; q += dim) {
+            for (unsigned k = 0; k < 2; k++) jlt_extent_add(&extent[k], q[shown[k]]);
             jlt_look_row(stream, (const double[]){ q[shown[0]], q[shown[1]], (double)orbit->type }, 3);
+        }
     }
     fputs("END\n", stream);
     jlt_plot_words(&plot, "Points of periodic orbits\n");
     jlt_motion_caption(&plot, system, NULL);
-    for (unsigned k = 0; k < 2; k++) jlt_motion_axis(&plot, system, k == 0 ? 'x' : 'y', shown[k], JLT_MOTION_WHOLE);
+    for (unsigned k = 0; k < 2; k++)
+        jlt_motion_axis(&plot, system, k == 0 ? 'x' : 'y', shown[k],
+                        system->known == NULL && list->count > 0 ? jlt_extent_wider(extent[k]) : JLT_MOTION_WHOLE);
     fputs(JLT_LOOK_GRID "plot ", stream);
     for (unsigned type = 0; type <= (unsigned)JLT_ORBIT_DEGENERATE; type++) {
         if (found[type] == 0) continue;
@@ -233,7 +238,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
         fprintf(stream, " title '%zu %s'", found[type], jlt_periodic_type_name((jlt_orbit_type)type));
         first = false;
     }
-    fputs(first ? "[-1:1] [-1:1] NaN notitle\n" : "\n", stream);
+    fputs(first ? "NaN notitle\n" : "\n", stream);
     return jlt_plot_draw(&plot);
 }
 

@@ -48,7 +48,7 @@ jlt_exit jlt_motion_project(jlt_system *system);
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system);
 
 /** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it. WHOLE: the
- *  section, as far as that is known. */
+ *  section, or where that is not known, and nothing is to be seen, some range. */
 #define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
 void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 

@@ -102,7 +102,7 @@ void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsign
 
     jlt_look_label(label, system->flow.chart->names[coordinate], unit_of(system, coordinate));
     if (period != 0 && range.high - range.low > period / 2) range = (jlt_extent){ -period / 2, period / 2 };
-    else if (isinf(range.low)) range = frame != NULL ? (jlt_extent){ frame[0], frame[1] } : JLT_EXTENT_OPEN;
+    else if (isinf(range.low)) range = frame != NULL ? (jlt_extent){ frame[0], frame[1] } : (jlt_extent){ -1, 1 };
     jlt_plot_axis(plot, axis, label, range, period);
 }
 

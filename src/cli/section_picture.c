@@ -59,7 +59,7 @@ static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_sys
     for (unsigned k = 0; k < 2; k++) {
         const unsigned c = self->shown[k];
         jlt_extent range = jlt_extent_wider(self->extent[k]);
-        if (grid != NULL && strchr(grid, '=') == NULL) range = JLT_MOTION_WHOLE;
+        if (self->count == 0 || (grid != NULL && strchr(grid, '=') == NULL)) range = JLT_MOTION_WHOLE;
         else if (grid != NULL && axes[c].high > axes[c].low) {
             const double more = (axes[c].high - axes[c].low) / 6;
             range = (jlt_extent){ axes[c].low - more, axes[c].high + more };

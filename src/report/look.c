@@ -156,6 +156,7 @@ void jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *la
     jlt_look_quote(stream, label);
     fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     if (!isnan(self->low[k])) range = (jlt_extent){ self->low[k], self->high[k] };
+    if (range.high <= range.low) range = jlt_extent_wider(range);
     if (!(range.high > range.low)) return;
     fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
     if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)

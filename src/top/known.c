@@ -95,7 +95,7 @@ static jlt_fate turned_at(const jlt_system *system)
 static const double defaults[VALUES] = { 1, 1, 1, 1. / 3, 1. / 3, 0.51, 2.15, -0.56 }; /* (5.1) of Kilin & Ivanova (2023) */
 static const char *const coordinates[] = { "eta", "gamma3" }; /* as the chart has them */
 static const char *const units[] = { "rad", "" };
-static const double pi = 3.14159265358979323846, frame[] = { -pi, pi, -1, 1 };
+static const double frame[] = { -3.14159265358979323846, 3.14159265358979323846, -1, 1 };
 
 const jlt_known jlt_known_top = {
     .subject = "the spherical top",
