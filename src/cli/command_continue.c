@@ -35,7 +35,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->motion, state->child_inputs[1] = &o->motion.common;
+        return 0;
     case ALONG: o->along = value; return 0;
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX / 2, "--period"); return 0;
@@ -51,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -72,8 +74,10 @@ static const struct argp parser = {
 typedef struct {
     FILE *file, *points;
     const jlt_chart *chart;
-    unsigned shown;      /* the coordinate in pictures */
-    size_t rows, branch; /* branch: of the last row */
+    unsigned shown[2];    /* in pictures: 0, the value that runs, or a coordinate by its number from 1 */
+    size_t rows, branch;  /* branch: of the last row */
+    jlt_extent extent[2]; /* of the picture, */
+    unsigned kinds, lines; /* in which bifurcations of these kinds are, and unstable (bit 0) and stable orbits (bit 1) */
 } table;
 
 static void write_point(const table *self, size_t branch, const jlt_continuation_point *point)
@@ -94,9 +98,16 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
     table *self = context;
 
     write_point(self, branch, point);
-    if (self->points != NULL)
-        fprintf(self->points, "%s%.9g %.9g %d %d\n", branch != self->branch ? "\n" : "", point->value,
-                point->orbit.points[self->shown], (int)point->kind, (int)point->orbit.type);
+    if (self->points != NULL) {
+        const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;
+        double row[4] = { [2] = (double)point->kind, stable };
+        for (unsigned k = 0; k < 2; k++) row[k] = self->shown[k] == 0 ? point->value : point->orbit.points[self->shown[k] - 1];
+        for (unsigned k = 0; k < 2; k++) jlt_extent_add(&self->extent[k], row[k]);
+        if (branch != self->branch) fputc('\n', self->points);
+        jlt_look_row(self->points, row, 4);
+        self->kinds |= 1u << point->kind;
+        self->lines |= point->kind == JLT_BIFURCATION_NONE ? 1u << stable : 0;
+    }
     self->branch = branch;
     self->rows++;
     return ferror(self->file) ? JLT_ERR_IO : JLT_OK;
@@ -131,23 +142,50 @@ static void tell_left(const jlt_tree_left *left, size_t generations)
                 "ask for more with --generations %zu\n", left->last, generations + 1);
 }
 
-static jlt_exit draw(const options *o, const jlt_system *system, const char *name, unsigned shown, const char *points)
+/* By default the value that runs, and the first coordinate that is no angle. */
+static jlt_exit choose_axes(unsigned shown[2], const options *o, const jlt_system *system, const jlt_grid_axis *axis)
 {
-    jlt_command_output script;
-    FILE *stream;
+    const jlt_chart *chart = system->flow.chart;
+    const char *names[JLT_CHART_DIM_MAX + 1] = { axis->name };
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
-    jlt_motion_caption(stream, system, NULL);
-    fprintf(stream, "\" noenhanced\nset xlabel \"%s\" noenhanced\n", name);
-    jlt_motion_label(stream, system, 'y', shown, " of the first point");
-    fputs("set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", stream);
-    for (int kind = 1; kind <= (int)JLT_BIFURCATION_TORUS; kind++)
-        fprintf(stream, ", $POINTS using 1:($3==%d?$2:1/0) with points pt %d lc %d title '%s'", kind, kind + 4, kind + 1,
-                jlt_continuation_bifurcation_name((jlt_bifurcation)kind));
+    memcpy(names + 1, chart->names, chart->dim * sizeof *names);
+    shown[0] = 0, shown[1] = 1;
+    while (shown[1] < chart->dim && chart->period[shown[1] - 1] != 0) shown[1]++;
+    return jlt_plot_shown(shown, &o->motion.common, names, chart->dim + 1);
+}
+
+/* A bifurcation is an end of the stable line and of the unstable one. */
+static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const table *to, const char *points)
+{
+    char label[JLT_LOOK_LABEL_MAX];
+    jlt_plot plot;
+
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    FILE *const stream = plot.stream;
+    jlt_plot_block(&plot, "POINTS", points);
+    jlt_plot_words(&plot, "First points of periodic orbits\n");
+    jlt_motion_caption(&plot, system, name);
+    jlt_look_label(label, name, "");
+    for (unsigned k = 0; k < 2; k++) {
+        const jlt_extent range = jlt_extent_wider(to->extent[k]);
+        if (to->shown[k] == 0) jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, range, 0);
+        else jlt_motion_axis(&plot, system, k == 0 ? 'x' : 'y', to->shown[k] - 1, range);
+    }
+    fputs("plot ", stream);
+    for (unsigned stable = 2; stable-- > 0;) {
+        if ((to->lines >> stable & 1u) == 0) continue;
+        fprintf(stream, "$POINTS using 1:($4==%u||$3>0?$2:NaN) ", stable);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .dash = !stable });
+        fprintf(stream, " title '%s', ", stable ? "stable" : "unstable");
+    }
+    for (unsigned kind = JLT_BIFURCATION_FOLD; kind <= (unsigned)JLT_BIFURCATION_TORUS; kind++) {
+        if ((to->kinds >> kind & 1u) == 0) continue;
+        fprintf(stream, "$POINTS using 1:($3==%u?$2:NaN) ", kind);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .colour = kind, .mark = kind, .size = 1 });
+        fprintf(stream, " title '%s', ", jlt_continuation_bifurcation_name((jlt_bifurcation)kind));
+    }
     fputc('\n', stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
@@ -196,7 +234,6 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
     jlt_tree_left left;
 
     to->chart = system->flow.chart;
-    while (to->shown + 1 < to->chart->dim && to->chart->period[to->shown] != 0) to->shown++;
     const jlt_status st = jlt_tree_grow(&left, to->chart, &maps, first, o->direction, o->generations, &run, &sink);
     if (st == JLT_OK && o->generations > 0) tell_left(&left, o->generations);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
@@ -206,7 +243,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
     jlt_motion_family family = { .surface = NULL };
-    table to = { .rows = 0 };
+    table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
@@ -222,6 +259,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.max_steps = 20000;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
+    if (code == JLT_EXIT_DONE) code = choose_axes(to.shown, &o, system, &axis);
     if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
@@ -246,7 +284,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, stream.path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, to.shown, points);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, &to, points);
 done:
     jlt_stream_discard(&stream);
     jlt_motion_family_clear(&family);

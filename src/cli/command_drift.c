@@ -2,6 +2,7 @@
 #include "cli/progress.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/symbol.h"
 #include "top/drift_top.h"
 
 #include <math.h>
@@ -44,6 +45,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case PROJECT: o->project = true; return 0;
+    case ARGP_KEY_END: jlt_plot_check_log(&o->motion.common, "xy", state); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -73,13 +75,13 @@ static bool tell(void *context, const jlt_drift_row *row, bool due)
         fprintf(r->file, "%s,%zu,", r->method->name, row->returns);
         jlt_csv_value(r->file, row->t);
         fprintf(r->file, ",%zu", row->evaluations);
-        if (r->points != NULL) fprintf(r->points, "%zu", row->returns);
+        double point[1 + JLT_INVARIANTS_MAX] = { (double)row->returns };
         for (unsigned k = 0; k < r->drift.count; k++) {
             fprintf(r->file, ",%.3g", row->drift[k]);
-            if (r->points != NULL) fprintf(r->points, " %.4g", row->drift[k]);
+            point[1 + k] = row->drift[k];
         }
         fputc('\n', r->file);
-        if (r->points != NULL) fputc('\n', r->points);
+        if (r->points != NULL) jlt_look_row(r->points, point, 1 + r->drift.count);
     }
     jlt_progress_show(&r->progress, row->returns, r->drift.returns);
     return !ferror(r->file);
@@ -140,32 +142,45 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 
 static jlt_exit draw(const report *r, const options *o, unsigned drawn, const char *points)
 {
-    jlt_command_output script;
-    size_t colour = 0;
+    static const char *const dashes[] = { "solid", "dashed", "dotted" };
+    const jlt_chart *chart = r->drift.system->flow.chart;
+    unsigned series = 0;
+    jlt_plot plot;
     FILE *stream;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fprintf(stream, "set encoding utf8\n%sset title \"Drift of the integrals, ", points);
-    jlt_motion_caption(stream, r->drift.system, NULL);
-    fprintf(stream, "\\nstart %s, tolerance %.3g%s\" noenhanced\n", o->start, o->motion.flow.tolerance,
-            o->project ? ", projected" : "");
-    fputs("set logscale xy\nset format '10^{%T}'\nset xlabel \"returns\"\nset ylabel \"relative drift: ", stream);
-    for (unsigned k = 0; k < r->drift.count; k++)
-        fprintf(stream, "%s%s %s", k == 0 ? "" : ", ", r->names[k], k == 0 ? "solid" : k == 1 ? "dashed" : "dotted");
-    fputs("\" noenhanced\nset grid\nset key top left\nplot ", stream);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    stream = plot.stream;
+    fputs(points, stream);
+    jlt_plot_words(&plot, "Drift of the integrals from ");
+    for (unsigned k = 0; k < chart->dim; k++) jlt_plot_value(&plot, chart->names[k], r->drift.q[k]);
+    jlt_plot_words(&plot, "\n");
+    jlt_motion_caption(&plot, r->drift.system, NULL);
+    jlt_plot_value(&plot, "tolerance", o->motion.flow.tolerance);
+    if (o->project) jlt_plot_words(&plot, ", projected");
+    jlt_plot_axis(&plot, 'x', "returns", JLT_EXTENT_OPEN, 0);
+    jlt_plot_log(&plot, 'x', 10);
+    jlt_plot_axis(&plot, 'y', "relative drift", JLT_EXTENT_OPEN, 0);
+    jlt_plot_log(&plot, 'y', 10);
+    fputs(JLT_LOOK_GRID "plot ", stream);
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const char *name = jlt_method_at(m)->name;
         if ((drawn >> m & 1u) == 0) continue;
-        colour++;
         for (unsigned k = 0; k < r->drift.count; k++) {
-            fprintf(stream, "%s$%s using 1:%u with lines ", colour > 1 || k > 0 ? ", " : "", name, k + 2);
-            if (k == 0) fprintf(stream, "lw 2 lc %zu title '%s'", colour, name);
-            else fprintf(stream, "dt %d lc %zu notitle", k == 1 ? 2 : 3, colour);
+            fprintf(stream, "%s$%s using 1:%u ", series > 0 || k > 0 ? ", " : "", name, k + 2);
+            jlt_look_pen(stream, plot.look, (jlt_pen){ "linespoints", .colour = series, .dash = k, .mark = series, .size = 0.4 });
+            fprintf(stream, k == 0 ? " title '%s'" : " notitle", name);
         }
+        series++;
+    }
+    for (unsigned k = 0; k < r->drift.count && r->drift.count > 1; k++) {
+        fputs(", keyentry ", stream);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .dash = k });
+        fputs(" title '", stream);
+        jlt_symbol_write(stream, r->names[k]);
+        fprintf(stream, ", %s'", dashes[k < 2 ? k : 2]);
     }
     fputc('\n', stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    return jlt_plot_draw(&plot);
 }
 
 /* The integrals that the table of a section proves. */

@@ -1,6 +1,8 @@
 #include "cli/fates_table.h"
 #include "cli/motion_family.h"
+#include "cli/motion_map.h"
 #include "cli/progress.h"
+#include "report/symbol.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,16 +34,23 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
+        state->child_inputs[2] = &o->motion.common;
+        return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     case SWEEP: o->sweep = value; return 0;
+    case ARGP_KEY_END:
+        if (o->sweep != NULL && o->motion.common.axes != NULL) argp_error(state, "--axes are those of a grid of fates: leave out --sweep");
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
+                                              { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -70,7 +79,7 @@ static const char *grid_of(const options *o, const jlt_system *system)
 }
 
 /* All starts of one system; file NULL: only count. */
-static jlt_exit follow_all(jlt_shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
+static jlt_exit follow_all(jlt_shares *sum, FILE *file, jlt_motion_map *map, const options *o, const jlt_system *system,
                            jlt_progress *progress, size_t before, size_t whole)
 {
     const char *grid = grid_of(o, system);
@@ -100,72 +109,52 @@ static jlt_exit follow_all(jlt_shares *sum, FILE *file, FILE *points, const opti
         if (end.interrupted) break;
         jlt_shares_add(sum, system, q, &end);
         if (file != NULL) jlt_fates_table_row(file, &o->motion, system, q, &end);
-        if (points != NULL) fprintf(points, "%.7g %.7g %d %.7g\n", q[0], q[1], (int)end.fate, end.t);
+        if (map != NULL) jlt_motion_map_add(map, q, (double)end.fate);
         jlt_progress_show(progress, before + i + 1, whole > 0 ? whole * all : all);
     }
     jlt_section_destroy(section);
     return code;
 }
 
-/* Half the distance of neighbouring starts on an axis; 0 for a single one. */
-static double half_cell(const jlt_grid_axis *axis, double period)
-{
-    return axis->count > 1 ? fabs(jlt_grid_value(axis, 1, period) - jlt_grid_value(axis, 0, period)) / 2 : 0;
-}
-
 /* A grid as cells, single starts as points. */
-static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const jlt_shares *sum)
+static jlt_exit draw_fates(const options *o, const jlt_system *system, jlt_motion_map *map, const jlt_shares *sum)
 {
-    static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#40a040", "#a060c0", "#909090",
-                                          "#c0c0c0", "#c0c0c0", "#c0c0c0" };
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    const char *grid = grid_of(o, system);
-    jlt_command_output script;
-    char how[128] = "points pt 5 ps 0.7", name[JLT_FATE_TEXT_MAX];
+    char columns[64], colour[32], name[JLT_FATE_TEXT_MAX];
     bool first = true;
-    FILE *stream;
-    jlt_exit code = jlt_motion_axes(axes, system, grid, "--grid");
+    jlt_plot plot;
 
-    if (code != JLT_EXIT_DONE) return code;
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    const double *periods = system->flow.chart->period, width = half_cell(&axes[0], periods[0]), height = half_cell(&axes[1], periods[1]);
-    const bool cells = grid != NULL && width > 0 && height > 0;
-    if (cells) snprintf(how, sizeof how, "boxxyerror fill solid noborder");
-    fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Fates of orbits by their start, ", points);
-    jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\n", stream);
-    jlt_motion_labels(stream, system);
-    fputs("set key tmargin center horizontal\nset tics out\n", stream);
-    if (grid != NULL && strchr(grid, '=') == NULL) jlt_motion_frame(stream, system);
-    fputs("plot ", stream);
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) {
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_words(&plot, "Fates of orbits by their start\n");
+    jlt_motion_caption(&plot, system, NULL);
+    jlt_motion_map_frame(map, &plot);
+    fputs("plot ", plot.stream);
+    for (unsigned fate = 0; fate < (unsigned)JLT_FATE_COUNT; fate++) {
         if (sum->all.by_fate[fate] == 0) continue;
         jlt_section_fate_text(name, system->observed, (jlt_fate)fate, JLT_OBSERVED_ANY);
-        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN)", first ? "" : ", ", fate);
-        if (cells) fprintf(stream, ":(%.9g):(%.9g)", width, height);
-        fprintf(stream, " with %s lc rgb '%s' title \"%zu %s\" noenhanced", how, colours[fate], sum->all.by_fate[fate], name);
+        snprintf(columns, sizeof columns, "($3==%u?$2:NaN)", fate);
+        snprintf(colour, sizeof colour, "rgb '%s'", jlt_look_colour(plot.look, fate));
+        if (!first) fputs(", ", plot.stream);
+        jlt_motion_map_plot(map, &plot, columns, colour);
+        fprintf(plot.stream, " title '%zu ", sum->all.by_fate[fate]);
+        jlt_symbol_plain(plot.stream, name, strlen(name));
+        fputc('\'', plot.stream);
         first = false;
     }
-    fputc('\n', stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    fputc('\n', plot.stream);
+    return jlt_plot_draw(&plot);
 }
 
-static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system)
+static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system, jlt_motion_map *map)
 {
     jlt_shares sum = { .empty = 0 };
     jlt_progress progress;
-    char *points = NULL;
-    size_t size;
-    FILE *copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
     jlt_exit code;
 
     jlt_motion_header(stream->file, &o->motion, system);
     jlt_fates_table_names(stream->file, &o->motion, system);
     jlt_progress_start(&progress, "starts");
-    code = follow_all(&sum, stream->file, copy, o, system, &progress, 0, 0);
+    code = follow_all(&sum, stream->file, map, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
-    if (copy != NULL) fclose(copy);
     if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0)
         code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
@@ -173,33 +162,36 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
         if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
         fputs("jellett: ", stderr);
         jlt_fates_table_summary(stderr, &o->motion, system, &sum);
-        if (points != NULL) code = draw_fates(o, system, points, &sum);
+        if (map->points != NULL) code = draw_fates(o, system, map, &sum);
     }
-    const size_t failed = jlt_shares_failed(&sum);
-    if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, sum.all.starts);
-    free(points);
+    if (code == JLT_EXIT_DONE && jlt_shares_failed(&sum) > 0) code = jlt_motion_failures(jlt_shares_failed(&sum), sum.all.starts);
     return code;
 }
 
 /* The last column of $SHARES is what is left when orbits that turn over in contact are counted; of other sections those alive. */
-static jlt_exit draw_sweep(const options *o, const jlt_system *system, const char *name, const char *points)
+static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt_grid_axis *axis, const char *points)
 {
-    jlt_command_output script;
-    FILE *stream;
+    const bool turns = jlt_shares_turn(system);
+    char label[JLT_LOOK_LABEL_MAX];
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that %s as %s runs; otherwise ",
-            points, jlt_shares_turn(system) ? "turn over" : "go on", name);
-    jlt_motion_caption(stream, system, name);
-    fprintf(stream, "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts%s%s\"\n"
-            "set yrange [0:1]\nset key tmargin center horizontal\nplot ", name, jlt_shares_turn(system) ? " " : "",
-            jlt_shares_turn(system) ? system->surface->section->turn_meaning : "");
-    if (jlt_shares_turn(system))
-        fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
-              "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over, the model valid all the way'\n", stream);
-    else fputs("$SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'alive'\n", stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_block(&plot, "SHARES", points);
+    jlt_plot_words(&plot, "Share of orbits that %s\n", turns ? "turn over" : "go on");
+    jlt_motion_caption(&plot, system, axis->name);
+    jlt_look_label(label, axis->name, "");
+    jlt_plot_axis(&plot, 'x', label, jlt_extent_wider((jlt_extent){ fmin(axis->low, axis->high), fmax(axis->low, axis->high) }), 0);
+    jlt_plot_axis(&plot, 'y', turns ? "share of low starts" : "share of starts", (jlt_extent){ 0, 1 }, 0);
+    fputs("plot $SHARES using 1:2:3 ", plot.stream);
+    jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "yerrorlines", .colour = 2, .size = 0.6 });
+    fprintf(plot.stream, " title '%s'", turns ? "turned over" : "alive");
+    if (turns) {
+        fputs(", $SHARES using 1:4 ", plot.stream);
+        jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 1, .dash = 1, .mark = 3, .size = 0.6 });
+        fputs(" title 'in contact all the way'", plot.stream);
+    }
+    fputc('\n', plot.stream);
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, const options *o)
@@ -256,7 +248,7 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axes[0].name, points);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, &axes[0], points);
     if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
     if (code == JLT_EXIT_DONE && starts == 0 && !jlt_motion_interrupted(&o->motion)) code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
 done:
@@ -271,6 +263,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_motion_map map = { .points = NULL };
     jlt_exit code;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
@@ -280,13 +273,12 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && grid_of(&o, system) == NULL && o.start_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL && o.sweep == NULL && system->flow.chart->dim != 2)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: fates are drawn over two coordinates, and the section has %u",
-                                system->flow.chart->dim);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, grid_of(&o, system), "--grid");
+    if (code == JLT_EXIT_DONE && o.sweep == NULL) code = jlt_motion_map_open(&map, &o.motion, system, grid_of(&o, system), axes);
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
-    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system);
+    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system, &map);
+    jlt_motion_map_close(&map);
     jlt_stream_discard(&stream);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);

@@ -1,4 +1,4 @@
-#include "cli/motion.h"
+#include "cli/motion_map.h"
 #include "cli/progress.h"
 #include "dynamics/lyapunov.h"
 #include "report/csv.h"
@@ -29,19 +29,24 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->motion;
+        state->child_inputs[1] = &o->motion.common;
+        return 0;
     case 'a': o->start = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     case SKIP: jlt_common_count(&o->skip, value, 0, 1000000000000, "--skip"); return 0;
     case ARGP_KEY_END:
         if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
+        if (o->grid == NULL && o->motion.common.axes != NULL) argp_error(state, "--axes are those of a chart: add --grid");
+        if (o->grid == NULL) jlt_plot_check_log(&o->motion.common, "x", state);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -83,9 +88,9 @@ static int observe(void *context, const jlt_lyapunov_state *state)
     if (state->returns >= self->next || state->returns == self->o->returns) {
         write_state(self->file, state, self->dim);
         if (self->points != NULL) {
-            fprintf(self->points, "%.9g", state->t);
-            for (unsigned k = 0; k < self->dim; k++) fprintf(self->points, " %.9g", state->exponents[k]);
-            fputc('\n', self->points);
+            double row[1 + JLT_CHART_DIM_MAX] = { state->t };
+            memcpy(row + 1, state->exponents, self->dim * sizeof *row);
+            jlt_look_row(self->points, row, 1 + self->dim);
         }
         /* 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, ... */
         size_t step = 1;
@@ -97,19 +102,27 @@ static int observe(void *context, const jlt_lyapunov_state *state)
 
 static jlt_exit draw_history(const options *o, const jlt_system *system, const char *points)
 {
-    jlt_command_output script;
-    FILE *stream;
+    double q[JLT_CHART_DIM_MAX];
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fprintf(stream, "set encoding utf8\n$HISTORY << END\n%sEND\nset title \"Lyapunov exponents from %s, ", points, o->start);
-    jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key tmargin center horizontal\nplot ",
-          stream);
-    for (unsigned k = 0; k < system->flow.chart->dim; k++)
-        fprintf(stream, "%s$HISTORY using 1:%u with linespoints pt 7 ps 0.3 title 'λ_%u'", k == 0 ? "" : ", ", k + 2, k + 1);
-    fputc('\n', stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_block(&plot, "HISTORY", points);
+    jlt_plot_words(&plot, "Lyapunov exponents from ");
+    (void)jlt_motion_start(q, system, o->start);
+    for (unsigned k = 0; k < system->flow.chart->dim; k++) jlt_plot_value(&plot, system->flow.chart->names[k], q[k]);
+    jlt_plot_words(&plot, "\n");
+    jlt_motion_caption(&plot, system, NULL);
+    jlt_plot_axis(&plot, 'x', "t [s]", JLT_EXTENT_OPEN, 0);
+    jlt_plot_log(&plot, 'x', 10);
+    jlt_plot_axis(&plot, 'y', "λ [1/s]", JLT_EXTENT_OPEN, 0);
+    fputs(JLT_LOOK_GRID "plot ", plot.stream);
+    for (unsigned k = 0; k < system->flow.chart->dim; k++) {
+        fprintf(plot.stream, "%s$HISTORY using 1:%u ", k == 0 ? "" : ", ", k + 2);
+        jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = k, .mark = k, .size = 0.3 });
+        fprintf(plot.stream, " title 'λ_{%u}'", k + 1);
+    }
+    fputc('\n', plot.stream);
+    return jlt_plot_draw(&plot);
 }
 
 /* The point that exponents are measured from. */
@@ -155,36 +168,31 @@ static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, opt
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
 }
 
-static jlt_exit draw_chart(const options *o, const jlt_system *system, const char *points)
+static jlt_exit draw_chart(const options *o, const jlt_system *system, jlt_motion_map *map)
 {
-    jlt_command_output script;
-    FILE *stream;
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
-            o->returns);
-    jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\n", stream);
-    jlt_motion_labels(stream, system);
-    fputs("set cblabel \"exponent [1/time]\"\nunset key\nplot $CHART using 1:2:3 with image\n", stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_words(&plot, "Finite-time exponent over %zu return%s\n", o->returns, o->returns == 1 ? "" : "s");
+    jlt_motion_caption(&plot, system, NULL);
+    jlt_motion_map_frame(map, &plot);
+    jlt_motion_map_palette(map, &plot, "exponent [1/s]");
+    fputs("plot ", plot.stream);
+    jlt_motion_map_plot(map, &plot, "2", "palette");
+    fputs(" notitle\n", plot.stream);
+    return jlt_plot_draw(&plot);
 }
 
-static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
+static jlt_exit run_chart(jlt_stream *stream, jlt_motion_map *picture, jlt_map *map, options *o, const jlt_grid_axis *axes)
 {
+    const jlt_system *system = picture->system;
     const jlt_chart *chart = system->flow.chart;
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
     double q[JLT_CHART_DIM_MAX], from[JLT_CHART_DIM_MAX], exponent, t;
-    FILE *copy = NULL;
-    size_t all, size;
-    jlt_exit code = jlt_motion_axes(axes, system, o->grid, "--grid");
+    const size_t all = jlt_motion_grid_size(axes, system);
+    jlt_exit code = JLT_EXIT_DONE;
 
-    if (code != JLT_EXIT_DONE) return code;
     if (o->returns == 0) o->returns = 10;
-    all = jlt_motion_grid_size(axes, system);
-    if (o->motion.common.plot != NULL) copy = open_memstream(points, &size);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%s,", chart->names[k]);
     fputs("exponent,t\n", stream->file);
     jlt_progress_start(&progress, "starts");
@@ -197,12 +205,11 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
         jlt_csv_values(stream->file, q, chart->dim);
         fputc(',', stream->file);
         jlt_csv_row(stream->file, (const double[]){ st == JLT_OK ? exponent : NAN, st == JLT_OK ? t : NAN }, 2);
-        if (copy != NULL && chart->dim >= 2) fprintf(copy, "%.7g %.7g %.7g\n", q[0], q[1], st == JLT_OK ? exponent : NAN);
+        jlt_motion_map_add(picture, q, st == JLT_OK ? exponent : NAN);
         jlt_progress_show(&progress, i + 1, all);
         if (st == JLT_ERR_NOMEM) code = jlt_motion_fail(st, system, "chart");
     }
     jlt_progress_end(&progress);
-    if (copy != NULL) fclose(copy);
     if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
     return code;
 }
@@ -213,6 +220,8 @@ static jlt_exit run(int argc, char **argv)
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_motion_map picture = { .points = NULL };
     char *points = NULL;
     jlt_exit code;
     jlt_status st;
@@ -223,6 +232,8 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
     if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);
+    if (code == JLT_EXIT_DONE && o.grid != NULL) code = jlt_motion_axes(axes, system, o.grid, "--grid");
+    if (code == JLT_EXIT_DONE && o.grid != NULL) code = jlt_motion_map_open(&picture, &o.motion, system, o.grid, axes);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.grid != NULL) system->flow.max_steps = 20000;
@@ -232,16 +243,17 @@ static jlt_exit run(int argc, char **argv)
         goto done;
     }
     jlt_motion_header(stream.file, &o.motion, system);
-    code = o.grid != NULL ? run_chart(&stream, &points, map, &o, system) : run_history(&stream, &points, map, &o, system);
+    code = o.grid != NULL ? run_chart(&stream, &picture, map, &o, axes) : run_history(&stream, &points, map, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && points != NULL)
-        code = o.grid != NULL ? draw_chart(&o, system, points) : draw_history(&o, system, points);
+    if (code == JLT_EXIT_DONE && picture.points != NULL) code = draw_chart(&o, system, &picture);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw_history(&o, system, points);
 done:
     jlt_stream_discard(&stream);
     jlt_map_destroy(map);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
+    jlt_motion_map_close(&picture);
     free(points);
     return code;
 }

@@ -119,17 +119,20 @@ static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic 
 
 static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separatrices *p, const jlt_periodic *saddle)
 {
-    jlt_command_output script;
+    static const char *const halves[] = { "UNSTABLE", "STABLE" }, *const names[] = { "unstable", "stable" };
+    jlt_extent extent[2] = { JLT_EXTENT_NONE, JLT_EXTENT_NONE };
+    jlt_plot plot;
     FILE *stream;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("set encoding utf8\n", stream);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    stream = plot.stream;
     for (int half = 0; half < 2; half++) {
-        fprintf(stream, "$%s << END\n", half == 0 ? "UNSTABLE" : "STABLE");
+        fprintf(stream, "$%s << END\n", halves[half]);
         for (int k = 2 * half; k < 2 * half + 2; k++) {
-            for (size_t i = 0; i < p->curve[k].count; i++)
-                fprintf(stream, "%.9g %.9g\n", p->curve[k].points[2 * i], p->curve[k].points[2 * i + 1]);
+            for (size_t i = 0; i < p->curve[k].count; i++) {
+                for (unsigned c = 0; c < 2; c++) jlt_extent_add(&extent[c], p->curve[k].points[2 * i + c]);
+                jlt_look_row(stream, p->curve[k].points + 2 * i, 2);
+            }
             fputc('\n', stream);
         }
         fputs("END\n", stream);
@@ -137,18 +140,22 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     fputs("$CROSSINGS << END\n", stream);
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
-            for (size_t i = 0; i < p->count[u][s]; i++)
-                fprintf(stream, "%.9g %.9g\n", p->crossings[u][s][i].q[0], p->crossings[u][s][i].q[1]);
-    fprintf(stream, "%.9g %.9g\nEND\nset title \"Separatrices of the saddle, ", saddle->points[0], saddle->points[1]);
-    jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\n", stream);
-    jlt_motion_labels(stream, system);
-    fputs("set key tmargin center horizontal\n"
-          "plot $UNSTABLE with lines lc rgb '#c02020' title 'unstable', "
-          "$STABLE with lines lc rgb '#2040c0' title 'stable', "
-          "$CROSSINGS with points pt 7 ps 0.4 lc rgb 'black' title 'saddle and homoclinic points'\n",
-          stream);
-    return jlt_common_draw(&o->motion.common, &script);
+            for (size_t i = 0; i < p->count[u][s]; i++) jlt_look_row(stream, p->crossings[u][s][i].q, 2);
+    jlt_look_row(stream, saddle->points, 2);
+    fputs("END\n", stream);
+    jlt_plot_words(&plot, "Separatrices of the saddle\n");
+    jlt_motion_caption(&plot, system, NULL);
+    for (unsigned c = 0; c < 2; c++) jlt_motion_axis(&plot, system, c == 0 ? 'x' : 'y', c, jlt_extent_wider(extent[c]));
+    fputs("plot ", stream);
+    for (unsigned half = 0; half < 2; half++) {
+        fprintf(stream, "$%s using 1:2 ", halves[half]);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .colour = 1 + half, .size = 0.1 });
+        fprintf(stream, " title '%s', ", names[half]);
+    }
+    fputs("$CROSSINGS using 1:2 ", stream);
+    jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .size = 0.3 });
+    fputs(" title 'saddle and homoclinic points'\n", stream);
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o, const jlt_system *system,

@@ -1,8 +1,9 @@
 #include "analysis/measure.h"
-#include "cli/common.h"
+#include "cli/plot.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
+#include "report/symbol.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -165,25 +166,35 @@ static jlt_exit draw(const jlt_measure_finding *f, const request *r)
 {
     const jlt_descriptor *d = f->instance->descriptor;
     const jlt_measure_attempt *a = &f->attempt;
-    jlt_command_output script;
+    char label[JLT_LOOK_LABEL_MAX];
+    jlt_plot plot;
     FILE *stream;
 
     if (a->points == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "--plot: there is no density to draw at these parameters");
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("$density << EOD\n", stream);
+    if (jlt_plot_open(&plot, &r->common) != JLT_OK) return jlt_command_no_memory();
+    stream = plot.stream;
+    fputs("$DENSITY << END\n", stream);
     for (size_t i = 0; i < a->count; i++)
-        fprintf(stream, "%.17g %.17g %.17g\n", a->points[i].at, a->points[i].density,
-                a->closed == NULL ? a->points[i].density : a->closed[i]);
-    fprintf(stream, "EOD\nset title \"Density of an invariant measure of %s\\n", d->model);
-    for (unsigned i = 0; i < d->param_count; i++) fprintf(stream, " %s=%.6g", d->params[i].name, f->instance->params[i]);
-    fprintf(stream, "\" noenhanced\nset xlabel '%s [%s]' noenhanced\nset ylabel 'density, 1 in the middle'\nset grid\n",
-            along_name(f), d->states[a->along].unit[0] == '\0' ? "1" : d->states[a->along].unit);
-    fputs("plot ", stream);
-    if (a->closed != NULL) fprintf(stream, "$density using 1:3 with lines lw 2 title 'closed form %s' noenhanced, ", a->closed_form);
-    fputs("$density using 1:2 with points pt 6 title 'quadrature of the divergence'\n", stream);
-    return jlt_common_draw(&r->common, &script);
+        jlt_look_row(stream, (const double[]){ a->points[i].at, a->points[i].density, a->closed == NULL ? NAN : a->closed[i] }, 3);
+    fputs("END\n", stream);
+    jlt_plot_words(&plot, "Density of an invariant measure of %s\n", d->model);
+    for (unsigned i = 0; i < d->param_count; i++) jlt_plot_value(&plot, d->params[i].name, f->instance->params[i]);
+    jlt_look_label(label, along_name(f), d->states[a->along].unit);
+    jlt_plot_axis(&plot, 'x', label, jlt_extent_wider((jlt_extent){ a->points[0].at, a->points[a->count - 1].at }), 0);
+    jlt_plot_axis(&plot, 'y', "density, 1 in the middle", JLT_EXTENT_OPEN, 0);
+    fputs(JLT_LOOK_GRID "plot ", stream);
+    if (a->closed != NULL) {
+        fputs("$DENSITY using 1:3 ", stream);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .colour = 2 });
+        fputs(" title '", stream);
+        jlt_symbol_write(stream, a->closed_form);
+        fputs("', ", stream);
+    }
+    fputs("$DENSITY using 1:2 ", stream);
+    jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .mark = 3, .size = 0.7 });
+    fputs(" title 'quadrature of the divergence'\n", stream);
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit deliver(const jlt_measure_finding *f, const request *r)

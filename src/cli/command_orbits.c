@@ -38,7 +38,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->motion;
+        state->child_inputs[1] = &o->motion.common;
+        return 0;
     case 'n': jlt_common_count(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case 'g': o->grid = value; return 0;
     case NEAR: jlt_common_positive(&o->near, value, "--near"); return 0;
@@ -56,7 +59,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -201,30 +204,42 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "orbits");
 }
 
-static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbits *list)
+static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbits *list, const unsigned shown[2])
 {
-    const jlt_chart *chart = system->flow.chart;
-    jlt_command_output script;
+    const unsigned dim = system->flow.chart->dim;
+    size_t found[JLT_ORBIT_DEGENERATE + 1] = { 0 };
+    jlt_extent extent[2] = { JLT_EXTENT_NONE, JLT_EXTENT_NONE };
+    bool first = true;
+    jlt_plot plot;
     FILE *stream;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("set encoding utf8\n$POINTS << END\n", stream);
-    for (size_t i = 0; i < list->count; i++)
-        for (size_t k = 0; k < list->orbits[i].period; k++)
-            fprintf(stream, "%.9g %.9g %d\n", list->orbits[i].points[k * chart->dim],
-                    chart->dim > 1 ? list->orbits[i].points[k * chart->dim + 1] : 0, (int)list->orbits[i].type);
-    fputs("-10 -10 0\nEND\nset title \"Periodic points, ", stream);
-    jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\n", stream);
-    jlt_motion_labels(stream, system);
-    jlt_motion_frame(stream, system);
-    fputs("set key tmargin center horizontal\nplot ", stream);
-    for (int type = 0; type <= (int)JLT_ORBIT_DEGENERATE; type++)
-        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt %d ps 0.8 lc %d title \"%s\"", type == 0 ? "" : ", ",
-                type, type + 4, type + 1, jlt_periodic_type_name((jlt_orbit_type)type));
-    fputc('\n', stream);
-    return jlt_common_draw(&o->motion.common, &script);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    stream = plot.stream;
+    fputs("$POINTS << END\n", stream);
+    for (size_t i = 0; i < list->count; i++) {
+        const jlt_periodic *orbit = &list->orbits[i];
+        found[orbit->type]++;
+        for (const double *q = orbit->points; q < orbit->points + orbit->period * dim; q += dim) {
+            for (unsigned k = 0; k < 2; k++) jlt_extent_add(&extent[k], q[shown[k]]);
+            jlt_look_row(stream, (const double[]){ q[shown[0]], q[shown[1]], (double)orbit->type }, 3);
+        }
+    }
+    fputs("END\n", stream);
+    jlt_plot_words(&plot, "Points of periodic orbits\n");
+    jlt_motion_caption(&plot, system, NULL);
+    for (unsigned k = 0; k < 2; k++)
+        jlt_motion_axis(&plot, system, k == 0 ? 'x' : 'y', shown[k],
+                        !jlt_motion_framed(system, shown[k]) && list->count > 0 ? jlt_extent_wider(extent[k]) : JLT_MOTION_WHOLE);
+    fputs(JLT_LOOK_GRID "plot ", stream);
+    for (unsigned type = 0; type <= (unsigned)JLT_ORBIT_DEGENERATE; type++) {
+        if (found[type] == 0) continue;
+        fprintf(stream, "%s$POINTS using 1:($3==%u?$2:NaN) ", first ? "" : ", ", type);
+        jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .colour = type, .mark = type, .size = 0.8 });
+        fprintf(stream, " title '%zu %s'", found[type], jlt_periodic_type_name((jlt_orbit_type)type));
+        first = false;
+    }
+    fputs(first ? "NaN notitle\n" : "\n", stream);
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -234,6 +249,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_orbits list = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
+    unsigned shown[2];
     jlt_exit code;
     jlt_status st;
 
@@ -242,6 +258,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_shown(shown, &o.motion, system);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;
@@ -258,7 +275,7 @@ static jlt_exit run(int argc, char **argv)
         fputc('\n', stream.file);
     }
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, &list);
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, &list, shown);
 done:
     jlt_stream_discard(&stream);
     jlt_orbits_clear(&list);

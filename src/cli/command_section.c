@@ -69,7 +69,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = state->child_inputs[1] = &o->motion, state->child_inputs[2] = &o->motion.common;
+        return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 4, "--returns"); return 0;
@@ -89,7 +91,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
+                                              { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -359,6 +362,7 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = jlt_section_picture_open(&picture, &o.motion, system);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     f.system = system;
@@ -366,10 +370,6 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
-    if (o.motion.common.plot != NULL && jlt_section_picture_open(&picture) != JLT_OK) {
-        code = jlt_command_no_memory();
-        goto done;
-    }
     jlt_motion_header(stream.file, &o.motion, system);
     if (o.batch) batch_header(stream.file, &o, system);
     f.table = (jlt_section_table){ .system = system, .least = strcmp(o.motion.contact, "report") == 0, .check = o.check,

@@ -32,6 +32,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case CELLS: o->cells = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case SETTLE: jlt_common_count(&o->settle, value, 0, (size_t)1 << 40, "--settle"); return 0;
+    case ARGP_KEY_END: jlt_plot_check_log(&o->motion.common, "x", state); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -83,21 +84,24 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
 
 static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separation *table, size_t rows)
 {
-    jlt_command_output script;
-    FILE *stream;
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("set encoding utf8\n$OVERLAP << END\n", stream);
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    fputs("$OVERLAP << END\n", plot.stream);
     for (size_t i = 0; i < rows; i++)
-        fprintf(stream, "%zu %.9g %.9g\n", table[i].returns, table[i].overlap, table[i].mirror_overlap);
-    fputs("END\nset title \"Cells visited forwards and backwards, ", stream);
-    jlt_motion_caption(stream, system, NULL);
-    fputs("\" noenhanced\nset logscale x 2\nset xlabel \"returns of every orbit\"\nset ylabel \"overlap\"\nset yrange [0:1.05]\n"
-          "set key tmargin center horizontal\n"
-          "plot $OVERLAP using 1:2 with linespoints pt 7 title 'forward and backward', "
-          "$OVERLAP using 1:3 with linespoints pt 6 title 'mirror image of forward, and backward'\n", stream);
-    return jlt_common_draw(&o->motion.common, &script);
+        jlt_look_row(plot.stream, (const double[]){ (double)table[i].returns, table[i].overlap, table[i].mirror_overlap }, 3);
+    fputs("END\n", plot.stream);
+    jlt_plot_words(&plot, "Cells visited forwards and backwards\n");
+    jlt_motion_caption(&plot, system, NULL);
+    jlt_plot_axis(&plot, 'x', "returns of every orbit", JLT_EXTENT_OPEN, 0);
+    jlt_plot_log(&plot, 'x', 2);
+    jlt_plot_axis(&plot, 'y', "overlap", (jlt_extent){ 0, 1.05 }, 0);
+    fputs("plot $OVERLAP using 1:2 ", plot.stream);
+    jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 2, .size = 0.7 });
+    fputs(" title 'forward and backward', $OVERLAP using 1:3 ", plot.stream);
+    jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 1, .dash = 1, .mark = 3, .size = 0.7 });
+    fputs(" title 'mirror image of forward, and backward'\n", plot.stream);
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit run(int argc, char **argv)

@@ -29,7 +29,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     jlt_simulate_request *r = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &r->session;
+        state->child_inputs[1] = &r->session.common;
+        return 0;
     case TIMES: r->times_text = value; return 0;
     case UNTIL: jlt_common_number(&r->until, value, "--until"); return 0;
     case EVERY: jlt_common_positive(&r->every, value, "--every"); return 0;
@@ -41,12 +44,13 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (r->times_text == NULL && isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
         if (r->times_text != NULL && !isnan(r->until)) argp_error(state, "--times and --until exclude each other");
         if (isnan(r->until) && !isnan(r->every)) argp_error(state, "--every goes with --until");
+        if (r->track && r->session.common.axes != NULL) argp_error(state, "--track and --axes exclude each other: one picture at a time");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -312,6 +316,7 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
+    if (code == JLT_EXIT_DONE) code = jlt_simulate_axes(&r);
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
@@ -336,6 +341,7 @@ done:
     jlt_stream_discard(&stream);
     for (size_t k = 0; k < JLT_SIMULATE_COURSES_MAX; k++) jlt_course_destroy(r.courses[k]);
     free(r.points_text);
+    free(r.extents);
     free(r.times);
     jlt_session_end(&r.session);
     return code;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/grid.h"
+#include "cli/plot.h"
 #include "cli/table.h"
 #include "integrate/invariant.h"
 #include "kernel/descriptor.h"
@@ -20,7 +21,7 @@ static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "Output:", 12 },
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
-    { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, data included", 12 },
+    { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, all data included: gnuplot FILE draws it again", 12 },
     { JLT_COMMON_PLAN_NAME, PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
     { 0 },
 };
@@ -40,6 +41,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     jlt_common *self = state->input;
 
     switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &self->look; return 0;
     case 's': jlt_common_list(&self->set, value, "--set"); return 0;
     case 'o': self->output = value; return 0;
     case 'p':
@@ -55,6 +57,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (self->keep != NULL && self->plot == NULL)
             argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
+        if (self->look.asked && self->plot == NULL) argp_error(state, "options of a picture, and no picture: add --plot FILE");
         if (!self->plan) jlt_common_check_files(self, NULL, NULL);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -89,12 +92,15 @@ static error_t parse_accuracy(int key, char *value, struct argp_state *state)
     }
 }
 
-const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, NULL, NULL, NULL };
+static const struct argp_child children[] = { { &jlt_plot_argp, 0, NULL, 0 }, { 0 } };
+
+const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, children, NULL, NULL };
 const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NULL, NULL, NULL, NULL };
 
 void jlt_common_begin(jlt_common *self, int argc, char **argv)
 {
     *self = (jlt_common){ .command = jlt_command_line(argc, argv) };
+    jlt_look_default(&self->look);
 }
 
 void jlt_common_end(jlt_common *self)
@@ -155,30 +161,6 @@ void jlt_common_check_files(const jlt_common *self, const char *option, const ch
     code = jlt_command_distinct(files, count);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = jlt_command_check_output(files[i].path);
     if (code != JLT_EXIT_DONE) exit((int)code);
-}
-
-jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script)
-{
-    char *whole = NULL, *picture = NULL;
-    size_t length = 0, size = 0;
-    jlt_exit code = JLT_EXIT_DONE;
-    jlt_status st = jlt_command_close(script);
-
-    if (st == JLT_OK) st = jlt_picture_script(&whole, &length, self->plot, script->text);
-    if (st == JLT_OK && self->keep != NULL) code = jlt_command_write(self->keep, whole, length);
-    if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_picture_draw(&picture, &size, whole, length);
-    if (st == JLT_ERR_UNSUPPORTED)
-        code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");
-    else if (st == JLT_ERR_IO)
-        code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", self->plot);
-    else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
-    else if (code == JLT_EXIT_DONE) code = jlt_command_write(self->plot, picture, size);
-    if (code != JLT_EXIT_DONE && !jlt_command_is_standard_output(self->output))
-        fprintf(stderr, "jellett: the table is saved in %s\n", self->output);
-    free(picture);
-    free(whole);
-    jlt_command_discard(script);
-    return code;
 }
 
 void jlt_common_list(jlt_assign_list *list, const char *text, const char *option)

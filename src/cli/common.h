@@ -6,6 +6,7 @@
 
 #include "cli/assign.h"
 #include "integrate/method.h"
+#include "report/look.h"
 
 /* The option by which a command says its plan alone; no abbreviation of another leads here. */
 #define JLT_COMMON_PLAN_NAME "@plan"
@@ -15,6 +16,8 @@ typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
     jlt_assign_list set;
     const char *output, *plot, *keep;
+    const char *axes;  /* of the picture, as typed; NULL: none were named */
+    jlt_look look;     /* of the picture */
     bool lanes;        /* kernels on vectors are wanted */
     bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
     char *command;     /* as typed, owned */
@@ -26,7 +29,7 @@ typedef struct {
     const jlt_method **method;
 } jlt_accuracy;
 
-/* Child parsers: MODEL, --set, --output, --plot, --keep with a jlt_common for input; --tol, --method with a jlt_accuracy. */
+/* Child parsers: MODEL, --set, --output, --plot, --keep, and the look of pictures with a jlt_common for input; --tol, --method with a jlt_accuracy. */
 extern const struct argp jlt_common_argp, jlt_accuracy_argp;
 
 /** To be called before argp_parse, with its argv. */
@@ -51,10 +54,6 @@ jlt_exit jlt_common_still(void);
 /** Before anything is done: that --output, --plot, --keep and one more option, where it is given, name files of their own, which
  *  can be written. Ends the program otherwise, as argp does. */
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path);
-
-/** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. To be called when the table is saved: says
- *  what is wrong, and that the table is there all the same. */
-jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script);
 
 /* Values of options. Where they cannot be used, these say so and end the program, as argp does. */
 void jlt_common_list(jlt_assign_list *list, const char *text, const char *option);

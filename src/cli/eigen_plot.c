@@ -1,11 +1,12 @@
 #include "cli/eigen.h"
+#include "cli/plot.h"
 
 /* Values that stay the same over the picture, for its caption. */
-static void write_caption(FILE *stream, const jlt_eigen_request *r)
+static void write_caption(jlt_plot *plot, const jlt_eigen_request *r)
 {
     const jlt_descriptor *d = r->question.descriptor;
 
-    fprintf(stream, "set title \"Eigenvalues at equilibria of %s\\n", d->model);
+    jlt_plot_words(plot, "Eigenvalues at equilibria of %s\n", d->model);
     for (unsigned i = 0; i < d->param_count + d->state_count; i++) {
         const bool state = i >= d->param_count;
         const unsigned index = state ? i - d->param_count : i;
@@ -13,47 +14,61 @@ static void write_caption(FILE *stream, const jlt_eigen_request *r)
         for (size_t k = 0; k < r->axis_count; k++)
             swept = swept || (r->targets[k].is_state == state && r->targets[k].index == index);
         if (swept || (state && r->axis_count > 0 && !r->question.given[index])) continue;
-        fprintf(stream, " %s=%.6g", state ? d->states[index].name : d->params[index].name,
-                state ? r->x[index] : r->params[index]);
+        jlt_plot_value(plot, state ? d->states[index].name : d->params[index].name, state ? r->x[index] : r->params[index]);
     }
-    fputs("\" noenhanced\n", stream);
 }
 
-static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
+static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
 {
     const jlt_eigen_target *axis = r->axis_count > 0 ? &r->targets[0] : NULL;
+    FILE *stream = plot->stream;
+    char label[JLT_LOOK_LABEL_MAX];
+    jlt_extent re = JLT_EXTENT_NONE, im = JLT_EXTENT_NONE;
     bool zeros = false; /* whether integrals force any */
 
-    fputs("$values << EOD\n", stream);
+    fputs("$VALUES << END\n", stream);
     for (size_t k = 0; k < count; k++) {
         const jlt_eigen_row *row = &rows[k];
         if (row->found.status != JLT_OK) continue;
         for (size_t i = 0; i < row->found.result.n; i++) {
             const jlt_eigenvalue *value = &row->found.result.eigen.values[i];
-            const double colour = axis == NULL ? 0.0 : axis->is_state ? row->x[axis->index] : row->params[axis->index];
-            if (value->source < 0) fprintf(stream, "%.17g %.17g %.17g\n", value->re, value->im, colour);
+            const double at = axis == NULL ? 0.0 : axis->is_state ? row->x[axis->index] : row->params[axis->index];
+            jlt_extent_add(&re, value->source < 0 ? value->re : 0);
+            jlt_extent_add(&im, value->source < 0 ? value->im : 0);
+            if (value->source < 0) jlt_look_row(stream, (const double[]){ value->re, value->im, at }, 3);
             else zeros = true;
         }
     }
-    fputs("EOD\n", stream);
-    write_caption(stream, r);
-    fputs("set xlabel 'Re {/Symbol l} [1/s]'\nset ylabel 'Im {/Symbol l} [1/s]'\nset grid\nset zeroaxis lt -1\n"
-          "set key inside top right\n",
-          stream);
+    fputs("END\n", stream);
+    write_caption(plot, r);
+    jlt_plot_axis(plot, 'x', "Re λ [1/s]", jlt_extent_wider(re), 0);
+    jlt_plot_axis(plot, 'y', "Im λ [1/s]", jlt_extent_wider(im), 0);
+    fputs(JLT_LOOK_GRID "set zeroaxis lt -1\n", stream);
     if (axis == NULL) {
-        fputs("plot $values using 1:2 with points pt 7 ps 1 title 'eigenvalues'", stream);
+        fputs("plot $VALUES using 1:2 ", stream);
+        jlt_look_pen(stream, plot->look, (jlt_pen){ "points", .colour = 2, .size = 1 });
+        fputs(" title 'eigenvalues'", stream);
     } else {
-        fprintf(stream, "set cblabel '%s' noenhanced\nset palette defined (0 '#2166ac', 1 '#bbbbbb', 2 '#b2182b')\n", r->axes[0].name);
-        fputs("plot $values using 1:2:3 with points pt 7 ps 0.5 palette notitle", stream);
+        jlt_look_label(label, r->axes[0].name, (axis->is_state ? r->question.descriptor->states : r->question.descriptor->params)[axis->index].unit);
+        fputs("set cblabel ", stream);
+        jlt_look_quote(stream, label);
+        fputc('\n', stream);
+        jlt_look_palette(stream, plot->look);
+        fprintf(stream, "plot $VALUES using 1:2:3 with points pt 7 ps %.3g lc palette notitle", 0.5 * plot->look->size);
     }
-    fputs(zeros ? ", '-' using 1:2 with points pt 2 ps 1.5 lc black title 'zero, by the integrals'\n0 0\ne\n" : "\n", stream);
+    if (zeros) {
+        fputs(", '+' using (0):(0) every ::0::0 ", stream);
+        jlt_look_pen(stream, plot->look, (jlt_pen){ "points", .mark = 7, .size = 1.5 });
+        fputs(" title 'zero, by the integrals'", stream);
+    }
+    fputc('\n', stream);
 }
 
 jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)
 {
-    jlt_command_output script;
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    write_script(script.stream, request, rows, count);
-    return jlt_common_draw(&request->common, &script);
+    if (jlt_plot_open(&plot, &request->common) != JLT_OK) return jlt_command_no_memory();
+    write_script(&plot, request, rows, count);
+    return jlt_plot_draw(&plot);
 }

@@ -104,7 +104,7 @@ void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, co
     else if (turns) fputs(",,,", file);
     else if (has_conditions(base)) fprintf(file, ",%zu", jlt_shares_held(sum));
     fputc('\n', file);
-    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", values[0], share, error, kept);
+    if (points != NULL) jlt_look_row(points, (const double[]){ values[0], share, error, kept }, 4);
 }
 
 void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, const jlt_system *system, const jlt_shares *sum)

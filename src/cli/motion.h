@@ -4,6 +4,7 @@
 
 #include "cli/common.h"
 #include "cli/grid.h"
+#include "cli/plot.h"
 #include "cli/stream.h"
 #include "dynamics/surface.h"
 
@@ -43,12 +44,16 @@ void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 /** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
 jlt_exit jlt_motion_project(jlt_system *system);
 
-/** A picture's axes, x and y: labels of the first two coordinates, and the frame of a section that tables describe as a whole. */
-void jlt_motion_labels(FILE *stream, const jlt_system *system);
-void jlt_motion_frame(FILE *stream, const jlt_system *system);
+/** Whether tables describe the section, and say where all of it lies in this coordinate. */
+bool jlt_motion_framed(const jlt_system *system, unsigned coordinate);
 
-/** One label: set xlabel "NAME", with what is added to it. */
-void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added);
+/** The coordinates that a picture shows: those of --axes, else the first two; of a section of one, that one twice. */
+jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system);
+
+/** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it. WHOLE: the
+ *  section, or where that is not known, and nothing is to be seen, some range. */
+#define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
+void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
 /** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
 jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
@@ -77,8 +82,8 @@ size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
 /** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
 
-/* One line for captions: parameters and levels, but for the one that is swept, if any. */
-void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept);
+/* For captions: parameters and levels, but for the one that is swept, if any. */
+void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept);
 
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);

@@ -68,69 +68,65 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     fputs("; nothing is random, so there is no seed\n", stream);
 }
 
-static void caption_value(FILE *stream, bool *is_first, const char *name, double value, const char *swept)
-{
-    if (swept != NULL && strcmp(name, swept) == 0) return;
-    fprintf(stream, "%s%s=%.6g", *is_first ? "" : ", ", name, value);
-    *is_first = false;
-}
-
-void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
+void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept)
 {
     const jlt_descriptor *d = system->instance->descriptor;
     const char *names[JLT_INVARIANTS_MAX];
     double levels[JLT_INVARIANTS_MAX];
     const unsigned level_count = jlt_motion_levels(system, names, levels);
-    bool is_first = true;
 
     for (unsigned i = 0; i < d->param_count; i++) {
         unsigned k = 0;
         while (k < level_count && strcmp(names[k], d->params[i].name) != 0) k++;
-        if (k == level_count) caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
+        if (k == level_count && (swept == NULL || strcmp(d->params[i].name, swept) != 0))
+            jlt_plot_value(plot, d->params[i].name, system->instance->params[i]);
     }
-    for (unsigned k = 0; k < level_count; k++) caption_value(stream, &is_first, names[k], levels[k], swept);
+    for (unsigned k = 0; k < level_count; k++)
+        if (swept == NULL || strcmp(names[k], swept) != 0) jlt_plot_value(plot, names[k], levels[k]);
 }
 
-/* A name as gnuplot sets it: Greek letters by their names, numbers at the end below the line. */
-static void write_symbol(FILE *stream, const char *name)
+static const char *unit_of(const jlt_system *system, unsigned coordinate)
 {
-    static const char *const greek[][2] = { { "alpha", "α" }, { "beta", "β" }, { "gamma", "γ" }, { "delta", "δ" }, { "eta", "η" },
-                                            { "theta", "θ" }, { "lambda", "λ" }, { "mu", "μ" }, { "phi", "φ" }, { "psi", "ψ" },
-                                            { "omega", "ω" } };
-    const size_t letters = strcspn(name, "_0123456789");
+    const jlt_descriptor *d = system->instance->descriptor;
+    size_t index;
 
-    for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
-        if (strlen(greek[i][0]) == letters && strncmp(name, greek[i][0], letters) == 0) {
-            const char *below = name + letters + (name[letters] == '_');
-            fprintf(stream, *below == '\0' ? "%s" : below[1] == '\0' ? "%s_%s" : "%s_{%s}", greek[i][1], below);
-            return;
-        }
-    fputs(name, stream);
+    if (system->surface != NULL && system->surface->section->is_angle[coordinate]) return "rad";
+    if (system->surface != NULL) return system->surface->section->coordinates[coordinate].unit;
+    return jlt_descriptor_state(d, system->flow.chart->names[coordinate], &index) ? d->states[index].unit : "";
 }
 
-void jlt_motion_label(FILE *stream, const jlt_system *system, char axis, unsigned coordinate, const char *added)
+/* An interval of the coordinate, or of its angle; infinite where there is none. */
+static jlt_extent bounds_of(const jlt_system *system, unsigned coordinate)
 {
-    if (system->surface != NULL) {
-        fprintf(stream, "set %clabel \"", axis);
-        write_symbol(stream, system->flow.chart->names[coordinate]);
-        if (system->surface->section->is_angle[coordinate]) fputs(" [rad]", stream);
-        fprintf(stream, "%s\"\n", added);
-    } else fprintf(stream, "set %clabel \"%s%s\" noenhanced\n", axis, system->flow.chart->names[coordinate], added);
+    const double period = system->flow.chart->period[coordinate];
+    const jlt_quantity *q = system->surface != NULL ? &system->surface->section->coordinates[coordinate] : NULL;
+
+    if (q == NULL) return (jlt_extent){ -INFINITY, INFINITY };
+    return period != 0 ? (jlt_extent){ -period / 2, period / 2 } : (jlt_extent){ q->low, q->high };
 }
 
-void jlt_motion_labels(FILE *stream, const jlt_system *system)
+bool jlt_motion_framed(const jlt_system *system, unsigned coordinate)
 {
-    jlt_motion_label(stream, system, 'x', 0, "");
-    jlt_motion_label(stream, system, 'y', 1, "");
+    const jlt_extent bounds = bounds_of(system, coordinate);
+    return isfinite(bounds.low) && isfinite(bounds.high);
 }
 
-void jlt_motion_frame(FILE *stream, const jlt_system *system)
+void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range)
 {
-    for (unsigned k = 0; system->surface != NULL && k < 2 && k < system->flow.chart->dim; k++) {
-        const jlt_quantity *coordinate = &system->surface->section->coordinates[k];
-        const char axis = k == 0 ? 'x' : 'y';
-        if (system->surface->section->is_angle[k]) fprintf(stream, "set %crange [-pi:pi]\n", axis);
-        else if (isfinite(coordinate->low) && isfinite(coordinate->high))
-            fprintf(stream, "set %crange [%.10g:%.10g]\n", axis, coordinate->low, coordinate->high);
-    }
+    const double period = system->flow.chart->period[coordinate];
+    char label[JLT_LOOK_LABEL_MAX];
+
+    jlt_look_label(label, system->flow.chart->names[coordinate], unit_of(system, coordinate));
+    if (period != 0 && range.high - range.low > period / 2) range = (jlt_extent){ -period / 2, period / 2 };
+    else if (isinf(range.low)) range = jlt_motion_framed(system, coordinate) ? bounds_of(system, coordinate) : (jlt_extent){ -1, 1 };
+    jlt_plot_axis(plot, axis, label, range, period);
+}
+
+jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+
+    shown[0] = 0;
+    shown[1] = chart->dim > 1;
+    return jlt_plot_shown(shown, &options->common, chart->names, chart->dim);
 }

@@ -4,16 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/motion.h"
-
 /* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
 enum { POINTS = 400000, DOTS = 60000 };
 
-jlt_status jlt_section_picture_open(jlt_section_picture *self)
+jlt_exit jlt_section_picture_open(jlt_section_picture *self, const jlt_motion_options *options, const jlt_system *system)
 {
-    *self = (jlt_section_picture){ .stream = NULL };
+    *self = (jlt_section_picture){ .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
+    const jlt_exit code = jlt_motion_shown(self->shown, options, system);
+    if (code != JLT_EXIT_DONE) return code;
     self->stream = open_memstream(&self->text, &self->size);
-    return self->stream != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    return self->stream != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
 void jlt_section_picture_close(jlt_section_picture *self)
@@ -34,31 +34,38 @@ jlt_status jlt_section_picture_add(jlt_section_picture *self, const double *q)
         self->running = grown;
         self->running_room = room;
     }
-    memcpy(self->running + 2 * self->running_count++, q, 2 * sizeof *q);
+    for (unsigned k = 0; k < 2; k++) {
+        const double value = k == 0 && self->shown[0] == self->shown[1] ? (double)self->running_count : q[self->shown[k]];
+        self->running[2 * self->running_count + k] = value;
+        jlt_extent_add(&self->extent[k], value);
+    }
+    self->running_count++;
     return JLT_OK;
 }
 
 void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate)
 {
     for (size_t i = 0; i < self->running_count; i++)
-        fprintf(self->stream, "%.7g %.7g %d\n", self->running[2 * i], self->running[2 * i + 1], (int)fate);
+        jlt_look_row(self->stream, (const double[]){ self->running[2 * i], self->running[2 * i + 1], (double)fate }, 3);
     self->count += self->running_count;
     self->running_count = 0;
     self->orbits++;
     self->by_fate[fate]++;
 }
 
-/* The whole section, or a third more than the grid that was named. */
-static void frame(FILE *stream, const jlt_system *system, const char *grid, const jlt_grid_axis *axes)
+/* The whole section, a third more than the grid that was named, or what the points of other orbits cover. */
+static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_system *system, const char *grid, const jlt_grid_axis *axes)
 {
-    if (grid == NULL) return;
-    if (strchr(grid, '=') == NULL) {
-        jlt_motion_frame(stream, system);
-        return;
-    }
     for (unsigned k = 0; k < 2; k++) {
-        const double low = axes[k].low, high = axes[k].high, more = (high - low) / 6;
-        if (more > 0) fprintf(stream, "set %crange [%.9g:%.9g]\n", k == 0 ? 'x' : 'y', low - more, high + more);
+        const unsigned c = self->shown[k];
+        jlt_extent range = jlt_extent_wider(self->extent[k]);
+        if (self->count == 0 || (grid != NULL && strchr(grid, '=') == NULL)) range = JLT_MOTION_WHOLE;
+        else if (grid != NULL && axes[c].high > axes[c].low) {
+            const double more = (axes[c].high - axes[c].low) / 6;
+            range = (jlt_extent){ axes[c].low - more, axes[c].high + more };
+        }
+        if (k == 0 && c == self->shown[1]) jlt_plot_axis(plot, 'x', "return", JLT_EXTENT_OPEN, 0);
+        else jlt_motion_axis(plot, system, k == 0 ? 'x' : 'y', c, range);
     }
 }
 
@@ -66,32 +73,33 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
                                   const jlt_grid_axis *axes, size_t returns)
 {
     static const struct {
-        const char *name, *colour;
-    } looks[] = { { "alive", "#202060" }, { "end at pole +1", "#e07050" }, { "end at pole -1", "#30a0c0" },
-                  { "lost contact", "#c0a000" }, { "come to rest", "#40a040" }, { "left the domain", "#a060c0" },
-                  { "out of budget", "#909090" }, { "not finite", "#c0c0c0" }, { "not converged", "#c0c0c0" },
-                  { "without progress", "#c0c0c0" } };
-    jlt_command_output script;
+        const char *name;
+        unsigned colour;
+    } looks[] = { { "alive", 0 }, { "end at pole +1", 1 }, { "end at pole −1", 6 }, { "lost contact", 3 }, { "come to rest", 4 },
+                  { "left the domain", 5 }, { "out of budget", 7 }, { "not finite", 8 }, { "not converged", 8 },
+                  { "without progress", 8 } };
+    jlt_plot plot;
     bool first = true;
     FILE *stream;
 
-    if (fflush(self->stream) != 0 || jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("set encoding utf8\n$POINTS << END\n", stream);
-    fputs(self->text, stream);
-    fputs("END\nset title \"Poincaré map on the section, ", stream);
-    jlt_motion_caption(stream, system, NULL);
-    fprintf(stream, "\\n%zu orbits of up to %zu returns\" noenhanced\n", self->orbits, returns);
-    jlt_motion_labels(stream, system);
-    frame(stream, system, grid, axes);
-    fputs("set key tmargin center horizontal textcolor variable\nplot ", stream);
+    if (fflush(self->stream) != 0 || jlt_plot_open(&plot, common) != JLT_OK) return jlt_command_no_memory();
+    stream = plot.stream;
+    jlt_plot_block(&plot, "POINTS", self->text);
+    jlt_plot_words(&plot, "Poincaré map: %zu orbit%s of up to %zu return%s\n", self->orbits, self->orbits == 1 ? "" : "s", returns,
+                   returns == 1 ? "" : "s");
+    jlt_motion_caption(&plot, system, NULL);
+    frame(&plot, self, system, grid, axes);
+    fputs("plot ", stream);
     for (int fate = JLT_FATE_COUNT - 1; fate >= (int)JLT_FATE_ALIVE; fate--) {
         if (self->by_fate[fate] == 0) continue;
-        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) with %s lc rgb '%s' title \"%zu %s\" noenhanced", first ? "" : ", ",
-                fate, self->count > DOTS ? "dots" : "points pt 7 ps 0.25", looks[fate].colour, self->by_fate[fate],
-                looks[fate].name);
+        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) ", first ? "" : ", ", fate);
+        if (self->count > DOTS) fprintf(stream, "with dots lc rgb '%s'", jlt_look_colour(plot.look, looks[fate].colour));
+        else jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .colour = looks[fate].colour, .size = 0.2 });
+        fprintf(stream, " notitle, keyentry with points pt 7 ps 0.8 lc rgb '%s' title '%zu %s'",
+                jlt_look_colour(plot.look, looks[fate].colour), self->by_fate[fate], looks[fate].name);
         first = false;
     }
+    if (first) fputs("NaN notitle", stream);
     fputs("\n", stream);
-    return jlt_common_draw(common, &script);
+    return jlt_plot_draw(&plot);
 }

@@ -2,9 +2,7 @@
 #ifndef JLT_CLI_SECTION_PICTURE_H
 #define JLT_CLI_SECTION_PICTURE_H
 
-#include "cli/common.h"
-#include "cli/grid.h"
-#include "dynamics/system.h"
+#include "cli/motion.h"
 
 /** Zeroed, one that is not drawn. */
 typedef struct {
@@ -14,10 +12,12 @@ typedef struct {
     double *running; /* of the orbit that runs: shape (running_count, 2) */
     size_t running_count, running_room;
     size_t count, orbits, by_fate[JLT_FATE_COUNT];
+    unsigned shown[2];       /* which coordinates; one twice: that one, against the number of the return */
+    jlt_extent extent[2];    /* of the points */
 } jlt_section_picture;
 
-/** Errors: NOMEM. */
-JLT_CHECKED jlt_status jlt_section_picture_open(jlt_section_picture *self);
+/** Says what is wrong. */
+jlt_exit jlt_section_picture_open(jlt_section_picture *self, const jlt_motion_options *options, const jlt_system *system);
 void jlt_section_picture_close(jlt_section_picture *self); /* legal when zeroed */
 
 /** A point of the orbit that runs; NaN: none. Errors: NOMEM. */

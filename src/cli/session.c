@@ -1,6 +1,5 @@
 #include "cli/session.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "cli/interrupt.h"
@@ -81,15 +80,10 @@ done:
     return code;
 }
 
-void jlt_session_caption(FILE *stream, const jlt_session *self)
+void jlt_session_caption(jlt_plot *plot, const jlt_session *self)
 {
-    bool is_first = true;
-
-    for (unsigned i = 0; i < self->descriptor->param_count; i++) {
-        if (isnan(self->params[i])) continue;
-        fprintf(stream, "%s%s=%.6g", is_first ? "" : ", ", self->descriptor->params[i].name, self->params[i]);
-        is_first = false;
-    }
+    for (unsigned i = 0; i < self->descriptor->param_count; i++)
+        jlt_plot_value(plot, self->descriptor->params[i].name, self->params[i]);
 }
 
 jlt_exit jlt_session_fail(jlt_status status, const char *what)

@@ -2,7 +2,7 @@
 #ifndef JLT_CLI_SESSION_H
 #define JLT_CLI_SESSION_H
 
-#include "cli/common.h"
+#include "cli/plot.h"
 #include "cli/stream.h"
 #include "scene/course.h"
 
@@ -35,8 +35,8 @@ jlt_exit jlt_session_start(jlt_session *self);
 
 bool jlt_session_interrupted(const jlt_session *self);
 
-/* One line for captions: the parameters as they were rounded, to six digits, those that are NaN left out. */
-void jlt_session_caption(FILE *stream, const jlt_session *self);
+/* For captions: the parameters. */
+void jlt_session_caption(jlt_plot *plot, const jlt_session *self);
 
 /** "what: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_session_fail(jlt_status status, const char *what);

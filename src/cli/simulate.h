@@ -22,7 +22,12 @@ typedef struct {
 
     FILE *points; /* for the picture; NULL: none */
     char *points_text;
+    jlt_extent *extents; /* of its columns */
+    unsigned shown[2];   /* those of --axes */
 } jlt_simulate_request;
+
+/** What --axes asks for. Says what is wrong. */
+jlt_exit jlt_simulate_axes(jlt_simulate_request *request);
 
 /* One row for the picture. */
 void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row);

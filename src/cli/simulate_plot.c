@@ -4,37 +4,79 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart.h"
+#include "report/symbol.h"
+
 enum { PANELS_MAX = 4 };
 
-/* Columns: t, states, drifts, and with --track the contact point and the axis seen from above. */
+/* Of the columns: t, states, drifts, and with --track the contact point and the axis seen from above. */
+static unsigned first_drift(const jlt_simulate_request *r)
+{
+    return 1 + r->session.descriptor->state_count;
+}
+
+static unsigned first_of_track(const jlt_simulate_request *r)
+{
+    return first_drift(r) + jlt_course_integrals(r->courses[0]);
+}
+
 void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row)
 {
-    fprintf(request->points, "%.9g", row->t);
-    for (unsigned i = 0; i < request->session.descriptor->state_count; i++) fprintf(request->points, " %.9g", row->x[i]);
-    for (unsigned i = 0; i < jlt_course_integrals(request->courses[0]); i++)
-        fprintf(request->points, " %.3g", fmax(row->drift[i], 1e-17));
-    if (request->track)
-        fprintf(request->points, " %.9g %.9g %.9g %.9g", row->attitude.contact[0], row->attitude.contact[1],
-                row->attitude.axes[0][2], row->attitude.axes[1][2]);
+    const jlt_attitude *a = &row->attitude;
+    const double track[] = { a->contact[0], a->contact[1], a->axes[0][2], a->axes[1][2] };
+    const unsigned drift = first_drift(request), first = first_of_track(request);
+
+    if (request->extents == NULL) {
+        request->extents = malloc((first + 4) * sizeof *request->extents);
+        for (unsigned k = 0; request->extents != NULL && k < first + 4; k++) request->extents[k] = JLT_EXTENT_NONE;
+    }
+    for (unsigned k = 0; request->extents != NULL && k < first + (request->track ? 4 : 0); k++) {
+        const double value = k == 0 ? row->t : k < drift ? row->x[k - 1] : k < first ? fmax(row->drift[k - drift], 1e-17) : track[k - first];
+        if (k > 0) fputc(' ', request->points);
+        jlt_look_value(request->points, value);
+        jlt_extent_add(&request->extents[k], value);
+    }
     fputc('\n', request->points);
 }
 
-static void title(FILE *stream, const jlt_simulate_request *r)
+static void caption(jlt_plot *plot, const jlt_simulate_request *r)
 {
-    fprintf(stream, "\"%s: ", r->session.descriptor->model);
-    jlt_session_caption(stream, &r->session);
-    fputs("\\nstart ", stream);
-    for (unsigned i = 0; i < r->session.descriptor->state_count; i++)
-        fprintf(stream, "%s%s=%.6g", i == 0 ? "" : ", ", r->session.descriptor->states[i].name, r->session.x[i]);
-    fprintf(stream, "; tier %s, tolerance %.3g\" noenhanced\n", jlt_plan_tier(&r->plans[0]), r->session.tolerance);
+    const jlt_descriptor *d = r->session.descriptor;
+
+    jlt_plot_words(plot, "Motion of %s\n", d->model);
+    jlt_session_caption(plot, &r->session);
+    jlt_plot_words(plot, "; start ");
+    for (unsigned i = 0; i < d->state_count; i++) jlt_plot_value(plot, d->states[i].name, r->session.x[i]);
+    jlt_plot_words(plot, "; tier %s, tolerance %.3g", jlt_plan_tier(&r->plans[0]), r->session.tolerance);
+}
+
+/* A column against t, for `plot`; series: its number in its panel. */
+static void curve(jlt_plot *plot, unsigned column, unsigned series, const char *name)
+{
+    fprintf(plot->stream, "%s$ROWS using 1:%u ", series == 0 ? "plot " : ", ", column);
+    jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "lines", .colour = series, .dash = series });
+    fputs(" title '", plot->stream);
+    jlt_symbol_write(plot->stream, name);
+    fputc('\'', plot->stream);
+}
+
+/* Beside a panel, one of so many: lines of the key nearer to each other where it is low. */
+static void key(jlt_plot *plot, unsigned entries, unsigned panels)
+{
+    const double height = 0.6 * plot->look->height * 72 / 2.54 / panels / jlt_look_points(plot->look);
+    char where[96];
+
+    snprintf(where, sizeof where, "outside right center horizontal maxcols 1 Left reverse samplen 1.5 spacing %.2f", fmin(1, fmax(0.7, height / 1.8 / entries)));
+    jlt_look_key(plot->stream, plot->look, where);
 }
 
 /* States of the same unit share a panel. */
-static void draw_states(FILE *stream, const jlt_simulate_request *r)
+static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
     const char *units[PANELS_MAX];
     const unsigned drifts = jlt_course_integrals(r->courses[0]);
+    jlt_extent drift = JLT_EXTENT_NONE;
     unsigned panels = 0;
 
     for (unsigned i = 0; i < d->state_count; i++) {
@@ -42,57 +84,98 @@ static void draw_states(FILE *stream, const jlt_simulate_request *r)
         while (k < panels && strcmp(units[k], d->states[i].unit) != 0) k++;
         if (k == panels && panels < PANELS_MAX) units[panels++] = d->states[i].unit;
     }
-    fprintf(stream, "set multiplot layout %u,1 title ", panels + (drifts > 0));
-    title(stream, r);
-    fputs("set key outside right center\nset lmargin 11\nset rmargin 19\nset ytics nomirror font ',10'\n", stream);
+    jlt_plot_panels(plot, panels + (drifts > 0), true);
     for (unsigned k = 0; k < panels; k++) {
-        if (k + 1 == panels && drifts == 0) fputs("set xlabel 't [s]'\n", stream);
-        fprintf(stream, "set ylabel '[%s]' noenhanced\nplot", units[k][0] != '\0' ? units[k] : "1");
+        unsigned series = 0, entries = 0;
+        jlt_extent range = JLT_EXTENT_NONE;
+        char label[JLT_LOOK_LABEL_MAX];
+        snprintf(label, sizeof label, "[%s]", units[k][0] != '\0' ? units[k] : "1");
         for (unsigned i = 0; i < d->state_count; i++) {
-            const bool here = strcmp(units[k], d->states[i].unit) == 0;
-            if (here) fprintf(stream, " $ROWS using 1:%u with lines title '%s' noenhanced,", i + 2, d->states[i].name);
+            if (strcmp(units[k], d->states[i].unit) != 0) continue;
+            jlt_extent_add(&range, r->extents[1 + i].low);
+            jlt_extent_add(&range, r->extents[1 + i].high);
+            entries++;
         }
-        fputs("\n", stream);
+        key(plot, entries, panels + (drifts > 0));
+        jlt_plot_panel(plot, k, "t [s]", r->extents[0]);
+        jlt_plot_axis(plot, 'y', label, jlt_extent_wider(range), 0);
+        for (unsigned i = 0; i < d->state_count; i++)
+            if (strcmp(units[k], d->states[i].unit) == 0) curve(plot, i + 2, series++, d->states[i].name);
+        fputc('\n', plot->stream);
     }
     if (drifts == 0) return;
-    fputs("set xlabel 't [s]'\nset logscale y\nset format y '10^{%T}'\nset ylabel 'relative drift'\nplot", stream);
-    for (unsigned i = 0; i < drifts; i++)
-        fprintf(stream, " $ROWS using 1:%u with lines title '%s' noenhanced,", d->state_count + 2 + i,
-                jlt_course_integral(r->courses[0], i));
-    fputs("\n", stream);
+    key(plot, drifts, panels + 1);
+    jlt_plot_panel(plot, panels, "t [s]", r->extents[0]);
+    for (unsigned i = 0; i < drifts; i++) {
+        jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
+        jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
+    }
+    fprintf(plot->stream, "set ylabel 'drift'\nset yrange [%.3g:%.3g]\nset ytics 100\nset logscale y\nset format y '10^{%%T}'\n", drift.low / 2,
+            drift.high * 2);
+    for (unsigned i = 0; i < drifts; i++) curve(plot, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
+    fputc('\n', plot->stream);
 }
 
-static void draw_track(FILE *stream, const jlt_simulate_request *r)
+/* A curve, and a mark where it begins. */
+static void curve_in_plane(jlt_plot *plot, unsigned x, unsigned y)
 {
-    const unsigned first = r->session.descriptor->state_count + 2 + jlt_course_integrals(r->courses[0]);
+    fprintf(plot->stream, "$ROWS using %u:%u ", x, y);
+    jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "lines", .size = 0.1 });
+    fprintf(plot->stream, " notitle, $ROWS using %u:%u every ::0::0 ", x, y);
+    jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "points", .colour = 1, .size = 0.8 });
+    fputs(" title 'start'\n", plot->stream);
+}
 
-    fputs("set multiplot layout 1,2 title ", stream);
-    title(stream, r);
-    fprintf(stream,
-            "set size ratio -1\nset title 'track of the contact point'\nset xlabel 'x [m]'\nset ylabel 'y [m]'\n"
-            "plot $ROWS using %u:%u with lines lc rgb '#202060' notitle, $ROWS using %u:%u every ::0::0 with points pt 7 "
-            "lc rgb '#b2182b' title 'start'\n",
-            first, first + 1, first, first + 1);
-    fprintf(stream,
-            "set title 'symmetry axis seen from above'\nset xlabel '(e_3, {/Symbol a})'\nset ylabel '(e_3, {/Symbol b})'\n"
-            "set xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset parametric\nset trange [0:2*pi]\n"
-            "plot cos(t),sin(t) with lines lc rgb '#bbbbbb' notitle, $ROWS using %u:%u with lines lc rgb '#202060' notitle, "
-            "$ROWS using %u:%u every ::0::0 with points pt 7 lc rgb '#b2182b' title 'start'\n",
-            first + 2, first + 3, first + 2, first + 3);
+static void draw_track(jlt_plot *plot, const jlt_simulate_request *r)
+{
+    const unsigned first = first_of_track(r);
+
+    jlt_plot_panels(plot, 2, false);
+    fputs("set size ratio -1\nset title 'contact point'\n", plot->stream);
+    jlt_plot_axis(plot, 'x', "x [m]", jlt_extent_wider(r->extents[first]), 0);
+    jlt_plot_axis(plot, 'y', "y [m]", jlt_extent_wider(r->extents[first + 1]), 0);
+    fputs("plot ", plot->stream);
+    curve_in_plane(plot, first + 1, first + 2);
+    fputs("unset key\nset title 'axis, from above'\nset xlabel '(e_3, α)'\nset ylabel '(e_3, β)'\n"
+          "set xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\nset parametric\nset trange [0:2*pi]\n"
+          "plot cos(t),sin(t) with lines lc rgb '#b0b0b0' notitle, ", plot->stream);
+    curve_in_plane(plot, first + 3, first + 4);
+}
+
+jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
+{
+    const jlt_descriptor *d = request->session.descriptor;
+    const char *names[1 + JLT_CHART_STATES_MAX] = { "t" };
+
+    for (unsigned i = 0; i < d->state_count; i++) names[1 + i] = d->states[i].name;
+    return jlt_plot_shown(request->shown, &request->session.common, names, 1 + d->state_count);
+}
+
+/* States against each other, or t. */
+static void draw_plane(jlt_plot *plot, const jlt_simulate_request *r)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    char label[JLT_LOOK_LABEL_MAX];
+
+    for (unsigned k = 0; k < 2; k++) {
+        const unsigned column = r->shown[k];
+        jlt_look_label(label, column == 0 ? "t" : d->states[column - 1].name, column == 0 ? "s" : d->states[column - 1].unit);
+        jlt_plot_axis(plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(r->extents[column]), 0);
+    }
+    fputs("plot ", plot->stream);
+    curve_in_plane(plot, r->shown[0] + 1, r->shown[1] + 1);
 }
 
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
 {
-    jlt_command_output script;
-    FILE *stream;
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("set encoding utf8\nset grid\n$ROWS << END\n", stream);
-    fputs(request->points_text, stream);
-    fputs("END\n", stream);
-    if (request->track) draw_track(stream, request);
-    else draw_states(stream, request);
-    fputs("unset multiplot\n", stream);
-    return jlt_common_draw(&request->session.common, &script);
+    if (request->extents == NULL || jlt_plot_open(&plot, &request->session.common) != JLT_OK) return jlt_command_no_memory();
+    fputs(JLT_LOOK_GRID, plot.stream);
+    jlt_plot_block(&plot, "ROWS", request->points_text);
+    caption(&plot, request);
+    if (request->session.common.axes != NULL) draw_plane(&plot, request);
+    else if (request->track) draw_track(&plot, request);
+    else draw_states(&plot, request);
+    return jlt_plot_draw(&plot);
 }

@@ -9,26 +9,44 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static const struct {
-    const char *extension, *terminal;
-} formats[] = {
-    { ".svg", "svg size 900,650 dynamic background 'white' font 'Helvetica,14'" },
-    { ".png", "pngcairo size 1350,975 font 'Helvetica,16'" },
-    { ".pdf", "pdfcairo size 18cm,13cm font 'Helvetica,12'" },
-};
+/* Sizes are those of paper in all three: letters in points, lines of 0.5 and points of 6 points to the unit. */
+static void svg(FILE *stream, const jlt_look *look)
+{
+    const double dots = 96 / 2.54; /* to the cm, as CSS has them */
+    fprintf(stream, "svg size %.0f,%.0f fixed background 'white' fontscale 1.333 linewidth 0.667 font '%.*s,%.4g'", look->width * dots,
+            look->height * dots, (int)look->font_length, look->font, jlt_look_points(look));
+}
 
-static const char *terminal_of(const char *path)
+static void png(FILE *stream, const jlt_look *look)
+{
+    const double dots = 300 / 2.54;
+    fprintf(stream, "pngcairo size %.0f,%.0f fontscale 3.125 linewidth 2.083 pointscale 4.3 font '%.*s,%.4g'", look->width * dots,
+            look->height * dots, (int)look->font_length, look->font, jlt_look_points(look));
+}
+
+static void pdf(FILE *stream, const jlt_look *look)
+{
+    fprintf(stream, "pdfcairo size %.6gcm,%.6gcm fontscale 0.75 font '%.*s,%.4g'", look->width, look->height,
+            (int)look->font_length, look->font, jlt_look_points(look));
+}
+
+static const struct format {
+    const char *extension;
+    void (*terminal)(FILE *stream, const jlt_look *look);
+} formats[] = { { ".svg", svg }, { ".png", png }, { ".pdf", pdf } };
+
+static const struct format *format_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
 
     for (size_t i = 0; dot != NULL && i < sizeof formats / sizeof *formats; i++)
-        if (strcmp(dot, formats[i].extension) == 0) return formats[i].terminal;
+        if (strcmp(dot, formats[i].extension) == 0) return &formats[i];
     return NULL;
 }
 
 bool jlt_picture_known(const char *path)
 {
-    return terminal_of(path) != NULL;
+    return format_of(path) != NULL;
 }
 
 /* Everything that `descriptor` gives until its end, for the caller to free; NULL when memory is out. */
@@ -66,21 +84,11 @@ static void run_gnuplot(int script, int picture)
     _exit(127);
 }
 
-jlt_status jlt_picture_script(char **whole, size_t *length, const char *path, const char *script)
+void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look)
 {
-    const char *terminal = terminal_of(path);
-    FILE *stream;
-
-    *whole = NULL;
-    if (terminal == NULL) return JLT_ERR_ARG;
-    stream = open_memstream(whole, length);
-    if (stream == NULL) return JLT_ERR_NOMEM;
-    fprintf(stream, "set terminal %s\n%s", terminal, script);
-    const bool failed = ferror(stream) != 0;
-    if (fclose(stream) == 0 && !failed) return JLT_OK;
-    free(*whole);
-    *whole = NULL;
-    return JLT_ERR_NOMEM;
+    fputs("set terminal ", stream);
+    format_of(path)->terminal(stream, look);
+    fputs("\nset encoding utf8\n", stream);
 }
 
 /* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe, which is

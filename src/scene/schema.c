@@ -9,7 +9,11 @@
 #define KEY(name, kind, allowed) { name, name, JLT_KEY_##kind, allowed }
 #define LAST { NULL, NULL, JLT_KEY_TEXT, NULL }
 /* Where results go. */
-#define OUTPUT KEY("output", FILE, NULL), KEY("plot", FILE, NULL), KEY("keep", FILE, NULL)
+#define OUTPUT                                                                                                           \
+    KEY("output", FILE, NULL), KEY("plot", FILE, NULL), KEY("keep", FILE, NULL), KEY("size", TEXT, NULL),                \
+        KEY("font", TEXT, NULL), KEY("xrange", TEXT, NULL), KEY("yrange", TEXT, NULL), KEY("title", TEXT, NULL), KEY("style", TEXT, NULL)
+/* Of pictures whose axes are a choice. */
+#define AXES KEY("axes", TEXT, NULL)
 /* Which section: that which tables describe of the model, or one of its table's states. */
 #define SECTION_OPTIONS                                                                                                  \
     KEY("section", GROUP, JLT_KEY_STATES), KEY("solve", GROUP, JLT_KEY_STATES), KEY("modulo", GROUP, JLT_KEY_STATES),    \
@@ -18,7 +22,7 @@
 static const jlt_key simulate_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("times", NUMBERS, NULL), KEY("until", NUMBER, NULL),
     KEY("every", NUMBER, NULL), KEY("compare", TEXT, NULL), KEY("track", FLAG, NULL), KEY("project", FLAG, NULL),
-    OUTPUT, LAST,
+    OUTPUT, AXES, LAST,
 };
 static const jlt_key portrait_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("orbits", COUNT, NULL), KEY("until", NUMBER, NULL),
@@ -30,11 +34,11 @@ static const jlt_key rod_keys[] = {
 static const jlt_key section_keys[] = {
     KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
     KEY("skip", SEED, NULL), KEY("backward", FLAG, NULL), KEY("check", FLAG, NULL), KEY("batch", FLAG, NULL), KEY("threads", COUNT, NULL),
-    KEY("project", FLAG, NULL), SECTION_OPTIONS, LAST,
+    KEY("project", FLAG, NULL), SECTION_OPTIONS, AXES, LAST,
 };
 static const jlt_key orbits_keys[] = {
     KEY("period", COUNT, NULL), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("near", NUMBER, NULL),
-    KEY("settle", SEED, NULL), KEY("samples", SEED, NULL), KEY("start", GROUP, JLT_KEY_COORDINATES), SECTION_OPTIONS, LAST,
+    KEY("settle", SEED, NULL), KEY("samples", SEED, NULL), KEY("start", GROUP, JLT_KEY_COORDINATES), SECTION_OPTIONS, AXES, LAST,
 };
 static const jlt_key manifolds_keys[] = {
     KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("period", COUNT, NULL), KEY("length", NUMBER, NULL),
@@ -43,16 +47,16 @@ static const jlt_key manifolds_keys[] = {
 };
 static const jlt_key fates_keys[] = {
     KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
-    KEY("sweep", RANGES, JLT_KEY_VALUES), SECTION_OPTIONS, LAST,
+    KEY("sweep", RANGES, JLT_KEY_VALUES), SECTION_OPTIONS, AXES, LAST,
 };
 static const jlt_key continue_keys[] = {
     KEY("along", INTERVAL, JLT_KEY_VALUES), KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("period", COUNT, NULL),
     KEY("step", NUMBER, NULL), KEY("count", COUNT, NULL), KEY("decreasing", FLAG, NULL), KEY("branches", FLAG, NULL),
-    SECTION_OPTIONS, LAST,
+    SECTION_OPTIONS, AXES, LAST,
 };
 static const jlt_key lyapunov_keys[] = {
     KEY("start", GROUP, JLT_KEY_COORDINATES), KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
-    KEY("skip", SEED, NULL), SECTION_OPTIONS, LAST,
+    KEY("skip", SEED, NULL), SECTION_OPTIONS, AXES, LAST,
 };
 static const jlt_key separation_keys[] = {
     KEY("grid", RANGES, JLT_KEY_COORDINATES), KEY("cells", RANGES, JLT_KEY_COORDINATES), KEY("returns", COUNT, NULL),
@@ -60,8 +64,7 @@ static const jlt_key separation_keys[] = {
 };
 static const jlt_key verify_keys[] = { KEY("seed", SEED, NULL), KEY("samples", COUNT, NULL), LAST };
 static const jlt_key eigen_keys[] = {
-    KEY("at", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("output", FILE, NULL),
-    KEY("plot", FILE, NULL), LAST,
+    KEY("at", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), OUTPUT, LAST,
 };
 
 static const jlt_schema schemas[] = {

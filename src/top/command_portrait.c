@@ -185,7 +185,7 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
         if (row.end == JLT_END_INTERRUPT) break;
         const point now = point_of(r, row.x);
         if (r->points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0)) fputs("\n", r->points);
-        if (r->points != NULL) fprintf(r->points, "%.6g %.6g %.6g\n", now.psi, now.gamma3, now.v_slip);
+        if (r->points != NULL) jlt_look_row(r->points, (const double[]){ now.psi, now.gamma3, now.v_slip }, 3);
         if (file != NULL) {
             const double values[] = { row.t, now.gamma3, now.psi, now.v_slip, row.x[JLT_TOP_V_NU], row.x[JLT_TOP_OMEGA_TAU],
                                       row.x[JLT_TOP_OMEGA_N], row.x[JLT_TOP_OMEGA3] };

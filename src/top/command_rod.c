@@ -21,6 +21,7 @@ typedef struct {
     size_t rows;
     bool check;
     FILE *points;
+    jlt_extent extent[2]; /* of period and rotation number */
 } request;
 
 static const struct argp_option option_table[] = {
@@ -159,7 +160,9 @@ static jlt_exit write_row(FILE *file, request *r)
             count += 3;
         }
         if (r->points != NULL && r->axis_count > 0)
-            fprintf(r->points, "%.9g %.12g %.12g\n", *r->targets[0], rod.period, jlt_rod_rotation(&rod));
+            jlt_look_row(r->points, (const double[]){ *r->targets[0], row[5], row[6] }, 3);
+        jlt_extent_add(&r->extent[0], row[5]);
+        jlt_extent_add(&r->extent[1], row[6]);
     }
     jlt_csv_row(file, values, count);
     return JLT_EXIT_DONE;
@@ -193,25 +196,31 @@ static jlt_exit write_rows(FILE *file, request *r)
 
 static jlt_exit draw(const request *r, const char *points)
 {
-    jlt_command_output script;
-    FILE *stream;
+    static const char *const labels[] = { "period [s]", "rotation number" };
+    char label[JLT_LOOK_LABEL_MAX];
+    jlt_plot plot;
 
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
+    if (jlt_plot_open(&plot, &r->session.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_panels(&plot, 2, true);
     *r->targets[0] = NAN; /* the one axis, which is no part of the caption */
-    fprintf(stream, "set grid\n$ROWS << END\n%sEND\nset multiplot layout 2,1 title \"I3 = 0: ", points);
-    jlt_session_caption(stream, &r->session);
-    fprintf(stream,
-            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel 'period [s]'\n"
-            "plot $ROWS using 1:2 with lines lc rgb '#202060' notitle\nset ylabel 'rotation number'\n"
-            "plot $ROWS using 1:3 with lines lc rgb '#b2182b' notitle\nunset multiplot\n",
-            r->axes[0].name);
-    return jlt_common_draw(&r->session.common, &script);
+    jlt_plot_block(&plot, "ROWS", points);
+    jlt_plot_words(&plot, "Period and rotation number\n");
+    jlt_session_caption(&plot, &r->session);
+    jlt_look_label(label, r->axes[0].name, "");
+    fputs(JLT_LOOK_GRID, plot.stream);
+    for (unsigned k = 0; k < 2; k++) {
+        jlt_plot_panel(&plot, k, label, (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
+        jlt_plot_axis(&plot, 'y', labels[k], jlt_extent_wider(r->extent[k]), 0);
+        fprintf(plot.stream, "plot $ROWS using 1:%u ", k + 2);
+        jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "lines", .colour = 2 });
+        fputs(" notitle\n", plot.stream);
+    }
+    return jlt_plot_draw(&plot);
 }
 
 static jlt_exit run(int argc, char **argv)
 {
-    request r = { 0 };
+    request r = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     jlt_stream stream = { 0 };
     char *points = NULL;
     size_t size = 0, I3;

@@ -3,14 +3,15 @@
 usage: draw.py RESULTS [svg|png]         all of them
        draw.py --best RESULTS FILE.png   the best curve of each program alone, which README.md shows
 
-Colours are those of Okabe and Ito, told apart by the colour-blind; forms differ in marks and dashes as well."""
+Programs and methods differ in marks as well as in colours, which are those of Okabe and Ito, told apart by the colour-blind; forms differ
+in dashes. So nothing is lost in grey. Letters are to be read on a page across which a picture lies."""
 import csv
 import os
 import subprocess
 import sys
 
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#555555", "#8B4513", "#999933"]
-MARKS = [7, 5, 9, 13, 11, 15]
+MARKS = [7, 5, 9, 13, 11, 15, 6, 4, 8]
 DASHES = ["solid", "'-'", "'.'", "'-.'", "'_'", "'-..'"]
 LIFTED = ["level", "five", "track", "level_t", "five_t"]
 FORMS = LIFTED + ["level_plain", "five_plain", "level_omega_n", "level_omega3", "variational", "central", "forward"]
@@ -29,7 +30,7 @@ def number(text):
 
 
 class Panel:
-    """Curves by colour (what) and by mark and dash (how), with a key of both. Points are (x, y, y_least, y_largest, failed, known);
+    """Curves by colour and mark (what) and by dash (how), with a key of both. Points are (x, y, y_least, y_largest, failed, known);
     those whose error is not known stand alone, at the left."""
 
     def __init__(self, title):
@@ -50,17 +51,18 @@ class Panel:
                 items.append(f"{block} using {columns} with {style} notitle")
 
         plot(self.front, "1:2", "lines lc rgb '#bbbbbb' lw 6")
+        marks = {what: MARKS[i % len(MARKS)] for i, what in enumerate(colours)}
         for (what, how), points in self.curves.items():
-            style = f"lc rgb '{colours[what]}' dt {dash(hows, how)} pt {mark(hows, how)} lw 1.2 ps 0.55"
+            style = f"lc rgb '{colours[what]}' dt {dash(hows, how)} pt {marks[what]} lw 1.2 ps 0.7"
             plot([point for point in points if point[5]], "1:2:3:4", "yerrorlines " + style)
             plot([point for point in points if point[4]], "1:2", f"points lc rgb '{colours[what]}' pt 2 lw 2 ps 1.1")
-        items += [f"keyentry with lines lc rgb '{colours[what]}' lw 3 title \"{what}\"" for what in colours]
+        items += [f"keyentry with linespoints lc rgb '{colours[what]}' pt {marks[what]} lw 1.2 title \"{what}\"" for what in colours]
         items += [f"keyentry with lines lc rgb '#bbbbbb' lw 6 title \"best of jellett\""] if self.front else []
-        items += [f"keyentry with linespoints lc rgb 'black' dt {dash(hows, how)} pt {mark(hows, how)} ps 0.7 title \"{how}\""
+        items += [f"keyentry with lines lc rgb 'black' dt {dash(hows, how)} lw 1.5 title \"{how}\""
                   for how in hows if len(hows) > 1]
         if any(point[4] for points in self.curves.values() for point in points):
             items.append("keyentry with points lc rgb 'black' pt 2 lw 2 title \"orbits lost\"")
-        head = f'set title "{self.title}"\nset key top left Left reverse noenhanced samplen 2 spacing 0.9 font ",9"'
+        head = f'set title "{self.title}"\nset key top left Left reverse noenhanced samplen 2 spacing 0.9 font ",14"'
         return "\n".join(blocks), head + "\nplot " + ", \\\n  ".join(items or ["NaN notitle"])
 
 
@@ -68,16 +70,12 @@ def dash(hows, how):
     return DASHES[hows.index(how) % len(DASHES)]
 
 
-def mark(hows, how):
-    return MARKS[hows.index(how) % len(MARKS)]
-
-
 def draw(path, kind, size, layout, title, lines, plots):
     """lines: data blocks and settings; plots: commands, a panel each."""
-    terminal = {"svg": f"svg size {size[0]},{size[1]} dynamic background 'white' font 'Helvetica,12'",
-                "png": f"pngcairo size {size[0]},{size[1]} font 'Helvetica,10'"}[kind]
+    terminal = {"svg": f"svg size {size[0]},{size[1]} dynamic background 'white' font 'Helvetica,17'",
+                "png": f"pngcairo size {size[0]},{size[1]} font 'Helvetica,13'"}[kind]
     script = [f"set terminal {terminal}", f"set output '{path}.{kind}'", "set encoding utf8", *lines,
-              f"set multiplot layout {layout} title \"{title}\" noenhanced font ',14'", *plots, "unset multiplot"]
+              f"set multiplot layout {layout} title \"{title}\" noenhanced font ',19'", *plots, "unset multiplot"]
     subprocess.run(["gnuplot", "-"], input="\n".join(script) + "\n", text=True, check=True)
 
 
@@ -92,7 +90,7 @@ set format x '10^{%T}'
 set format y '%g'
 set grid xtics ytics lc rgb '#dddddd'
 set border lw 0.8
-set tics font ',10'
+set tics font ',15'
 set bars 0.4"""
 
 
@@ -162,12 +160,12 @@ def section(results, kind, table, title):
               for who, chosen in (("jellett, batches", batched), ("jellett, one orbit at a time", scalar), ("peers", peer))]
     settings = AXES + f"""
 set xrange [1e-1:5e-17]
-set yrange [0.1:20000]
+set yrange [0.1:300000]
 set xlabel 'largest error of 10 returns'
 set ylabel 'time per return [µs]'
 set arrow 1 from {ROUNDING}, graph 0 to {ROUNDING}, graph 1 nohead dt '-' lc rgb '#888888'
-set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font ',8' tc rgb '#666666' offset -0.5,0"""
-    draw_panels(f"{results}/{table}", kind, (1500, 1000), "2,3", title, settings, work_panels(rows, "error", groups, 5e-2))
+set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font ',13' tc rgb '#666666' offset -0.5,0"""
+    draw_panels(f"{results}/{table}", kind, (1500, 1200), "2,3", title, settings, work_panels(rows, "error", groups, 5e-2))
 
 
 BEST = [  # what is shown of a program, its name and the place of it, mark, dash, colour: in grey, marks, dashes and names tell them apart
@@ -210,10 +208,10 @@ def times(results, kind):
               ("peers (time carried as a state where lifted)", peer)]
     settings = AXES + f"""
 set xrange [1e-1:5e-17]
-set yrange [1:20000]
+set yrange [1:300000]
 set xlabel 'largest error of a crossing time, 10 returns'
 set ylabel 'time per return [µs]'"""
-    draw_panels(f"{results}/times", kind, (1500, 560), "1,3", "Crossing times of the section map at (5.1), regular grid", settings,
+    draw_panels(f"{results}/times", kind, (1500, 700), "1,3", "Crossing times of the section map at (5.1), regular grid", settings,
          work_panels(rows, "time_error", groups, 5e-2))
 
 
@@ -227,8 +225,8 @@ def drift(results, kind):
         moved = [row for row in rows if number(row[column])]  # no drift is known where no return was made
         for panel, colours, _ in work_panels(moved, column, groups, 5e-2):
             panels.append((panel, colours, f"set xlabel 'largest drift of {name} over all returns'"))
-    draw_panels(f"{results}/drift", kind, (1500, 1000), "2,3", "Drift of the integrals along the section map at (5.1), regular grid",
-         AXES + "\nset xrange [1e-1:5e-17]\nset yrange [0.1:20000]\nset ylabel 'time per return [µs]'", panels)
+    draw_panels(f"{results}/drift", kind, (1500, 1200), "2,3", "Drift of the integrals along the section map at (5.1), regular grid",
+         AXES + "\nset xrange [1e-1:5e-17]\nset yrange [0.1:300000]\nset ylabel 'time per return [µs]'", panels)
 
 
 def slope(results, kind):
@@ -243,7 +241,7 @@ set xrange [1:1e-15]
 set yrange [10:100000]
 set xlabel 'largest error of DP, relative to its largest entry'
 set ylabel 'time per derivative [µs]'"""
-    draw_panels(f"{results}/slope", kind, (1500, 560), "1,3", "Derivative DP of the section map at (5.1), regular grid", settings,
+    draw_panels(f"{results}/slope", kind, (1500, 700), "1,3", "Derivative DP of the section map at (5.1), regular grid", settings,
          work_panels(rows, "error", groups, 0.5, ("us_per_derivative", "us_least", "us_largest")))
 
 
@@ -275,7 +273,7 @@ def spreads(results, kind, table, title, time, ylabel, xrange, yrange, layout, s
         return
     panels = spread_panels(rows, time, 1e-18)
     settings = [AXES, f"set xrange [{xrange}]", f"set yrange [{yrange}]", f"set ylabel '{ylabel}'",
-                "set xlabel 'error: median; bars from the least to the largest'", "set key top right Left reverse noenhanced font ',10'"]
+                "set xlabel 'error: median; bars from the least to the largest'", "set key top right Left reverse noenhanced font ',14'"]
     draw(f"{results}/{table}", kind, size, layout, title, [*(blocks for _, blocks, _ in panels), *settings],
          [f"set title \"{names.get(points, points)}\"\nplot {plot}" for points, _, plot in panels])
 
@@ -297,7 +295,7 @@ def kernels(results, kind):
         plots.append(f"set title \"{title}\"\nset xrange [0:{top}]\nset yrange [-0.7:{len(mine) - 0.3}]\n"
                      f"plot $k{i} using (0):1:(0):2:($1-0.35):($1+0.35):($6 == 1 ? 0x0072B2 : 0xBBBBBB):ytic(5) with boxxyerror fs solid lc rgb variable notitle, "
                      f"$k{i} using 2:1:3:4 with xerrorbars pt 0 lc rgb 'black' notitle, "
-                     f"$k{i} using 2:1:(sprintf('%.3g', $2)) with labels left offset 1.2,0 font ',10' notitle")
+                     f"$k{i} using 2:1:(sprintf('%.3g', $2)) with labels left offset 1.2,0 font ',14' notitle")
     settings = ["unset key", "set border 3", "set xtics nomirror", "set ytics nomirror scale 0 noenhanced", "set grid xtics lc rgb '#dddddd'",
                 "set xlabel 'ns per evaluation (of one lane in batches)'"]
     draw(f"{results}/kernels", kind, (1100, 800), "2,2", "The reduced field (3.2): all compiled by one compiler with the same flags",

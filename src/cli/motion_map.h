@@ -1,0 +1,36 @@
+/** Maps over a grid of starts: a cell for every start, by two coordinates of the section. */
+#ifndef JLT_CLI_MOTION_MAP_H
+#define JLT_CLI_MOTION_MAP_H
+
+#include "cli/motion.h"
+
+typedef struct {
+    const jlt_system *system;
+    const jlt_grid_axis *axes; /* of the grid; NULL: there is none */
+    bool whole;                /* it is over the whole section */
+    unsigned shown[2];         /* the coordinates of the picture */
+    double cell[2];            /* 0 each: single points */
+    FILE *points;              /* data; NULL: there is no picture */
+    char *text;
+    size_t size;
+    jlt_extent values, extent[2]; /* of the values, and of the starts */
+} jlt_motion_map;
+
+/** Choose what is shown. grid: as typed, with its axes; NULL: none. Says what is wrong: starts that are told apart by a third coordinate. */
+jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *options, const jlt_system *system, const char *grid,
+                             const jlt_grid_axis *axes);
+void jlt_motion_map_close(jlt_motion_map *self); /* legal when zeroed */
+
+/** A start and its value. What lies over the end of a turn is there twice. */
+void jlt_motion_map_add(jlt_motion_map *self, const double *q, double value);
+
+/** $MAP, and the axes. */
+void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot);
+
+/** A palette, and the box that explains it. */
+void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label);
+
+/** For `plot`: the cells or points whose value is the third column of `columns`, by this colour. */
+void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot, const char *columns, const char *colour);
+
+#endif

@@ -1,0 +1,16 @@
+#include "report/extent.h"
+
+void jlt_extent_add(jlt_extent *self, double value)
+{
+    if (isnan(value)) return;
+    self->low = fmin(self->low, value);
+    self->high = fmax(self->high, value);
+}
+
+jlt_extent jlt_extent_wider(jlt_extent self)
+{
+    const double size = fmax(fabs(self.low), fabs(self.high)), length = self.high - self.low;
+    const double more = length > 1e-9 * size ? length / 20 : size > 0 ? size / 10 : 1; /* ticks have fewer digits than a shorter one needs */
+
+    return self.high >= self.low ? (jlt_extent){ self.low - more, self.high + more } : JLT_EXTENT_OPEN;
+}

@@ -1,0 +1,217 @@
+#include "report/look.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/digits.h"
+#include "report/symbol.h"
+
+/* The first colours are those of Okabe and Ito (2008), dark and light in turn; greys of areas are as far apart as they can be. */
+static const char *const colours[JLT_LOOK_SERIES] = { "#1a1a1a", "#d55e00", "#0072b2", "#e69f00", "#009e73",
+                                                      "#cc79a7", "#56b4e9", "#808080", "#b0b0b0", "#8b4513" };
+static const char *const greys[JLT_LOOK_SERIES] = { "#000000", "#909090", "#d0d0d0", "#606060", "#b0b0b0",
+                                                    "#303030", "#c0c0c0", "#787878", "#a0a0a0", "#484848" };
+static const int shapes[] = { 7, 4, 9, 6, 5, 8, 11, 2, 13, 1 };
+static const char *const dashes[] = { "solid", "'-'", "'.'", "'-.'", "'_'", "'-..'" };
+
+void jlt_look_default(jlt_look *self)
+{
+    *self = (jlt_look){ .width = 18, .height = 13, .font = "Helvetica", .font_length = strlen("Helvetica"), .low = { NAN, NAN },
+                        .high = { NAN, NAN }, .size = 1, .line = 1 };
+}
+
+bool jlt_look_font_fits(const char *name, size_t length)
+{
+    for (size_t i = 0; i < length; i++)
+        if (!isalnum((unsigned char)name[i]) && strchr(" -.:+", name[i]) == NULL) return false;
+    return length > 0;
+}
+
+/* Bytes of the character of UTF-8 that begins here; 0: there is none. */
+static size_t character(const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    const size_t size = c[0] < 0x80 ? 1 : c[0] >= 0xc2 && c[0] < 0xe0 ? 2 : c[0] >= 0xe0 && c[0] < 0xf0 ? 3 : c[0] >= 0xf0 && c[0] < 0xf5 ? 4 : 0;
+
+    for (size_t i = 1; i < size; i++)
+        if ((c[i] & 0xc0) != 0x80) return 0;
+    return size;
+}
+
+bool jlt_look_text_fits(const char *text)
+{
+    while (*text != '\0') {
+        const size_t size = character(text);
+        if (size == 0 || (size == 1 && iscntrl((unsigned char)*text) && *text != '\n')) return false;
+        text += size;
+    }
+    return true;
+}
+
+double jlt_look_points(const jlt_look *self)
+{
+    return self->points > 0 ? self->points : fmin(12, fmax(7, round(2 * (5.6 + 0.3 * self->width)) / 2));
+}
+
+/* A line of it, in single quotes. Marks that begin something in gnuplot stand by their numbers: gnuplot 5.4 takes two single quotes at the
+ * start of a string for an empty one, and looks for macros beside quotes of the other kind. small: in smaller letters, for markup. */
+static void quote(FILE *stream, const char *text, size_t length, bool small)
+{
+    const char *marks = small ? "'\"`@" : "'\"`@\\";
+
+    fputs(small ? "'{/*0.85 " : "'", stream);
+    for (size_t i = 0; i < length; i++) {
+        if (strchr(marks, text[i]) != NULL) fprintf(stream, "'.\"\\%03o\".'", (unsigned)text[i]);
+        else fputc(text[i], stream);
+    }
+    fputs(small ? "}'" : "'", stream);
+}
+
+void jlt_look_quote(FILE *stream, const char *text)
+{
+    for (size_t length; length = strcspn(text, "\n"), quote(stream, text, length, false), text[length] != '\0'; text += length + 1)
+        fputs(".\"\\n\".", stream);
+}
+
+/* How much of a text fits a line of so many characters: to its end, to a blank, or to the first blank beyond. */
+static size_t fitting(const char *text, double room, bool markup)
+{
+    size_t last = 0, i;
+
+    for (i = 0; text[i] != '\0' && text[i] != '\n'; i++) {
+        if (text[i] == ' ') last = i;
+        if (((unsigned char)text[i] & 0xc0) != 0x80 && !(markup && strchr("_{}\\", text[i]) != NULL)) room--;
+        if (room < 0 && last > 0) return last;
+    }
+    return i;
+}
+
+unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup)
+{
+    /* letters are 0.55 as wide as high, about, and a tenth of the width is left free; what a caption says below its first line is small */
+    const double room = 0.9 * self->width * 72 / 2.54 / (0.55 * jlt_look_points(self));
+    unsigned lines = 1;
+    bool small = false;
+
+    for (;; lines++) {
+        const size_t length = fitting(text, small ? room / 0.85 : room, markup);
+        quote(stream, text, length, small);
+        if (text[length] == '\0') return lines;
+        small = small || (markup && text[length] == '\n');
+        text += length + 1;
+        fputs(".\"\\n\".", stream);
+    }
+}
+
+void jlt_look_label(char *label, const char *name, const char *unit)
+{
+    FILE *stream = fmemopen(label, JLT_LOOK_LABEL_MAX, "w");
+
+    *label = '\0';
+    if (stream == NULL) return;
+    jlt_symbol_write(stream, name);
+    if (unit[0] != '\0' && strcmp(unit, "1") != 0) {
+        fputs(" [", stream);
+        jlt_symbol_plain(stream, unit, strlen(unit));
+        fputc(']', stream);
+    }
+    fclose(stream);
+    label[JLT_LOOK_LABEL_MAX - 1] = '\0';
+}
+
+/* Ticks at multiples of pi/2, or of a multiple of pi where there is no room for them. */
+static void angle_ticks(FILE *stream, char axis, double low, double high, double room)
+{
+    const double half = acos(0);
+    const int first = (int)ceil(low / half - 1e-9), last = (int)floor(high / half + 1e-9);
+    const int step = last - first <= room ? 1 : 2 * (int)ceil((last - first) / fmax(2, room) / 2);
+
+    fprintf(stream, "set %ctics (", axis);
+    for (int i = first - first % step; i <= last; i += step) {
+        const int multiple = abs(i % 2 == 0 ? i / 2 : i);
+        fprintf(stream, "%s'%s", i == first - first % step ? "" : ", ", i < 0 ? "−" : "");
+        if (multiple != 1) fprintf(stream, "%d", multiple);
+        fprintf(stream, "%s%s' %d*pi/2", i == 0 ? "" : "π", i % 2 == 0 ? "" : "/2", i);
+    }
+    fputs(")\n", stream);
+}
+
+double jlt_look_step(jlt_extent range, double room)
+{
+    const double least = (range.high - range.low) / fmax(3, room), power = pow(10, floor(log10(least))), part = least / power * (1 - 1e-9);
+
+    return (part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10) * power;
+}
+
+void jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels)
+{
+    const double two_pi = 4 * acos(0), letters = 72 / 2.54 / jlt_look_points(self) / panels;
+    /* a fourth of the width, and a third of the height, are taken by labels; a tick has room for six letters, or for nearly two lines */
+    const double room = axis == 'x' ? 0.75 * self->width * letters / (6 * 0.55) : 0.65 * self->height * letters / 1.8;
+    const int k = axis == 'y';
+
+    fprintf(stream, "set %clabel ", axis);
+    jlt_look_quote(stream, label);
+    fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
+    if (!isnan(self->low[k])) range = (jlt_extent){ self->low[k], self->high[k] };
+    if (range.high <= range.low) range = jlt_extent_wider(range);
+    if (!(range.high > range.low)) return;
+    fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
+    if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)
+        angle_ticks(stream, axis, range.low, range.high, room);
+    else fprintf(stream, "set %ctics %.15g\n", axis, jlt_look_step(range, room));
+}
+
+void jlt_look_key(FILE *stream, const jlt_look *self, const char *where)
+{
+    if (self->no_key) fputs("unset key\n", stream);
+    else fprintf(stream, "set key %s\n", where);
+}
+
+const char *jlt_look_colour(const jlt_look *self, unsigned series)
+{
+    return (self->grey ? greys : colours)[series % JLT_LOOK_SERIES];
+}
+
+void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
+{
+    const bool lines = strstr(pen.with, "line") != NULL, points = strcmp(pen.with, "lines") != 0;
+    const bool dots = self->dots && strcmp(pen.with, "points") == 0;
+    const bool cloud = !lines && pen.size < 0.3; /* of which marks cannot be told apart */
+    const char *colour = cloud || !self->grey ? jlt_look_colour(self, pen.colour) : pen.colour % 2 == 0 ? "#000000" : "#808080";
+
+    fprintf(stream, "with %s lc rgb '%s'", dots ? "dots" : pen.with, colour);
+    if (lines) fprintf(stream, " dt %s lw %.3g", dashes[pen.dash % (sizeof dashes / sizeof *dashes)], (pen.size == 0 ? 2 : 1.2) * self->line);
+    if (points && !dots) fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
+}
+
+void jlt_look_cells(FILE *stream, const char *block, const char *columns, double width, double height, const char *colour)
+{
+    fprintf(stream, "$%s using 1:%s:(%.17g):(%.17g)%s with boxxyerror fill solid border lw 0.7 lc %s", block, columns, width / 2, height / 2,
+            strcmp(colour, "palette") == 0 ? ":3" : "", colour);
+}
+
+void jlt_look_palette(FILE *stream, const jlt_look *self)
+{
+    fputs(self->grey ? "set palette defined (0 '#202020', 1 '#f0f0f0')\n"
+                     : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
+          stream);
+}
+
+void jlt_look_value(FILE *stream, double value)
+{
+    char text[JLT_DIGITS_SIZE];
+
+    jlt_digits_shortest(text, value);
+    fputs(isnan(value) ? "NaN" : text, stream);
+}
+
+void jlt_look_row(FILE *stream, const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        jlt_look_value(stream, values[i]);
+        fputc(i + 1 < count ? ' ' : '\n', stream);
+    }
+}

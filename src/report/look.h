@@ -1,0 +1,86 @@
+/** How pictures look: what is asked of all of them alike, and the parts of a gnuplot script that obey it.
+ *
+ *  Text stands in a script in single quotes, in which gnuplot replaces nothing, so that no title and no name is ever a command. Markup is
+ *  gnuplot's enhanced text, as of report/symbol.h. */
+#ifndef JLT_REPORT_LOOK_H
+#define JLT_REPORT_LOOK_H
+
+#include "report/extent.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* A command: lines behind all curves. */
+#define JLT_LOOK_GRID "set grid lc rgb '#d0d0d0' dt 1\n"
+
+enum { JLT_LOOK_LABEL_MAX = 256, JLT_LOOK_SERIES = 10 };
+
+typedef struct {
+    double width, height;        /* [cm] */
+    const char *font;            /* its name, which needs no quoting, as jlt_look_font_fits has it; not ended by '\0' */
+    size_t font_length;
+    double points;               /* of letters; 0: by the width */
+    const char *title;           /* NULL: what the command says; "": none */
+    double low[2], high[2];      /* of the x and the y axis; NaN: as the command has them */
+    bool grey, dots, no_key;
+    double size, line;           /* of points and lines, times what they are otherwise */
+    bool asked;                  /* any of this */
+} jlt_look;
+
+/** The look of a picture of which nothing is asked. */
+void jlt_look_default(jlt_look *self);
+
+/** Whether this is a font's name: letters, digits, blanks, '-', '.', ':', '+'. */
+bool jlt_look_font_fits(const char *name, size_t length);
+
+/** Whether this is UTF-8 without control characters but for ends of lines. */
+bool jlt_look_text_fits(const char *text);
+
+/** The size of letters, in points. */
+double jlt_look_points(const jlt_look *self);
+
+/** A string of gnuplot that is this text, to the letter. */
+void jlt_look_quote(FILE *stream, const char *text);
+
+/** The same, broken at blanks so that it fits the width. Returns its lines. markup: marks of enhanced text take no room. */
+unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup);
+
+/** "SYMBOL [UNIT]" as markup; unit may be "". label: shape (JLT_LOOK_LABEL_MAX,). */
+void jlt_look_label(char *label, const char *name, const char *unit);
+
+/** The distance of ticks, at most so many of them. */
+double jlt_look_step(jlt_extent range, double room);
+
+/** An axis, 'x' or 'y': its label in markup, and its range, which --xrange and --yrange replace. As many ticks as fit, where the picture has
+ *  so many panels in this direction; of an angle, period 2 pi, which is 0 of others, at multiples of pi/2. */
+void jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels);
+
+/** The key, where gnuplot's "set key" is told to put it; or none. */
+void jlt_look_key(FILE *stream, const jlt_look *self, const char *where);
+
+/** How data are drawn: lines, points, linespoints, or bars of errors; numbers are those of a series, taken around. */
+typedef struct {
+    const char *with;
+    unsigned colour, dash, mark;
+    double size; /* of points; lines have twice the width where it is 0 */
+} jlt_pen;
+
+/** "with ..." for `plot`. Colours are told apart by the colour-blind; in grey, dashes and marks tell series apart. */
+void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen);
+
+/** The colour of areas and of clouds of points, #rrggbb. */
+const char *jlt_look_colour(const jlt_look *self, unsigned series);
+
+/** Boxes of this width and height at the points of $BLOCK, with edges in their own colour, so that no seam shows between them. colour:
+ *  what stands behind lc, for `plot`. */
+void jlt_look_cells(FILE *stream, const char *block, const char *columns, double width, double height, const char *colour);
+
+/** The palette of continuous values: its lightness rises with them. */
+void jlt_look_palette(FILE *stream, const jlt_look *self);
+
+/** Data: a number as short as reads back bit for bit, and a row of them with blanks between. */
+void jlt_look_value(FILE *stream, double value);
+void jlt_look_row(FILE *stream, const double *values, size_t count);
+
+#endif

@@ -1,0 +1,52 @@
+#include "report/symbol.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *letter;
+} greek[] = {
+    { "alpha", "α" }, { "beta", "β" },   { "gamma", "γ" },   { "delta", "δ" }, { "epsilon", "ε" }, { "zeta", "ζ" },
+    { "eta", "η" },   { "theta", "θ" },  { "iota", "ι" },    { "kappa", "κ" }, { "lambda", "λ" },  { "mu", "μ" },
+    { "nu", "ν" },    { "xi", "ξ" },     { "pi", "π" },      { "rho", "ρ" },   { "sigma", "σ" },   { "tau", "τ" },
+    { "upsilon", "υ" }, { "phi", "φ" },  { "chi", "χ" },     { "psi", "ψ" },   { "omega", "ω" },   { "Gamma", "Γ" },
+    { "Delta", "Δ" }, { "Theta", "Θ" },  { "Lambda", "Λ" },  { "Xi", "Ξ" },    { "Pi", "Π" },      { "Sigma", "Σ" },
+    { "Phi", "Φ" },   { "Psi", "Ψ" },    { "Omega", "Ω" },
+};
+
+void jlt_symbol_plain(FILE *stream, const char *text, size_t length)
+{
+    for (size_t i = 0; i < length; i++) {
+        if (strchr("{}^_@&~\\", text[i]) != NULL) fputc('\\', stream);
+        fputc(text[i], stream);
+    }
+}
+
+/* The name, or as many characters of it; true: it is one letter. */
+static bool write_part(FILE *stream, const char *name, size_t length)
+{
+    for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
+        if (strlen(greek[i].name) == length && strncmp(name, greek[i].name, length) == 0) {
+            fputs(greek[i].letter, stream);
+            return true;
+        }
+    jlt_symbol_plain(stream, name, length);
+    return length == 1;
+}
+
+void jlt_symbol_write(FILE *stream, const char *name)
+{
+    const size_t stem = strcspn(name, "_");
+    size_t letters = stem;
+
+    while (letters > 0 && isdigit((unsigned char)name[letters - 1])) letters--;
+    const bool is_letter = write_part(stream, name, letters);
+    const bool indexed = name[stem] == '_' && name[stem + 1] != '\0';
+    if (!is_letter) fwrite(name + letters, 1, stem - letters, stream);
+    if (!indexed && (!is_letter || letters == stem)) return;
+    fputs("_{", stream);
+    if (is_letter) fwrite(name + letters, 1, stem - letters, stream);
+    if (indexed) (void)write_part(stream, name + stem + 1, strlen(name + stem + 1));
+    fputc('}', stream);
+}

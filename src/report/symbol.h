@@ -1,0 +1,14 @@
+/** Names of quantities as they are printed: alpha_1 is α with the index 1. */
+#ifndef JLT_REPORT_SYMBOL_H
+#define JLT_REPORT_SYMBOL_H
+
+#include <stdio.h>
+
+/** A name of a table in gnuplot's enhanced text: names of Greek letters as letters; what follows the first '_', and digits behind a
+ *  single letter, as an index. Any other text as it stands. */
+void jlt_symbol_write(FILE *stream, const char *name);
+
+/** Text in enhanced text, as it stands. */
+void jlt_symbol_plain(FILE *stream, const char *text, size_t length);
+
+#endif

@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# Options of pictures: every command that draws honours all of them, and the script that is kept draws the same picture; texts are texts,
+# of which gnuplot does nothing; what cannot be is refused, by name, before anything is written.
+set -uo pipefail
+gnuplot --version > /dev/null 2>&1 || exit 77
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export LC_ALL=C.UTF-8
+status=0
+fail() { echo "$*"; status=1; }
+
+# Scripts say what was asked for, and gnuplot draws the same from them.
+look=(--size=8x6cm '--font=DejaVu Sans,7' --xrange=0.1:0.9 --yrange=0.2:0.7 '--title=A title' --style=grey,nokey,points=7,lines=9)
+draw() {
+    local kind pattern
+    for kind in svg pdf png; do
+        rm -f p.* rows.csv
+        jellett "$@" "${look[@]}" --plot p.$kind --keep p.gp -o rows.csv > /dev/null 2> log || { fail "jellett $*: $(cat log)"; return; }
+        mv p.$kind first
+        gnuplot p.gp 2> log && [ ! -s log ] || fail "gnuplot on the script of jellett $*: $(cat log)"
+        # a PDF has the time at which it was made
+        cmp <(sed '/CreationDate/d' first) <(sed '/CreationDate/d' p.$kind) || fail "jellett $*: the script draws another .$kind"
+    done
+    for pattern in "^set terminal pngcairo size 945,709 .* font 'DejaVu Sans,7'" "title 'A title' noenhanced" 'set xrange \[0\.1:0\.9\]' \
+        'set yrange \[0\.2:0\.7\]' '^unset key$'; do
+        grep -q -- "$pattern" p.gp || fail "jellett $*: no '$pattern' in the script"
+    done
+    grep -q '^set key' p.gp && fail "jellett $*: a key, in spite of nokey"
+    grep -oE "#[0-9a-f]{6}" p.gp | grep -vE '#(..)\1\1' && fail "jellett $*: colours, in spite of grey"
+    grep -oE ' lw [0-9.]+' p.gp | grep -vxE ' lw (18|10\.8|0\.7)' && fail "jellett $*: lines of another width"
+    sed 's/keyentry with points pt 7 ps 0.8//g' p.gp | { grep -oE ' ps [0-9.]+' || true; } | awk '$2 < 7 * 0.2 - 1e-6 { exit 1 }' || fail "jellett $*: points of another size"
+}
+top="--start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 --times 0,1"
+while read -r line; do
+    # shellcheck disable=SC2086
+    draw $line
+done << END
+section lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 3
+orbits lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58
+fates lorenz --section z=27 --grid x=-20:20:3,y=-20:20:3 --returns 2
+fates lorenz --section z=27 --start x=1,y=2 --returns 2
+fates lorenz --section z=27 --grid x=-20:20:3,y=-20:20:3 --returns 2 --sweep rho=20:28:2
+lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 4
+lyapunov lorenz --section z=27 --grid x=-14:-13:2,y=-20:-19:2 --returns 1
+manifolds --length 0.002 --seed 1e-3
+continue --along E=2.14:2.15 --decreasing
+separation --grid eta=0.40:0.48:3,gamma3=-0.63:-0.61:2 --returns 2 --settle 0 --cells 10x10
+drift --returns 4
+simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1
+simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1 --axes z,t
+simulate $top
+simulate $top --track
+eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:4
+eigen lorenz
+measure --set I3=0 --points 3
+rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:3
+portrait --set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15 --orbits 2 --until 1
+END
+
+# Texts that would be commands, if they were not quoted, or not quoted enough.
+rm -f ./*
+base=(jellett simulate lorenz --start x=1,y=1,z=20 --times "0,1/2,1")
+texts=("'" "''" "'''" "'; !touch stolen; '" "\`touch stolen\`" '"`touch stolen`"' "'\`touch stolen\`'" '$(touch stolen)' '\' "\\'" '"' '@GPVAL_TERM' "'@GPVAL_TERM'"
+    "'.system('touch stolen').'" '".system("touch stolen")."' $'\n!touch stolen\n' $'a\nset output "stolen"\nreplot' '{/*9 a} a_b^c ~a{b} &{c}' '%s %d'
+    '<b>&amp;</b>' '# not a comment' 'Ω γ₃ — “q”' '\n' '$ROWS' "$(printf 'a long title %.0s' {1..40})")
+for text in "${texts[@]}"; do
+    "${base[@]}" --title "$text" --plot p.svg --keep p.gp -o rows.csv 2> log || fail "--title '$text': $(cat log)"
+    [ ! -s log ] || fail "--title '$text': $(cat log)"
+    gnuplot p.gp 2> log && [ ! -s log ] || fail "--title '$text', again: $(cat log)"
+    # what the picture shows is the text, with its lines broken
+    want=$(tr -d '\n ' <<< "$text")
+    shown=$(sed -nE 's/^\t\t<text>(.*)<\/text>$/\1/p' p.svg | grep -v '^<tspan' | sed 's/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' | tr -d '\n ')
+    [ "$shown" = "$want" ] || fail "--title '$text': the picture shows '$shown'"
+    [ "$(echo *)" = "log p.gp p.svg rows.csv" ] || fail "--title '$text' leaves $(echo *)"
+done
+name="it's \`touch stolen\` @a \$b \\ \"c\".svg"
+"${base[@]}" --plot "$name" --keep p.gp -o rows.csv && mv "$name" p.svg && gnuplot p.gp && cmp p.svg "$name" || fail "the path '$name'"
+[ ! -e stolen ] || fail "a text was done"
+
+# No line of a caption or a title is wider than the picture: 60 letters of 8 points and less are 8 cm.
+for title in --style=grey "--title=$(printf 'long words %.0s' {1..40})"; do
+    "${base[@]}" --size 8x6 "$title" --plot p.svg -o rows.csv
+    sed -nE 's/^\t\t<text>(.*)<\/text>$/\1/p' p.svg | sed 's/<[^>]*>//g' | awk -v what="$title" 'length > 60 { print what ": a line of " length " letters: " $0; exit 1 }' || status=1
+done
+
+refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
+    local words=$1 code
+    shift
+    rm -f ./*
+    "${base[@]}" --plot p.svg "$@" > out 2> err
+    code=$?
+    [ $code -eq 2 ] || fail "$*: status $code"
+    [ ! -s out ] && [ ! -e p.svg ] && [ ! -e stolen ] || fail "$*: something is written"
+    grep -qF -- "$words" err || fail "$*: says '$(head -1 err)', not '$words'"
+}
+for value in 8 8x 8x6km 2x2 -8x6cm 1e9x1 nanx6 6cm x 8x6cmcm ''; do refuse --size "--size=$value"; done
+for value in "a'b" '$(HOME)' '' ,8 Arial,0 Arial,x Arial,8,9 'Arial"' $'Arial\n!touch stolen' Arial,1e9; do refuse --font "--font=$value"; done
+for value in 1 1:1 2:1 :1 1: 1:nan a:b '1:2]; !touch stolen' ''; do refuse --xrange "--xrange=$value"; done
+refuse --yrange --yrange=3:pi/2
+for value in $'a\tb' $'\xff' $'\xe2\x82'; do refuse --title "--title=$value"; done
+for value in gray points points=0 points=x lines=1e9 grey,,dots nokey=1 greyish; do refuse --style "--style=$value"; done
+for value in x x,w x,y,z ,x 'x,'; do refuse --axes "--axes=$value"; done
+base=(jellett drift --returns 4 --method dop853) && refuse --yrange --yrange=-1:1 && refuse --xrange --xrange=0:1
+base=(jellett lyapunov --returns 4) && refuse --xrange --xrange=0:1 && refuse --axes --axes=eta,gamma3
+base=(jellett separation) && refuse --xrange --xrange=0:1
+base=(jellett fates --sweep E=1:2:2) && refuse --axes --axes=eta,gamma3
+jellett eigen --size 8x6cm > out 2> err
+[ $? -eq 2 ] && grep -q -- '--plot' err || fail "options of a picture without one are not refused"
+exit $status
