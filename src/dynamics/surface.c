@@ -129,7 +129,7 @@ static double fastest(const jlt_chart_section *chart, const jlt_units *units)
 
     for (size_t i = 0; i < some; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(chart, q, i * (all / some), 8);
+        jlt_chart_section_point(chart, q, i * 2654435761u % all, 8);
         if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < chart->base.states; k++) {
             const char *unit = chart->table->states[k].unit;
