@@ -24,8 +24,8 @@ static ttc_valuation *allocate(const ttc_model *model)
     v->exponentials = calloc(v->symbol_count, sizeof *v->exponentials);
     v->logarithms = calloc(v->symbol_count, sizeof *v->logarithms);
     if (v->values == NULL || v->known == NULL || v->bound == NULL || v->square == NULL || v->variable == NULL
-        || v->freed == NULL || v->rooted == NULL || v->names == NULL || v->positive == NULL || v->basis == NULL || v->exponentials == NULL
-        || v->logarithms == NULL) {
+        || v->freed == NULL || v->rooted == NULL || v->names == NULL || v->positive == NULL || v->basis == NULL
+        || v->exponentials == NULL || v->logarithms == NULL) {
         v->symbol_count = 0;
         ttc_valuation_destroy(v);
         return NULL;

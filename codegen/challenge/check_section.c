@@ -42,8 +42,8 @@ static bool set_chart(section_check *s)
     for (size_t i = 0; good && i < chart->param_count; i++) {
         const uint32_t place = ttc_section_place(model, s->section, chart, i);
         const bool is_level = place >= model->param_count;
-        arb_srcptr value = ttc_probe_at(check->probe, is_level ? model->claims[check->claim->members[place - model->param_count]].expression
-                                                               : model->symbols[model->params[place]].node);
+        const ttc_id level = is_level ? model->claims[check->claim->members[place - model->param_count]].expression : TTC_NONE;
+        arb_srcptr value = ttc_probe_at(check->probe, is_level ? level : model->symbols[model->params[place]].node);
         good = value != NULL;
         if (good) ttc_probe_set(check->target_probe, chart->params[i], value);
     }
@@ -164,7 +164,8 @@ static void check_state(section_check *s)
         ttc_check_undefined(s->check);
         return;
     }
-    const ttc_place_in_domain place = ttc_domain_locate(s->check->target_probe, s->check->target, NULL, UINT32_MAX, fault, sizeof fault);
+    const ttc_place_in_domain place = ttc_domain_locate(s->check->target_probe, s->check->target, NULL, UINT32_MAX, fault,
+                                                        sizeof fault);
     if (place == TTC_OUTSIDE) ttc_check_violate(s->check, "a crossing outside of the coordinates:", fault);
     else if (place == TTC_UNCLEAR || !set_lifted(s)) ttc_check_undefined(s->check);
     if (s->check->outcome != TTC_HOLDS) return;

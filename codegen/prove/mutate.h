@@ -22,7 +22,8 @@ typedef struct {
 } ttc_mutation_report;
 
 /** Make every mutant of the terms of equations, lets and roots, sums in parentheses included, and prove each until a claim is
- *  refuted; those of a table of coordinates until a section of its model is no longer proved. The report is the caller's. False, and no report, when memory is out. Cost: one proof a mutant. */
+ *  refuted; those of a table of coordinates until a section of its model is no longer proved. The report is the caller's.
+ *  False, and no report, when memory is out. Cost: one proof a mutant. */
 bool ttc_mutate(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutation_report **report);
 void ttc_mutation_report_destroy(ttc_mutation_report *report); /* legal on NULL */
 

@@ -135,7 +135,8 @@ done:
 /* The chart's own claims, and what it says of this section, once for all leaves. */
 static void look_at_chart(ttc_task *task, const ttc_model *chart)
 {
-    ttc_claim lift = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = chart->lift.place, .bindings = chart->lift.bindings };
+    ttc_claim lift = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = chart->lift.place,
+                       .bindings = chart->lift.bindings };
     ttc_task inner = { .model = chart, .claim = &lift, .role = TTC_DIVIDES_LIFT, .section = task };
     ttc_proof_report *report = NULL;
     if (chart->turn != TTC_NONE) lift.expression = chart->turn;
@@ -189,8 +190,8 @@ static void bind_back(ttc_task *task, ttc_valuation *map, const ttc_section *sec
     for (size_t i = 0; i < chart->param_count && ttc_task_open(task); i++) {
         const uint32_t place = ttc_section_place(model, section, chart, i);
         const bool is_level = place >= model->param_count;
-        ttc_valuation_bind(map, chart->params[i], is_level ? model->claims[task->claim->members[place - model->param_count]].expression
-                                                           : model->symbols[model->params[place]].node);
+        const ttc_id level = is_level ? model->claims[task->claim->members[place - model->param_count]].expression : TTC_NONE;
+        ttc_valuation_bind(map, chart->params[i], is_level ? level : model->symbols[model->params[place]].node);
     }
 }
 
