@@ -136,7 +136,7 @@ typedef struct {
     const char *condition;   /* the `when` clause, "" when it holds always */
     jlt_proof verdict;
     const char *reason;      /* refuted: what is not zero; not settled: why; "" when proved */
-    const char *target;      /* of a reduction or an embedding: SHA-256 of the other model's table; NULL of other kinds */
+    const char *target;      /* of a reduction, an embedding or a section: SHA-256 of the other table; NULL of other kinds */
 } jlt_claim;
 
 typedef struct {

@@ -50,6 +50,7 @@ extern "C" {
 #include "dynamics/periodic.h"
 #include "dynamics/section.h"
 #include "dynamics/section_batch.h"
+#include "dynamics/section_points.h"
 #include "dynamics/separation.h"
 #include "dynamics/surface.h"
 #include "dynamics/symmetric.h"

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/section_points.h"
 #include "kernel/descriptor.h"
 #include "kernel/link.h"
 
@@ -101,77 +102,7 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name)
     return i;
 }
 
-/* ---- where it has points ---- */
-
 enum { ANGLES = 4, HALVINGS = 60, CROSSINGS = 256 };
-
-static const double margin = 5e-10; /* of a coordinate's interval, off its ends */
-
-/* Whether there is a point. */
-static bool has_point(const jlt_chart_section *chart)
-{
-    const size_t all = jlt_chart_section_points(chart, ANGLES);
-    double q[JLT_CHART_COORDINATES_MAX];
-
-    for (size_t i = 0; i < all; i++) {
-        jlt_chart_section_point(chart, q, i * 2654435761u % all, ANGLES); /* spread out: one is met soon */
-        if (jlt_chart_section_holds(chart, q)) return true;
-    }
-    return false;
-}
-
-/* The same with one coordinate given: points are counted over the others. */
-static bool holds_at(const jlt_chart_section *chart, unsigned coordinate, double value)
-{
-    const size_t places = jlt_chart_section_places(chart, coordinate, ANGLES), others = jlt_chart_section_points(chart, ANGLES) / places;
-    double q[JLT_CHART_COORDINATES_MAX];
-    size_t stride = 1;
-
-    for (unsigned k = 0; k < coordinate; k++) stride *= jlt_chart_section_places(chart, k, ANGLES);
-    for (size_t i = 0; i < others; i++) {
-        jlt_chart_section_point(chart, q, i / stride * stride * places + i % stride, ANGLES);
-        q[coordinate] = value;
-        if (jlt_chart_section_holds(chart, q)) return true;
-    }
-    return false;
-}
-
-/* The end of the interval from a value inside towards another: between the two, or there. */
-static double edge(const jlt_chart_section *chart, unsigned coordinate, double inside, double outside)
-{
-    if (holds_at(chart, coordinate, outside)) return outside;
-    for (int i = 0; i < HALVINGS; i++) {
-        const double middle = (inside + outside) / 2;
-        if (holds_at(chart, coordinate, middle)) inside = middle;
-        else outside = middle;
-    }
-    return inside;
-}
-
-bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high)
-{
-    const jlt_chart_section *chart = jlt_surface_chart(system);
-    const jlt_quantity *bounds = &chart->section->coordinates[coordinate];
-    const unsigned places = jlt_chart_section_places(chart, coordinate, ANGLES);
-    const double width = bounds->high - bounds->low, off = margin * width;
-    double start = 0, before = bounds->low;
-    bool open = false, found = false;
-
-    if (chart->base.period[coordinate] != 0 || !isfinite(width)) return false;
-    for (unsigned i = 0; i <= places; i++) {
-        const double at = bounds->low + width * (i + 0.5) / places;
-        const bool inside = i < places && holds_at(chart, coordinate, at);
-        if (inside && !open) start = edge(chart, coordinate, at, i == 0 ? bounds->low + off : before);
-        if (!inside && open) {
-            const double end = edge(chart, coordinate, before, i == places ? bounds->high - off : at);
-            if (!found || end - start > *high - *low) *low = start, *high = end;
-            found = true;
-        }
-        open = inside;
-        before = at;
-    }
-    return found;
-}
 
 /* ---- the system ---- */
 
@@ -226,24 +157,61 @@ static jlt_units units_of(const jlt_chart_section *chart)
     return units;
 }
 
-/* Whether lifted points are crossed in the flow's direction: a lift may take one sign of a root, and the section is then its half alone. */
+/* The kernel's integral whose level the section fixes, at x; *slope: its derivative by a state. */
+static double integral_at(const jlt_system *system, const char *name, unsigned state, double *slope, const double *x)
+{
+    const jlt_descriptor *d = system->instance->descriptor;
+    double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX];
+    unsigned i = 0;
+
+    while (i + 1 < d->integral_count && strcmp(d->integrals[i].name, name) != 0) i++;
+    d->integral_values.call(x, system->field.p, values);
+    d->integral_gradients.call(x, system->field.p, gradients);
+    *slope = gradients[i * d->state_count + state];
+    return values[i];
+}
+
+/* Whether there is another state over the same point on the same level, which differs in one state alone that the integral is quadratic
+ * in: a root of it, of which the lift took the other. */
+static bool has_other_root(const surface_system *self, const double *x, const double *q, unsigned state)
+{
+    static const double same = 1e-9;
+    const jlt_section_chart *section = self->surface.section;
+    const char *name = self->surface.table->integrals[section->integrals[0]].name;
+    double other[JLT_CHART_STATES_MAX], back[JLT_CHART_COORDINATES_MAX], slope, beyond;
+    const double value = integral_at(&self->base, name, state, &slope, x);
+
+    memcpy(other, x, self->flow.base.states * sizeof *x);
+    other[state] += 1;
+    (void)integral_at(&self->base, name, state, &beyond, other);
+    other[state] = x[state] - 2 * slope / (beyond - slope);
+    if (!(fabs(other[state] - x[state]) > same * fmax(1, fabs(x[state])))) return false;
+    self->flow.base.lower(&self->flow.base, back, NULL, other);
+    return fabs(integral_at(&self->base, name, state, &slope, other) - value) <= same * fmax(1, fabs(value))
+           && jlt_chart_distance(&self->flow.base, back, q) <= same;
+}
+
+/* Whether lifted points are crossed in the flow's direction. A lift that takes one root of two is that half of the section alone. */
 static bool is_crossed(const surface_system *self)
 {
     const jlt_flow *flow = &self->base.flow;
+    const jlt_chart *chart = &self->flow.base;
     const size_t all = jlt_chart_section_points(&self->flow, ANGLES);
+    bool up = false, down = false, half = false;
     unsigned seen = 0;
-    bool up = false, down = false;
 
+    if (self->surface.section->level_count == 0 || self->base.instance->descriptor->integral_count > JLT_CHART_INTEGRALS_MAX) return true;
     for (size_t i = 0; i < all && seen < CROSSINGS; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
         jlt_chart_section_point(&self->flow, q, i * 2654435761u % all, ANGLES);
-        if (self->flow.base.lift(&self->flow.base, x, NULL, q) != JLT_OK) continue;
+        if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
         flow->field->call(x, flow->field->p, f);
-        up |= f[self->flow.base.column] > 0;
-        down |= f[self->flow.base.column] < 0;
+        up |= f[chart->column] > 0;
+        down |= f[chart->column] < 0;
+        for (unsigned k = 0; seen == 0 && k < self->flow.plain; k++) half |= k != chart->column && has_other_root(self, x, q, k);
         seen++;
     }
-    return up == down || flow->direction == (up ? JLT_RISING : JLT_FALLING);
+    return !half || up == down || flow->direction == (up ? JLT_RISING : JLT_FALLING);
 }
 
 static jlt_status open_system(surface_system *self, const jlt_flow *options)
@@ -270,7 +238,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     self->flow = self->rows;
     memcpy(self->flow.values, values, sizeof values);
     self->base.flow.chart = &self->flow.base;
-    st = !has_point(&self->rows) ? JLT_ERR_EMPTY : is_crossed(self) ? JLT_OK : JLT_ERR_ARG;
+    st = !jlt_section_points_any(&self->rows) ? JLT_ERR_EMPTY : is_crossed(self) ? JLT_OK : JLT_ERR_ARG;
 done:
     return st;
 }
@@ -320,6 +288,11 @@ jlt_status jlt_surface_at(void *context, jlt_system **out, double value)
     return jlt_surface_system(out, &self->surface, self->values, &self->options);
 }
 
+bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high)
+{
+    return jlt_section_points_interval(jlt_surface_chart(system), coordinate, low, high);
+}
+
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system) { return &of(system)->rows; }
 
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level)
@@ -333,13 +306,13 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
     double *entry = &chart.values[surface->entries[surface->params]];
     for (int i = 0; i < 64 && isnan(full); i++) {
         *entry = given + (i % 2 == 0 ? size : -size);
-        if (has_point(&chart)) full = *entry;
+        if (jlt_section_points_any(&chart)) full = *entry;
         if (i % 2 == 1) size *= 2;
     }
     if (isnan(full)) return false;
     for (int i = 0; i < HALVINGS; i++) {
         *entry = empty + (full - empty) / 2;
-        if (has_point(&chart)) full = *entry;
+        if (jlt_section_points_any(&chart)) full = *entry;
         else empty = *entry;
     }
     *level = full;

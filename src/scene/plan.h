@@ -14,7 +14,7 @@ typedef struct {
     const double *params;        /* shape (model->param_count,), checked */
     const double *start;         /* shape (model->state_count,), checked; NULL: any */
     bool attitude;
-    bool section;                /* a chart of the known section is needed */
+    bool section;                /* a table that describes a section is needed */
     const char *tier;            /* take this tier; NULL: the planner chooses; "model": the asked model's own kernel */
 } jlt_question;
 

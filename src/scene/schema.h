@@ -24,7 +24,7 @@ typedef enum {
 #define JLT_KEY_QUANTITIES "@quantities"   /* either */
 #define JLT_KEY_METHODS "@methods"         /* of integration */
 #define JLT_KEY_COORDINATES "@coordinates" /* of a section: of the known one, or the states */
-#define JLT_KEY_LEVELS "@levels"           /* of the known section, or the model's integrals */
+#define JLT_KEY_LEVELS "@levels"           /* of the section that tables describe, or the model's integrals */
 #define JLT_KEY_VALUES "@values"           /* parameters and levels */
 
 typedef struct {

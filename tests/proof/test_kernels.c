@@ -19,6 +19,10 @@ static size_t check_table(const char *path)
     ttc_plan plan;
     ttc_proof_report report = { 0 };
     ttc_model *model = read_table(path);
+    if (model->lift.file != NULL) { /* coordinates of a section, which have no field */
+        ttc_model_destroy(model);
+        return 0;
+    }
     assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_QUICK));
     assert_true(ttc_prove_kernels(&plan, &report));
     for (size_t i = 0; i < report.proof_count; i++) {

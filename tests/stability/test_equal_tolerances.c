@@ -34,7 +34,7 @@ static double worst_error(const jlt_method *method, double tolerance)
         double x[5];
         const double *row = rows[i * (RETURNS + 1)];
         jlt_chart_top_state(jlt_system_top_chart(system), x, row[3], row[4], 0, row[5], row[6]);
-        jlt_system_top_chart(system)->base.lower(&jlt_surface_chart(system)->base, q[i], NULL, x);
+        jlt_surface_chart(system)->base.lower(&jlt_surface_chart(system)->base, q[i], NULL, x);
     }
     if (method == NULL) {
         assert_ok(jlt_section_batch_create(&batch, &system->flow, system->field.batch, &(jlt_section_batch_options){ 0 }));

@@ -178,7 +178,7 @@ void case_section(trial *t)
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         flow.method = jlt_method_at(m);
         jlt_status st = jlt_system_top(&system, &t->top, &flow);
-        if (st == JLT_OK) st = jlt_system_top_chart(system)->base.lift(&jlt_surface_chart(system)->base, x, NULL, t->q);
+        if (st == JLT_OK) st = jlt_surface_chart(system)->base.lift(&jlt_surface_chart(system)->base, x, NULL, t->q);
         if (st != JLT_OK) {
             trial_complain(t, "start: %s", jlt_status_text(st));
             jlt_system_destroy(system);
