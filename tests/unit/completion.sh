@@ -66,6 +66,8 @@ expect 'jellett simulate own.tt --start ' x= v=
 expect 'jellett simulate --set m=2 --tier qua' quadrature
 expect 'jellett section --start ' eta= gamma3=
 expect 'jellett section lorenz --section z=27 --start ' x= y=
+expect 'jellett section --section turning --start ' eta= gamma3=
+expect 'jellett section --section ' turning gamma3= v_nu= omega_tau= omega_n= omega3=
 expect 'jellett section --direction ' up down both
 expect 'jellett section --contact=' --contact={ignore,report,end}
 expect 'jellett section --level ' E= G=
