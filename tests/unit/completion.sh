@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is typed completes in bash, zsh and fish from an installed tree: commands, options, models, parameters, states, coordinates, words
-# and files. Every option that --help lists is offered, and the words offered for --method are all taken.
+# What is typed completes in bash, zsh and fish from an installed tree: commands, options, models, parameters, states,
+# coordinates, words and files. Every option that --help lists is offered, and the words offered for --method are all taken.
 # Shells other than bash are tried where they are installed.
 set -euo pipefail
 scratch=$(mktemp -d)
@@ -25,11 +25,15 @@ bash_says() {
 zsh_says() {
     zsh -f -c 'compadd() { print -l -- ${(P)@[-1]} }
                compset() { IPREFIX=${PREFIX%%\=*}= PREFIX=${PREFIX#*=} }
-               _files() { local -a all; all=($PREFIX*(/N)); [[ $1 = -/ ]] || all+=($PREFIX${~2}(N)); (( ! $#all )) || print -l -- $IPREFIX${^all} }
+               _files() { local -a all; all=($PREFIX*(/N)); [[ $1 = -/ ]] || all+=($PREFIX${~2}(N))
+                          (( ! $#all )) || print -l -- $IPREFIX${^all} }
                words=("${(z)1}"); [[ $1 != *" " ]] || words+=(""); CURRENT=$#words PREFIX=$words[-1] IPREFIX=
                source $0' "$share/zsh/site-functions/_jellett" "$1"
 }
-fish_says() { fish -c 'source $argv[1]; complete -C $argv[2]' "$share/fish/vendor_completions.d/${1%% *}.fish" "$1" | cut -f 1 | sed 's|/$||'; }
+fish_says() {
+    fish -c 'source $argv[1]; complete -C $argv[2]' "$share/fish/vendor_completions.d/${1%% *}.fish" "$1" |
+        cut -f 1 | sed 's|/$||'
+}
 
 expect() { # LINE, and all that may stand in place of its last word
     local shell said wanted
@@ -62,6 +66,8 @@ expect 'jellett simulate own.tt --start ' x= v=
 expect 'jellett simulate --set m=2 --tier qua' quadrature
 expect 'jellett section --start ' eta= gamma3=
 expect 'jellett section lorenz --section z=27 --start ' x= y=
+expect 'jellett section --section turning --start ' eta= gamma3=
+expect 'jellett section --section ' turning gamma3= v_nu= omega_tau= omega_n= omega3=
 expect 'jellett section --direction ' up down both
 expect 'jellett section --contact=' --contact={ignore,report,end}
 expect 'jellett section --level ' E= G=

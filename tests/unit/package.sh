@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# `cpack -G DEB` makes packages of the programs, of the shared library, and of what is built with it; each has what it should, with
-# a changelog of its version, and depends on the packages of all libraries that are loaded. Unpacked into any folder, the programs run
-# from there and the examples build. lintian, where it is installed, finds no error.
+# `cpack -G DEB` makes packages of the programs, of the shared library, and of what is built with it; each has what it should,
+# with a changelog of its version, and depends on the packages of all libraries that are loaded. Unpacked into any folder, the
+# programs run from there and the examples build. lintian, where it is installed, finds no error.
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -12,32 +12,37 @@ fail() { echo "$*"; status=1; }
 version=$(jellett --version | sed 's/^jellett //;q')
 architecture=$(dpkg --print-architecture)
 tree=$scratch/root/usr
-while read -r package paths; do
-    file=$scratch/${package}_${version}_$architecture.deb
+has() { # PACKAGE, and paths in it
+    local package=$1 path file=$scratch/$1_${version}_$architecture.deb doc=share/doc/$1
     [ -f "$file" ] || { echo "no $file among $(ls "$scratch")"; exit 1; }
     dpkg-deb -x "$file" "$scratch/$package"
-    for path in $paths share/doc/$package/copyright share/doc/$package/changelog.gz; do
+    dpkg-deb -x "$file" "$scratch/root"
+    for path in "${@:2}" "$doc/copyright" "$doc/changelog.gz"; do
         [ -e "$scratch/$package/usr/$path" ] || [ -L "$scratch/$package/usr/$path" ] || fail "$package has no /usr/$path"
     done
-    gzip -dc "$scratch/$package/usr/share/doc/$package/changelog.gz" > "$scratch/changelog"
+    gzip -dc "$scratch/$package/usr/$doc/changelog.gz" > "$scratch/changelog"
     [ "$(dpkg-parsechangelog -l "$scratch/changelog" -S Version)" = "$version" ] || fail "the changelog is not of $version"
-    dpkg-deb -x "$file" "$scratch/root"
-done <<'LIST'
-jellett bin/ttc bin/jellett libexec/jellett/jellett-bench share/jellett/models/spherical_top.tt share/man/man1/ttc.1.gz share/man/man1/jellett.1.gz share/zsh/vendor-completions/_jellett
-libjellett0 lib/libjellett.so.0
-libjellett-dev lib/libjellett.so lib/libjellett.a include/jellett/jellett.h include/jellett/scene/handle.h share/jellett/generated/kernel_abi.h share/jellett/examples/section.c
-LIST
+}
+has jellett bin/ttc bin/jellett libexec/jellett/jellett-bench share/jellett/models/spherical_top.tt share/man/man1/ttc.1.gz \
+    share/man/man1/jellett.1.gz share/zsh/vendor-completions/_jellett
+has libjellett0 lib/libjellett.so.0
+has libjellett-dev lib/libjellett.so lib/libjellett.a include/jellett/jellett.h include/jellett/scene/handle.h \
+    share/jellett/generated/kernel_abi.h share/jellett/examples/section.c
 [ "$(find "$scratch"/{jellett,libjellett0,libjellett-dev} -type f | wc -l)" = "$(find "$scratch/root" -type f | wc -l)" ] ||
     fail "a file is in two packages"
 library=$(find "$tree" -name libjellett.so)
 if command -v lintian > /dev/null; then
-    lintian --allow-root --fail-on error "$scratch"/*.deb > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "^ lintian finds errors"; }
+    lintian --allow-root --fail-on error "$scratch"/*.deb > "$scratch/log" 2>&1 ||
+        { cat "$scratch/log"; fail "^ lintian finds errors"; }
 fi
 [ -z "$(find "$scratch/root" ! -type l \( -perm /022 -o ! -perm -044 \))" ] || fail "permissions are the umask's"
 ! grep -rlIF -e "$JLT_BINARY_DIR" -e "$scratch" "$tree" || fail "^ these files name the folder in which they were built"
 
-# What the loader asks for is in packages that this one depends on; who calls Z3 or Arb, which package they are in, is dpkg's to say.
-depends_of() { echo " $(dpkg-deb -f "$scratch/$1_${version}_$architecture.deb" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "; }
+# What the loader asks for is in packages that this one depends on; who calls Z3 or Arb, which package they are in, is dpkg's to
+# say.
+depends_of() {
+    echo " $(dpkg-deb -f "$scratch/$1_${version}_$architecture.deb" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "
+}
 for file in "$tree/bin/ttc" "$tree/bin/jellett" "$tree/libexec/jellett/jellett-bench" "$library"; do
     depends=$(depends_of jellett)
     [ "$file" != "$library" ] || depends=$(depends_of libjellett0)

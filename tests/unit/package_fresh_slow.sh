@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# On a machine that holds nothing but Debian's minimum apt installs the package of the programs with what it depends on; there they run.
-# With the package for development an example builds with a compiler and pkg-config alone, and Python opens the library. When the
-# packages are removed nothing of them is left.
-# Needs root, mmdebstrap and Debian's archive.
+# On a machine that holds nothing but Debian's minimum apt installs the package of the programs with what it depends on; there
+# they run. With the package for development an example builds with a compiler and pkg-config alone, and Python opens the
+# library. When the packages are removed nothing of them is left. Needs root, mmdebstrap and Debian's archive.
 set -euo pipefail
 [ "$(id -u)" -eq 0 ] || { echo "only root can make a root"; exit 77; }
 command -v mmdebstrap > /dev/null || { echo "mmdebstrap is missing (apt-get install mmdebstrap)"; exit 77; }

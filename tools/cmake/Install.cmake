@@ -1,5 +1,6 @@
-# What `cmake --install` lays down: programs, libraries, headers, kernels, models, scenes, man pages, completion, and how to find
-# them by pkg-config (jellett) and by CMake (find_package(jellett): jellett::shared, jellett::static). Components become packages (Package.cmake).
+# What `cmake --install` lays down: programs, libraries, headers, kernels, models, scenes, man pages, completion, and how to
+# find them by pkg-config (jellett) and by CMake (find_package(jellett): jellett::shared, jellett::static). Components become
+# packages (Package.cmake).
 include(CMakePackageConfigHelpers)
 
 set(JLT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/jellett)
@@ -62,8 +63,8 @@ install(FILES ${CMAKE_BINARY_DIR}/package/jellett-config.cmake ${CMAKE_BINARY_DI
 # The .pc file finds its prefix from where it lies, so that a tree installed elsewhere, or moved, still works.
 file(RELATIVE_PATH JLT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" JLT_PREFIX_FROM_PC "${JLT_PREFIX_FROM_PC}")
-# What only the static library must be linked with stands there by its flags: names of other .pc files would be looked for by users of
-# the shared library too.
+# What only the static library must be linked with stands there by its flags: names of other .pc files would be looked for by
+# users of the shared library too.
 set(JLT_PC_LIBRARIES "")
 foreach(library ${Flint_libraries} ${OpenMP_C_LIBRARIES})
   get_filename_component(stem ${library} NAME_WE)

@@ -1,5 +1,5 @@
-# A header as doxygen is to read it: its opening comment is of the file, every other one of what it stands before or, after code, behind;
-# and each of the words by which comments here say what a function does opens a paragraph.
+# A header as doxygen is to read it: its opening comment is of the file, every other one of what it stands before or, after
+# code, behind; and each of the words by which comments here say what a function does opens a paragraph.
 function paragraphs(line) {
     line = gensub(/`([^`]*)`/, "<code>\\1</code>", "g", line)
     return gensub(/(^ \*|[.;])( +)(Errors|Out|In|In\/out|Cost|Source): /, "\\1\n *\n *  @b \\3: ", "g", line)

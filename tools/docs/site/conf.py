@@ -29,7 +29,7 @@ breathe_show_define_initializer = True
 
 
 class Transcript(RegexLexer):
-    """Commands stand behind "$ ", and go on behind a backslash; all else is what they say, "#" at the start of a line as well."""
+    """Commands stand behind "$ ", and go on behind a backslash; all else is what they say, also behind "# "."""
 
     name = "console"
     tokens = {
