@@ -162,7 +162,8 @@ typedef struct {
 typedef struct {
     const char *name;   /* of the record */
     const char *chart;  /* model name of the coordinates' table, */
-    const char *sha256; /* and its digest */
+    const char *sha256; /* its digest, */
+    const char *table;  /* and its text */
     unsigned claim;     /* which of the model's `claims` says that lift and back are inverse to each other, and on the levels */
     unsigned column;
     double level;

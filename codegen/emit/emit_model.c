@@ -2,12 +2,14 @@
  * of the descriptors. */
 #include "emit/emit.h"
 
+#include "prove/section_chart.h"
+
 #include <string.h>
 
 /* A string literal may be too long for a conforming compiler; an array of characters may not. */
 static void add_table(ttc_text *text, const ttc_model *model)
 {
-    ttc_text_format(text, "const char jlt_table_%s[] = {", model->name);
+    ttc_text_add(text, "[] = {");
     for (const char *c = model->text; *c != '\0'; c++) {
         if (c == model->text || c[-1] == '\n') ttc_text_add(text, "\n    ");
         if (*c == '\n') ttc_text_add(text, "'\\n',");
@@ -71,8 +73,23 @@ static void add_family(ttc_text *text, const ttc_plan *plan)
     ttc_text_clear(&list);
 }
 
+/* Tables of coordinates, under the names of their sections. */
+static void add_charts(ttc_text *text, const ttc_model *model)
+{
+    char reason[256];
+    for (size_t i = 0; i < model->section_count; i++) {
+        ttc_model *chart = ttc_section_chart(model, model->sections + i, ttc_resolve_beside, NULL, reason, sizeof reason);
+        if (chart == NULL) continue;
+        ttc_text_format(text, "\nconst char jlt_chart_%s_%s", model->name, model->claims[model->sections[i].claim].name);
+        add_table(text, chart);
+        ttc_model_destroy(chart);
+    }
+}
+
 void ttc_emit_model_names(ttc_text *text, const ttc_model *model)
 {
+    for (size_t i = 0; i < model->section_count; i++)
+        ttc_text_format(text, "extern const char jlt_chart_%s_%s[];\n", model->name, model->claims[model->sections[i].claim].name);
     ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_claim jlt_claims_%s[];\n"
                           "extern const jlt_descriptor *const jlt_family_%s[];\n", model->name, model->name, model->name);
 }
@@ -84,7 +101,9 @@ void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report
                           "not edit. */\n#include \"kernel_abi.h\"\n\n", model->name, model->sha256, JLT_VERSION);
     ttc_emit_model_names(text, model);
     ttc_text_add(text, "\n");
+    ttc_text_format(text, "const char jlt_table_%s", model->name);
     add_table(text, model);
+    add_charts(text, model);
     add_claims(text, plan, report);
     add_family(text, plan);
 }

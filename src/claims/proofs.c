@@ -2,20 +2,29 @@
 
 #include "kernel/descriptor.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The target of a reduction is a table that is built in, too. */
+/* "NAME.tt" is the file of the table NAME. */
+static bool is_file_of(const char *target, const char *name)
+{
+    const size_t length = strlen(name);
+    return strncmp(name, target, length) == 0 && strcmp(target + length, ".tt") == 0;
+}
+
+/* The target of a claim is a table that is built in, too, or one of coordinates, which its section holds. */
 static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
-    const size_t length = strlen(target);
-    (void)context;
+    const jlt_descriptor *asked = context;
     (void)model;
 
-    for (size_t i = 0; length > 3 && i < jlt_descriptor_count(); i++) {
-        const jlt_descriptor *d = jlt_descriptor_at(i);
-        if (strlen(d->model) == length - 3 && strncmp(d->model, target, length - 3) == 0)
-            return ttc_model_parse(d->table, strlen(d->table), target, diagnostics);
+    for (size_t i = 0; i <= jlt_descriptor_count(); i++) {
+        const jlt_descriptor *d = i == 0 ? asked->family[0] : jlt_descriptor_at(i - 1);
+        if (is_file_of(target, d->model)) return ttc_model_parse(d->table, strlen(d->table), target, diagnostics);
+        for (unsigned k = 0; k < d->section_count; k++)
+            if (is_file_of(target, d->sections[k].chart))
+                return ttc_model_parse(d->sections[k].table, strlen(d->sections[k].table), target, diagnostics);
     }
     return NULL;
 }
@@ -27,7 +36,7 @@ jlt_status jlt_verify_prove(jlt_verify_run *run)
     JLT_TRY(jlt_oracle_create(&run->oracle, run->descriptor));
     jlt_random_seed(&run->random, run->seed);
     st = JLT_ERR_NOMEM;
-    if (!ttc_prove(run->oracle->model, resolve, NULL, TTC_PROVE_ALL, &run->proofs)) goto done;
+    if (!ttc_prove(run->oracle->model, resolve, (void *)(uintptr_t)run->descriptor, TTC_PROVE_ALL, &run->proofs)) goto done;
     run->held += run->proofs->proved;
     run->failed += run->proofs->proof_count - run->proofs->proved;
     st = JLT_OK;

@@ -313,7 +313,9 @@ static size_t check_path(const char *path)
     ttc_model *model = ttc_model_read(path, diagnostics);
     ttc_diagnostics_destroy(diagnostics);
     assert_non_null(model);
-    return check_model(model);
+    if (model->lift.file == NULL) return check_model(model);
+    ttc_model_destroy(model); /* coordinates of a section, which have no field */
+    return 0;
 }
 
 static void kernels_of_the_shipped_tables_err_by_roundings_alone_or_say_where(void **unused)
