@@ -53,14 +53,14 @@ void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate)
     self->by_fate[fate]++;
 }
 
-/* The whole section, a third more than the grid that was named, or what the points of other orbits cover. */
+/* The whole section, a third more than the grid that was named in a part of it, or what the points cover. */
 static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_system *system, const char *grid, const jlt_grid_axis *axes)
 {
     for (unsigned k = 0; k < 2; k++) {
         const unsigned c = self->shown[k];
         jlt_extent range = jlt_extent_wider(self->extent[k]);
         if (self->count == 0 || (grid != NULL && strchr(grid, '=') == NULL)) range = JLT_MOTION_WHOLE;
-        else if (grid != NULL && axes[c].high > axes[c].low) {
+        else if (grid != NULL && jlt_motion_framed(system, c) && axes[c].high > axes[c].low) {
             const double more = (axes[c].high - axes[c].low) / 6;
             range = (jlt_extent){ axes[c].low - more, axes[c].high + more };
         }
