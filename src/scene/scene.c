@@ -85,10 +85,12 @@ static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config
         if (job->model == NULL) return JLT_ERR_NOMEM;
     }
     r->section = config_setting_get_member(entry, "section");
+    r->named = r->section != NULL ? config_setting_get_string(r->section) : NULL;
+    if (r->named != NULL) r->section = NULL;
     r->solve = config_setting_get_member(entry, "solve");
     if (r->section != NULL && jlt_schema_key(schema, "section") != NULL
         && (config_setting_is_group(r->section) == CONFIG_FALSE || config_setting_length(r->section) != 1))
-        return jlt_value_complain(r, jlt_value_line(r->section), "'section' takes one state and its value, { z = 27; }");
+        return jlt_value_complain(r, jlt_value_line(r->section), "'section' takes one state and its value, { z = 27; }, or a name in quotation marks");
     JLT_TRY(share(r, job, schema, entry, root));
     for (int i = 0; i < config_setting_length(entry); i++) {
         const config_setting_t *member = config_setting_get_elem(entry, (unsigned)i);

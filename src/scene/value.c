@@ -85,7 +85,7 @@ static void meet_all(names *self, const jlt_value_reader *r, const char *allowed
     const jlt_descriptor *model = r->model;
     const jlt_claim *broken;
     jlt_surface surface;
-    const bool plane = r->section != NULL || jlt_surface_find(&surface, &broken, model, NULL) != JLT_OK;
+    const bool plane = r->section != NULL || jlt_surface_find(&surface, &broken, model, r->named) != JLT_OK;
     const bool quantities = strcmp(allowed, JLT_KEY_QUANTITIES) == 0, values = strcmp(allowed, JLT_KEY_VALUES) == 0;
     const bool coordinates = strcmp(allowed, JLT_KEY_COORDINATES) == 0, levels = values || strcmp(allowed, JLT_KEY_LEVELS) == 0;
 
@@ -248,6 +248,7 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
     const char *name = key->key;
     jlt_status st = JLT_OK;
 
+    if (r->named != NULL && strcmp(name, "section") == 0) return append(r, at, v, r->named);
     if (config_setting_is_group(at) == CONFIG_FALSE)
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes names and numbers in braces, { a = 1; b = 2; }", name);
     for (int i = 0; i < config_setting_length(at); i++) {

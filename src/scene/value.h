@@ -16,7 +16,8 @@ typedef struct {
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
     jlt_scene_open open;         /* may be NULL */
     const jlt_descriptor *model; /* what names of states and parameters are checked against */
-    const config_setting_t *section, *solve; /* groups of the job that name a section of its table; NULL: it is the known one */
+    const config_setting_t *section, *solve; /* groups of the job that name a section of its table; NULL: it is one that tables describe */
+    const char *named;                       /* and which; NULL: the first */
 } jlt_value_reader;
 
 typedef struct {

@@ -43,6 +43,13 @@ paste -d , on_level described | awk -F, '
 expect 3 'crossed in the other --direction alone' jellett section ./henon.tt --start y=0.1,py=0.05 --direction both
 expect 3 'raise H above' jellett section ./henon.tt --level H=-1 --start y=0.1,py=0.05
 expect 3 'no state has the levels asked for' jellett section ./henon.tt --start y=0.9,py=0
+cat > described.scene <<'SCENE'
+model = "./henon.tt";
+levels = { H = "1/12"; };
+compute = ( { what = "section"; section = "crossing"; start = { y = 0.1; py = 0.05; }; returns = 4; output = "scene.csv"; } );
+SCENE
+jellett run described.scene 2> err < /dev/null || fail "the scene: $(cat err)"
+grep -v '^#' scene.csv | cmp - <(cut -d, -f1-7 described) || fail "the scene has other rows"
 expect 2 "'nope' is no section" jellett section ./henon.tt --section nope --start y=0.1,py=0.05
 expect 3 'where py runs is not known' jellett section ./henon.tt --grid y=-0.3:0.3:3
 expect 0 'crossing +x = 0 in y, py on levels H = 0.125$' jellett models ./henon.tt
