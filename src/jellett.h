@@ -53,6 +53,7 @@ extern "C" {
 #include "dynamics/section_points.h"
 #include "dynamics/separation.h"
 #include "dynamics/surface.h"
+#include "dynamics/surface_crossing.h"
 #include "dynamics/symmetric.h"
 #include "dynamics/system.h"
 

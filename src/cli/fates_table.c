@@ -43,7 +43,7 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
         count += ending_of(system)->ending_count;
     } else {
         memcpy(values + count, end->x, chart->states * sizeof *values);
-        jlt_chart_wrap_state(chart, values + count);
+        if (system->surface == NULL) jlt_chart_wrap_state(chart, values + count);
         count += chart->states;
     }
     if (tells_contact(options)) values[count++] = end->least;

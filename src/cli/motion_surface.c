@@ -46,7 +46,7 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
         if (!fits) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model, q->name, conditions[q->sign]);
     }
     if (status == JLT_ERR_ARG)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, crossed in the other --direction alone", where,
+        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, which is crossed in one --direction alone, not in this", where,
                                 surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
     if (status == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_INPUT, "%sthe parameters are so far apart that products of them leave the range of doubles", where);
@@ -62,8 +62,11 @@ jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
 
     for (unsigned k = 0; k < section->coordinate_count && used < sizeof text; k++) {
         const jlt_quantity *q = &section->coordinates[k];
-        if (!section->is_angle[k] && isfinite(q->low) && isfinite(q->high))
-            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name, q->low, q->high);
+        if (section->is_angle[k] || (isinf(q->low) && isinf(q->high))) continue;
+        if (isinf(q->low) || isinf(q->high))
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie %s %.10g, and ", q->name, isinf(q->low) ? "below" : "above",
+                                     isinf(q->low) ? q->high : q->low);
+        else used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name, q->low, q->high);
     }
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: %sthe orbit return before it ends at a pole or at rest", what, used > 0 ? text : "");
 }
@@ -83,8 +86,8 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
     }
     if (!told) jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
     list_names(levels, sizeof levels, surface, surface->params, surface->count, " and ");
-    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section on levels of %s, then: ask for one of the table itself, --section %s=%.10g, "
-                            "with all other states as coordinates", levels, table->states[surface->section->column].name, surface->section->level);
+    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section%s%s, then: ask for one of the table itself, --section %s=%.10g, "
+                            "with all other states as coordinates", *levels != '\0' ? " on levels of " : "", levels, table->states[surface->section->column].name, surface->section->level);
 }
 
 /* What is typed, over the defaults. */
@@ -101,7 +104,7 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
             if (index == surface->count || (index >= surface->params) != (k == 1)) {
                 list_names(text, sizeof text, surface, k == 0 ? 0 : surface->params, k == 0 ? surface->params : surface->count, ", ");
                 return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
-                                        k == 0 ? "parameter" : "level", item->name, text);
+                                        k == 0 ? "parameter" : "level", item->name, *text != '\0' ? text : "none");
             }
             values[index] = item->value;
         }

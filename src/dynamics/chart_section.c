@@ -68,10 +68,11 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     return JLT_OK;
 }
 
-/* Near an end a coordinate may pass its bound by a rounding error. */
+/* Near an end a coordinate may pass its bound by an error of the method; farther out there is none. */
 static double bounded(const jlt_quantity *of, double value)
 {
-    return isnan(value) ? value : fmax(of->low, fmin(of->high, value));
+    const double inside = fmax(of->low, fmin(of->high, value));
+    return isnan(value) || fabs(value - inside) > 1e-3 * fmax(1, fabs(inside)) ? NAN : inside;
 }
 
 static void lower(const jlt_chart *base, double *q, double *slope, const double *x)
@@ -161,6 +162,40 @@ void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t in
     }
 }
 
+/* The state that is the coordinate, where its way back is that alone; states: none is. */
+static unsigned state_of(const jlt_chart_section *self, unsigned coordinate, const double *x)
+{
+    const unsigned n = self->base.states;
+    double slopes[2 * JLT_CHART_SLOPES_MAX], back[2 * Q];
+    unsigned state = n;
+
+    self->section->back(x, self->values, back);
+    self->section->back_slopes(x, self->values, slopes);
+    for (unsigned i = 0; i < n; i++) {
+        const double slope = slopes[2 * coordinate * n + i];
+        if (slope == 1 && state == n && back[2 * coordinate] == x[i]) state = i;
+        else if (slope != 0) return n;
+    }
+    return state;
+}
+
+/* A coordinate that is a state with a period has it too: so found at a point of the section. */
+static void find_periods(jlt_chart_section *self)
+{
+    const size_t all = jlt_chart_section_points(self, 8);
+
+    for (size_t i = 0; i < all; i++) {
+        double q[Q], x[JLT_CHART_STATES_MAX];
+        jlt_chart_section_point(self, q, i * 2654435761u % all, 8);
+        if (lift(&self->base, x, NULL, q) != JLT_OK) continue;
+        for (unsigned k = 0; k < self->base.dim; k++) {
+            const unsigned state = self->section->is_angle[k] ? self->base.states : state_of(self, k, x);
+            if (state < self->plain) self->base.period[k] = self->table->states[state].period;
+        }
+        return;
+    }
+}
+
 /* ---- what a reversor does ---- */
 
 enum { POINTS = 5 };
@@ -223,6 +258,7 @@ jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *
     out->base.states = table->state_count;
     out->base.column = section->column;
     out->base.level = section->level;
+    out->base.turn = table->states[section->column].period;
     for (unsigned k = 0; k < out->base.dim; k++) {
         out->base.names[k] = section->coordinates[k].name;
         out->base.period[k] = section->is_angle[k] ? 2 * pi : section->coordinates[k].period;
@@ -232,6 +268,7 @@ jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *
     out->base.lower = lower;
     out->base.flux = flux;
     out->base.side = table->pole_count > 0 ? side : NULL;
+    find_periods(out);
     find_reversor(out);
     return JLT_OK;
 }

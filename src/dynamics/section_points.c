@@ -18,6 +18,15 @@ bool jlt_section_points_any(const jlt_chart_section *chart)
     return false;
 }
 
+bool jlt_section_points_none(const jlt_chart_section *chart)
+{
+    for (unsigned k = 0; k < chart->base.dim; k++) {
+        const jlt_quantity *q = &chart->section->coordinates[k];
+        if (chart->base.period[k] == 0 && !(isfinite(q->low) && isfinite(q->high))) return false;
+    }
+    return !jlt_section_points_any(chart);
+}
+
 /* Whether there is a point with one coordinate given: points are counted over the others. */
 static bool holds_at(const jlt_chart_section *chart, unsigned coordinate, double value)
 {

@@ -7,6 +7,9 @@
 /** Whether a point was found. Cost: few looks where a good part of the places has points, else all of them. */
 bool jlt_section_points_any(const jlt_chart_section *chart);
 
+/** Whether there is none: of a section with a coordinate without bounds nothing is said. */
+bool jlt_section_points_none(const jlt_chart_section *chart);
+
 /** Where there are points in a coordinate, whatever the others: refined by bisection; the widest interval where there are several.
  *  False: the coordinate is an angle, or not bounded; or there are none. */
 bool jlt_section_points_interval(const jlt_chart_section *chart, unsigned coordinate, double *low, double *high);

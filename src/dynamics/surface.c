@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "dynamics/section_points.h"
+#include "dynamics/surface_crossing.h"
 #include "kernel/descriptor.h"
 #include "kernel/link.h"
 
@@ -28,13 +29,6 @@ static const jlt_descriptor *widest(const jlt_descriptor *general)
     for (const jlt_descriptor *const *d = general->family; *d != NULL; d++)
         if ((*d)->section_count > 0 && (*d)->state_count > best->state_count) best = *d;
     return best;
-}
-
-static const jlt_section_chart *named(const jlt_descriptor *table, const char *name)
-{
-    for (unsigned i = 0; i < table->section_count; i++)
-        if (name == NULL || strcmp(table->sections[i].name, name) == 0) return &table->sections[i];
-    return NULL;
 }
 
 static jlt_status add(jlt_surface *out, const jlt_quantity *quantity, double value, unsigned entry)
@@ -83,13 +77,15 @@ jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jl
     *broken = NULL;
     for (size_t i = 0; i <= jlt_descriptor_count() && !found; i++) { /* the asked table itself, and those built in */
         const jlt_descriptor *table = widest((i == 0 ? asked : jlt_descriptor_at(i - 1))->family[0]);
-        const jlt_section_chart *section = named(table, name);
-        if (section == NULL) continue;
-        found = serves(&claim, asked, table, section);
-        if (!found && (claim == NULL || *broken != NULL)) continue;
-        *broken = claim;
-        out->table = table;
-        out->section = section;
+        for (unsigned k = 0; k < table->section_count && !found; k++) {
+            const jlt_section_chart *section = &table->sections[k];
+            if (name != NULL && strcmp(section->name, name) != 0) continue;
+            found = serves(&claim, asked, table, section);
+            if (!found && (claim == NULL || *broken != NULL)) continue;
+            *broken = claim;
+            out->table = table;
+            out->section = section;
+        }
     }
     return out->table != NULL ? list_values(out, asked) : JLT_ERR_UNSUPPORTED;
 }
@@ -102,7 +98,7 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name)
     return i;
 }
 
-enum { ANGLES = 4, HALVINGS = 60, CROSSINGS = 256 };
+enum { HALVINGS = 60 };
 
 /* ---- the system ---- */
 
@@ -157,63 +153,6 @@ static jlt_units units_of(const jlt_chart_section *chart)
     return units;
 }
 
-/* The kernel's integral whose level the section fixes, at x; *slope: its derivative by a state. */
-static double integral_at(const jlt_system *system, const char *name, unsigned state, double *slope, const double *x)
-{
-    const jlt_descriptor *d = system->instance->descriptor;
-    double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX];
-    unsigned i = 0;
-
-    while (i + 1 < d->integral_count && strcmp(d->integrals[i].name, name) != 0) i++;
-    d->integral_values.call(x, system->field.p, values);
-    d->integral_gradients.call(x, system->field.p, gradients);
-    *slope = gradients[i * d->state_count + state];
-    return values[i];
-}
-
-/* Whether there is another state over the same point on the same level, which differs in one state alone that the integral is quadratic
- * in: a root of it, of which the lift took the other. */
-static bool has_other_root(const surface_system *self, const double *x, const double *q, unsigned state)
-{
-    static const double same = 1e-9;
-    const jlt_section_chart *section = self->surface.section;
-    const char *name = self->surface.table->integrals[section->integrals[0]].name;
-    double other[JLT_CHART_STATES_MAX], back[JLT_CHART_COORDINATES_MAX], slope, beyond;
-    const double value = integral_at(&self->base, name, state, &slope, x);
-
-    memcpy(other, x, self->flow.base.states * sizeof *x);
-    other[state] += 1;
-    (void)integral_at(&self->base, name, state, &beyond, other);
-    other[state] = x[state] - 2 * slope / (beyond - slope);
-    if (!(fabs(other[state] - x[state]) > same * fmax(1, fabs(x[state])))) return false;
-    self->flow.base.lower(&self->flow.base, back, NULL, other);
-    return fabs(integral_at(&self->base, name, state, &slope, other) - value) <= same * fmax(1, fabs(value))
-           && jlt_chart_distance(&self->flow.base, back, q) <= same;
-}
-
-/* Whether lifted points are crossed in the flow's direction. A lift that takes one root of two is that half of the section alone. */
-static bool is_crossed(const surface_system *self)
-{
-    const jlt_flow *flow = &self->base.flow;
-    const jlt_chart *chart = &self->flow.base;
-    const size_t all = jlt_chart_section_points(&self->flow, ANGLES);
-    bool up = false, down = false, half = false;
-    unsigned seen = 0;
-
-    if (self->surface.section->level_count == 0 || self->base.instance->descriptor->integral_count > JLT_CHART_INTEGRALS_MAX) return true;
-    for (size_t i = 0; i < all && seen < CROSSINGS; i++) {
-        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(&self->flow, q, i * 2654435761u % all, ANGLES);
-        if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
-        flow->field->call(x, flow->field->p, f);
-        up |= f[chart->column] > 0;
-        down |= f[chart->column] < 0;
-        for (unsigned k = 0; seen == 0 && k < self->flow.plain; k++) half |= k != chart->column && has_other_root(self, x, q, k);
-        seen++;
-    }
-    return !half || up == down || flow->direction == (up ? JLT_RISING : JLT_FALLING);
-}
-
 static jlt_status open_system(surface_system *self, const jlt_flow *options)
 {
     const jlt_section_chart *section = self->surface.section;
@@ -238,7 +177,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     self->flow = self->rows;
     memcpy(self->flow.values, values, sizeof values);
     self->base.flow.chart = &self->flow.base;
-    st = !jlt_section_points_any(&self->rows) ? JLT_ERR_EMPTY : is_crossed(self) ? JLT_OK : JLT_ERR_ARG;
+    st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_is_crossed(&self->base) ? JLT_OK : JLT_ERR_ARG;
 done:
     return st;
 }
@@ -258,6 +197,13 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
     for (unsigned i = 0; i < surface->count; i++)
         if (!isfinite(values[i])) goto done;
     JLT_TRY(open_system(self, options));
+    if (!jlt_surface_poles_end(&self->base)) {
+        jlt_surface plain = *surface; /* in the model's own time, which stops before them */
+        plain.table = surface->table->family[0];
+        plain.section = &plain.table->sections[surface->section - surface->table->sections];
+        st = jlt_surface_system(out, &plain, values, options);
+        goto done;
+    }
     *out = &self->base;
     self = NULL; /* ownership moved to the caller */
 done:

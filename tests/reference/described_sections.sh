@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# Sections that tables describe where the section's state or a coordinate is an angle, where the lift takes one root of two, where
+# orbits run through the end of an interval, and in units that make the section small: rows are those of the plain section, or none.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS WORDS COMMAND...
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
+    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
+}
+
+# f' = 2 + p, p' = -p: f = 2 t + p0 (1 - exp(-t)) comes to 2 pi k at the plain section's times.
+cat > turning.tt <<'T'
+model turning
+state f
+state p
+eq f = 2 + p
+eq p = -p
+periodic f = 2*pi
+section cut : by turning_cut.tt at f = 0 with p = p
+T
+printf 'model turning_cut\nstate p\nlift into turning.tt with f = 0, p = p\n' > turning_cut.tt
+expect 0 ',alive$' jellett section ./turning.tt --start p=0.5 --returns 3
+grep -v '^#' out > described
+expect 0 ',alive$' jellett section ./turning.tt --section f=0 --start p=0.5 --returns 3
+grep -v '^#' out | cmp - described || fail "at an angle rows differ: $(cat described)"
+
+# A pendulum with a phase: the coordinate is the angle, which comes back within half a turn of 0.
+cat > pendulum.tt <<'T'
+model pendulum
+state f
+state a
+state p
+angle c s = cos(a) sin(a)
+angle cf sf = cos(f) sin(f)
+eq f = 1
+eq a = p
+eq p = - s + cf/2
+periodic f = 2*pi
+periodic a = 2*pi
+section cut : by pendulum_cut.tt at f = 0 with turn = a, p = p
+T
+printf 'model pendulum_cut\nstate turn\nstate p\nlift into pendulum.tt with f = 0, a = turn, p = p\n' > pendulum_cut.tt
+expect 0 ',alive$' jellett section ./pendulum.tt --start turn=0.1,p=2.5 --returns 9
+grep -v '^#' out | cut -d, -f3-5 | tail -n +2 > described
+expect 0 ',alive$' jellett section ./pendulum.tt --section f=0 --start a=0.1,p=2.5 --returns 9
+grep -v '^#' out | cut -d, -f3-5 | tail -n +2 | cmp - described || fail "an angle is not within half a turn: $(cat described)"
+
+# q = u^2 forgets the sign of u, and x' = -u: lifted points, of u > 0, are crossed downwards.
+cat > folded.tt <<'T'
+model folded
+state x
+state u
+state z
+eq x = - u
+eq u = x
+eq z = - z
+section cut : by folded_cut.tt at x = 0 with q = u^2, z = z
+T
+printf 'model folded_cut\nstate q in (0, inf)\nstate z\nroot u = sqrt(q)\nlift into folded.tt with x = 0, u = u, z = z\n' > folded_cut.tt
+expect 3 'crossed in one --direction alone' jellett orbits ./folded.tt --grid q=1:2:3,z=-0.1:0.1:3 --period 1
+# Downwards it is met once a turn, 2 pi, on which z decays by exp(-2 pi) = 0.0018674427.
+expect 0 '^0,1,6\.28318530717[0-9]*,(1|0\.99999999999|1\.00000000000)[0-9]*,0\.000186744273[0-9]*,alive$' \
+    jellett section ./folded.tt --direction down --start q=1,z=0.1 --returns 1
+expect 3 'q must lie above 0' jellett section ./folded.tt --direction down --start q=-1,z=0
+
+# g' = p, p' = -1: orbits run through g = -1 at speed, which is no pole to come to; in the time of s they would come back in time.
+cat > ball.tt <<'T'
+model ball
+state g in (-1, 1)
+state p
+state h
+state q
+root s = sqrt(1 - g^2)
+eq g = p
+eq p = - 1
+eq h = q
+eq q = - h
+time slow : s lifting s
+pole g "the end"
+integral N = (h^2 + q^2)/2
+section cut : by ball_cut.tt at h = 0 with g = g, p = p, N = N
+T
+cat > ball_cut.tt <<'T'
+model ball_cut
+param N > 0
+default N = 1
+state g in (-1, 1)
+state p
+root s = sqrt(1 - g^2)
+root q = sqrt(2*N)
+lift into ball.tt with g = g, p = p, h = 0, q = q, s = s
+T
+# h = sqrt(2) sin t; g = p t - t^2/2 is at -1 before 2 pi.
+expect 0 '^0,1,.*,left_domain$' jellett section ./ball.tt --start g=0,p=0.1 --returns 3
+
+# A section of the size 1e-3, in coordinates without bounds.
+cat > small.tt <<'T'
+model small
+state x
+state y
+state u
+state v
+eq x = u
+eq y = v
+eq u = - x
+eq v = - y
+integral H = (x^2 + y^2 + u^2 + v^2)/2
+section cut : by small_cut.tt at x = 0 with y = y, v = v, H = H
+T
+cat > small_cut.tt <<'T'
+model small_cut
+param H
+default H = 1/2
+state y
+state v
+domain reached : 2*H - y^2 - v^2 > 0
+root u = sqrt(2*H - y^2 - v^2)
+lift into small.tt with x = 0, y = y, u = u, v = v
+T
+expect 0 '^0,1,6\.2831853071[0-9]*,' jellett section ./small.tt --level H=1/1000000 --start y=0.001,v=0 --returns 1
+exit $status
