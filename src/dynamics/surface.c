@@ -177,7 +177,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     self->flow = self->rows;
     memcpy(self->flow.values, values, sizeof values);
     self->base.flow.chart = &self->flow.base;
-    st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_is_crossed(&self->base) ? JLT_OK : JLT_ERR_ARG;
+    st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_crossing_met(&self->base) ? JLT_OK : JLT_ERR_ARG;
 done:
     return st;
 }
@@ -197,7 +197,7 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
     for (unsigned i = 0; i < surface->count; i++)
         if (!isfinite(values[i])) goto done;
     JLT_TRY(open_system(self, options));
-    if (!jlt_surface_poles_end(&self->base)) {
+    if (!jlt_surface_crossing_ends_at_poles(&self->base)) {
         jlt_surface plain = *surface; /* in the model's own time, which stops before them */
         plain.table = surface->table->family[0];
         plain.section = &plain.table->sections[surface->section - surface->table->sections];

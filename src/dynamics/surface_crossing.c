@@ -60,7 +60,7 @@ static bool has_other_root(const jlt_system *self, const double *x, const double
 
 static const jlt_chart_section *chart_of(const jlt_system *self) { return (const jlt_chart_section *)(const void *)self->flow.chart; }
 
-bool jlt_surface_is_crossed(const jlt_system *self)
+bool jlt_surface_crossing_met(const jlt_system *self)
 {
     const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;
@@ -82,7 +82,7 @@ bool jlt_surface_is_crossed(const jlt_system *self)
     return !half || up == down || self->flow.direction == (up ? JLT_RISING : JLT_FALLING);
 }
 
-bool jlt_surface_poles_end(const jlt_system *self)
+bool jlt_surface_crossing_ends_at_poles(const jlt_system *self)
 {
     const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;

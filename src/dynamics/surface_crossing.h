@@ -6,10 +6,10 @@
 
 /** Whether lifted points are crossed in the flow's direction. A lift that takes one root of two is that half of the section alone.
  *  system: of jlt_surface_system, its flow and chart made. */
-bool jlt_surface_is_crossed(const jlt_system *system);
+bool jlt_surface_crossing_met(const jlt_system *system);
 
 /** Whether orbits come to poles and no farther: a root that is a state of its own has no rate there. In a time that lifts it they would
  *  go through, and back in time, otherwise. */
-bool jlt_surface_poles_end(const jlt_system *system);
+bool jlt_surface_crossing_ends_at_poles(const jlt_system *system);
 
 #endif
