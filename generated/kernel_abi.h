@@ -87,6 +87,13 @@ typedef void (*jlt_kernel_stages)(const double *JLT_RESTRICT x, double *JLT_REST
                                   unsigned count, const double *JLT_RESTRICT h, const double *JLT_RESTRICT p,
                                   double *JLT_RESTRICT z);
 
+/* The same with the variational equations of so many tangent vectors. Columns are the states, the vectors one after another,
+ * the integral of the divergence, and t; x, z and k hold states*(1 + tangents) + 2 of them. The last two are integrals along
+ * the way, which z has for the last stage alone. */
+typedef void (*jlt_kernel_stages_varied)(const double *JLT_RESTRICT x, double *JLT_RESTRICT k,
+                                         const jlt_stage_sum *JLT_RESTRICT sums, unsigned count, const double *JLT_RESTRICT h,
+                                         const double *JLT_RESTRICT p, double *JLT_RESTRICT z, unsigned tangents);
+
 /* jlt_kernel_jet on lanes: coefficient k of column i of lane j at coefficients[(k*columns + i)*stride + j]. */
 typedef void (*jlt_kernel_lanes_jet)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, unsigned order,
                                      double *JLT_RESTRICT coefficients, size_t stride);
@@ -98,6 +105,7 @@ typedef struct {
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
         measure_divergences, time_factor, eliminated, observe_values, valid_values; /* NULL where the scalar kernel is */
     jlt_kernel_stages stages, stages_clock;
+    jlt_kernel_stages_varied stages_varied;
     jlt_kernel_lanes_jet jet;
 } jlt_kernel_batch;
 
@@ -136,7 +144,7 @@ typedef struct {
     const char *condition;   /* the `when` clause, "" when it holds always */
     jlt_proof verdict;
     const char *reason;      /* refuted: what is not zero; not settled: why; "" when proved */
-    const char *target;      /* of a reduction, an embedding or a section: SHA-256 of the other table; NULL of other kinds */
+    const char *target;      /* of what leads to another table: its SHA-256; NULL of other kinds */
 } jlt_claim;
 
 typedef struct {
@@ -189,6 +197,34 @@ typedef struct {
     const char *turn_meaning; /* what starts are called where it is < 0 */
 } jlt_section_chart;
 
+/* A condition, as the table writes it. */
+typedef struct {
+    const char *text; /* "v_slip > 0", "a3 = 0" */
+    int is_zero;      /* 1: its value must be 0; 0: > 0 */
+} jlt_way_condition;
+
+/** A way to another table that may serve in place of this one, and back: from a record `reduction NAME : by FILE` (the other
+ *  table has fewer states), or `lift NAME : into FILE` (it has more). Kernels take unprepared parameters. The other table's
+ *  field is meant in the time of the same name as this field's where it has one, else in its own; y are all its states
+ *  there, with lifted roots. */
+typedef struct {
+    const char *name, *kind;           /* of the record; "reduction" or "lift" */
+    const char *model, *file, *sha256; /* of the other table: its model's name, its file beside this one's, its digest */
+    const char *time;                  /* of the other table's field, "" its own */
+    unsigned claim;                    /* which of the model's `claims` it is */
+    unsigned state_count, param_count; /* of the other table's field: y has state_count entries, */
+    unsigned coordinate_count;         /* the first of which are not lifted roots */
+    const unsigned char *is_angle;     /* (coordinates,): 1 where it is an atan2 of the two values */
+    const unsigned char *is_root;      /* (params,): 1 where the value is the parameter's square */
+    jlt_kernel_function coordinates;   /* x, params -> (coordinates, 2): sine and cosine of an angle times one positive
+                                          number; else the state, and 1 */
+    jlt_kernel_function params;        /* x, params -> the other table's parameters, (params,) */
+    unsigned condition_count;
+    const jlt_way_condition *conditions;  /* of `when` and `where` */
+    jlt_kernel_function condition_values; /* x, params -> (conditions,); NULL when there is none */
+    jlt_kernel_function back;             /* y, the other table's parameters -> x (states of this field) */
+} jlt_way;
+
 typedef struct jlt_descriptor {
     const char *model, *variant, *time, *elimination; /* "" for the general field, its own time, all states */
     const char *title, *source;
@@ -231,6 +267,19 @@ typedef struct jlt_descriptor {
     const jlt_pole *poles;
     unsigned section_count;
     const jlt_section_chart *sections;
+    const char *tier, *tier_meaning; /* these six as the four above; record `tier`, NULL without one */
+    unsigned tier_condition_count;
+    const jlt_way_condition *tier_conditions;
+    jlt_kernel_function tier_values; /* x, params -> (tier_conditions,): its coordinates are good while all are > 0; or NULL */
+    unsigned way_count;
+    const jlt_way *ways;
+    jlt_kernel_function lifted; /* states in the model's own time, params -> (states,): the same with its lifted roots;
+                                   NULL where the field's time lifts none; on all fields */
+    unsigned lifted_count;      /* of those roots */
+    jlt_kernel_function root_relations, root_relation_gradients; /* x, params -> (lifted,), (lifted, states): root^2 - radicand, 0 on
+                                   orbits, and its gradient */
+    unsigned eliminated_state, level_integral; /* with an elimination: which of the general field's states goes, and by which of its
+                                   integrals, whose level is the last parameter */
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file

@@ -13,27 +13,27 @@ extern const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular;
 extern const jlt_descriptor jlt_kernels_routh_sphere_balanced;
 extern const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_general;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_rod;
-extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_omega_n;
 extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_omega_n;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments;
@@ -70,27 +70,27 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_routh_sphere_balanced,
     &jlt_kernels_routh_sphere_balanced_in_regular,
     &jlt_kernels_spherical_top_general,
-    &jlt_kernels_spherical_top_general_on_level_G,
-    &jlt_kernels_spherical_top_general_on_level_G_omega3,
+    &jlt_kernels_spherical_top_general_on_level_omega_n,
+    &jlt_kernels_spherical_top_general_on_level_omega3,
     &jlt_kernels_spherical_top_general_in_regular,
-    &jlt_kernels_spherical_top_general_in_regular_on_level_G,
-    &jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_omega_n,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_omega3,
     &jlt_kernels_spherical_top_balanced,
-    &jlt_kernels_spherical_top_balanced_on_level_G,
-    &jlt_kernels_spherical_top_balanced_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_on_level_omega3,
     &jlt_kernels_spherical_top_balanced_in_regular,
-    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G,
-    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_omega3,
     &jlt_kernels_spherical_top_rod,
-    &jlt_kernels_spherical_top_rod_on_level_G,
+    &jlt_kernels_spherical_top_rod_on_level_omega_n,
     &jlt_kernels_spherical_top_rod_in_regular,
-    &jlt_kernels_spherical_top_rod_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_rod_in_regular_on_level_omega_n,
     &jlt_kernels_spherical_top_balanced_equal,
-    &jlt_kernels_spherical_top_balanced_equal_on_level_G,
-    &jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_omega3,
     &jlt_kernels_spherical_top_balanced_equal_in_regular,
-    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G,
-    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega3,
     &jlt_kernels_spherical_top_balanced_general,
     &jlt_kernels_spherical_top_balanced_general_in_regular,
     &jlt_kernels_spherical_top_balanced_equal_moments,

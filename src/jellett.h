@@ -28,6 +28,7 @@ extern "C" {
 #include "kernel/load.h"
 #include "kernel/observed.h"
 #include "kernel/units.h"
+#include "kernel/way.h"
 
 #include "integrate/batch.h"
 #include "integrate/event.h"
@@ -46,6 +47,7 @@ extern "C" {
 #include "dynamics/lyapunov.h"
 #include "dynamics/manifold.h"
 #include "dynamics/map.h"
+#include "dynamics/map_batch.h"
 #include "dynamics/orbits.h"
 #include "dynamics/periodic.h"
 #include "dynamics/section.h"
@@ -62,12 +64,13 @@ extern "C" {
 #include "analysis/density.h"
 #include "analysis/linearization.h"
 
-#include "top/tier.h"
+#include "top/attitude.h"
 #include "top/top.h"
 
 #include "scene/course.h"
 #include "scene/handle.h"
 #include "scene/plan.h"
+#include "scene/tier.h"
 
 #ifdef __cplusplus
 }

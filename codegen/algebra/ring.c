@@ -1,5 +1,6 @@
 /* The ring of a ratio: its variables, and its generators, which stay independent modulo squares. */
 #include "algebra/ratio.h"
+#include "algebra/solver.h"
 
 #include <stdlib.h>
 
@@ -26,6 +27,7 @@ void ttc_ring_destroy(ttc_ring *ring)
 {
     if (ring == NULL) return;
     for (size_t i = 0; i < ring->generator_count; i++) ttc_ratio_clear(ring, &ring->generators[i].square);
+    ttc_solver_release(ring->solver);
     fmpq_clear(ring->minus_one);
     fmpz_mpoly_ctx_clear(ring->context);
     free(ring->trust);

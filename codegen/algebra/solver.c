@@ -228,15 +228,29 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
     }
 }
 
+/* One for all questions about a ring, and for no other: what it answers hangs on nothing but these. */
+static Z3_context context_of(ttc_ring *ring)
+{
+    if (ring->solver == NULL) {
+        Z3_config config = Z3_mk_config();
+        ring->solver = Z3_mk_context(config);
+        Z3_del_config(config);
+        Z3_set_error_handler(ring->solver, ignore_errors);
+    }
+    return ring->solver;
+}
+
+void ttc_solver_release(void *solver)
+{
+    if (solver != NULL) Z3_del_context(solver);
+}
+
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions)
 {
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q.variables == NULL) return TTC_SOLVER_SILENT;
-    Z3_config config = Z3_mk_config();
-    q.z3 = Z3_mk_context(config);
-    Z3_del_config(config);
-    Z3_set_error_handler(q.z3, ignore_errors);
+    q.z3 = context_of(point->ring);
     q.real = Z3_mk_real_sort(q.z3);
     q.solver = Z3_mk_solver_for_logic(q.z3, Z3_mk_string_symbol(q.z3, "QF_NRA"));
     Z3_solver_inc_ref(q.z3, q.solver);
@@ -249,7 +263,6 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     ttc_solver_answer answer = ask(&q, conditions);
     Z3_params_dec_ref(q.z3, params);
     Z3_solver_dec_ref(q.z3, q.solver);
-    Z3_del_context(q.z3);
     free(q.variables);
     return answer;
 }

@@ -126,6 +126,17 @@ void ttc_valuation_bind_root(ttc_valuation *v, uint32_t symbol, ttc_id radicand)
     v->square[symbol] = radicand;
     v->rooted[symbol] = true;
 }
+
+void ttc_valuation_name(ttc_valuation *v, uint32_t symbol, const char *name) { v->names[v->variable[symbol]] = name; }
+
+const char *ttc_valuation_name_of(const ttc_valuation *v, uint32_t symbol)
+{
+    const char *name = v->names[v->variable[symbol]];
+    for (size_t i = 0; i < TTC_SPARE_VARIABLES; i++)
+        if (name == spare_names[i]) return NULL;
+    return name;
+}
+
 void ttc_valuation_free_root(ttc_valuation *v, uint32_t symbol) { v->freed[symbol] = true; }
 slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v->variable[symbol]; }
 

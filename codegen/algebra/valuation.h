@@ -32,6 +32,9 @@ const ttc_model *ttc_valuation_model(const ttc_valuation *valuation);
 void ttc_valuation_bind(ttc_valuation *valuation, uint32_t symbol, ttc_id expression);
 void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square);
 void ttc_valuation_bind_root(ttc_valuation *valuation, uint32_t symbol, ttc_id radicand); /* to the positive square root */
+/* A spare symbol stands for something that the model has no name for, and is called so in texts; name: borrowed. */
+void ttc_valuation_name(ttc_valuation *valuation, uint32_t symbol, const char *name);
+const char *ttc_valuation_name_of(const ttc_valuation *valuation, uint32_t symbol); /* NULL: none was given */
 /* A root becomes a variable of its own, as a lifted root is a state; before anything is evaluated. */
 void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* evaluated before */

@@ -143,6 +143,13 @@ static void write_coordinates(description *d)
         fprintf(d->stream, "%s%s = ", ftell(d->stream) > 0 ? ", " : "", model->symbols[i].name);
         write_ratio(d, &value);
     }
+    for (uint32_t i = (uint32_t)model->symbol_count; i < model->symbol_count + TTC_SPARE_SYMBOLS; i++) {
+        const char *name = ttc_valuation_name_of(d->point->valuation, i);
+        if (name == NULL) continue;
+        ttc_ratio_set_variable(d->point->ring, &value, ttc_valuation_variable(d->point->valuation, i));
+        fprintf(d->stream, "%s%s = ", ftell(d->stream) > 0 ? ", " : "", name);
+        write_ratio(d, &value);
+    }
     ttc_ratio_clear(d->point->ring, &value);
 }
 

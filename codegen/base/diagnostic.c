@@ -159,6 +159,17 @@ ttc_diagnostic ttc_diagnostics_at(const ttc_diagnostics *diagnostics, size_t ind
     return (ttc_diagnostic){ r->severity, r->line, r->column, r->file, r->message };
 }
 
+void ttc_diagnostics_first_error(const ttc_diagnostics *diagnostics, char *out, size_t size)
+{
+    size_t i = 0;
+    *out = '\0';
+    while (i < diagnostics->count && diagnostics->records[i].severity == TTC_WARNING) i++;
+    if (i == diagnostics->count) return;
+    const record *r = diagnostics->records + i;
+    if (r->severity == TTC_IO_ERROR) snprintf(out, size, "%s: %s", r->file, r->message);
+    else snprintf(out, size, "%s:%u:%u: %s", r->file, (unsigned)r->line, (unsigned)r->column, r->message);
+}
+
 void ttc_diagnostics_print(const ttc_diagnostics *diagnostics, FILE *stream)
 {
     for (size_t i = 0; i < diagnostics->count; i++) {

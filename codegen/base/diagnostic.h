@@ -22,7 +22,10 @@ typedef struct {
 
 typedef struct ttc_diagnostics ttc_diagnostics;
 
-enum { TTC_DIAGNOSTIC_LIMIT = 50 }; /* errors and warnings kept of one file; the rest are counted */
+enum {
+    TTC_DIAGNOSTIC_LIMIT = 50, /* errors and warnings kept of one file; the rest are counted */
+    TTC_DIAGNOSTIC_LINE = 512  /* enough for one in a line, most often */
+};
 
 ttc_diagnostics *ttc_diagnostics_create(void); /* NULL when memory is out */
 void ttc_diagnostics_destroy(ttc_diagnostics *diagnostics); /* legal on NULL */
@@ -44,6 +47,9 @@ size_t ttc_warning_count(const ttc_diagnostics *diagnostics);
 /* Those kept, in order. Strings live as long as `diagnostics`. */
 size_t ttc_diagnostics_size(const ttc_diagnostics *diagnostics);
 ttc_diagnostic ttc_diagnostics_at(const ttc_diagnostics *diagnostics, size_t index);
+
+/* The first error in one line, `FILE:LINE:COLUMN: what is wrong`, for messages about what needs the file; "" when there is none. */
+void ttc_diagnostics_first_error(const ttc_diagnostics *diagnostics, char *out, size_t size);
 
 void ttc_diagnostics_print(const ttc_diagnostics *diagnostics, FILE *stream);
 

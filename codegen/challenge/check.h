@@ -4,6 +4,7 @@
 #define TTC_CHECK_H
 
 #include "challenge/random_point.h"
+#include "prove/image.h"
 #include "prove/prove.h"
 
 typedef enum {
@@ -14,7 +15,7 @@ typedef enum {
 } ttc_check_outcome;
 
 typedef struct {
-    const ttc_model *model, *target; /* target: of a reduction or section */
+    const ttc_model *model, *target; /* target: the table that the claim leads to */
     const ttc_claim *claim;          /* NULL for derived ones */
     uint32_t index;                  /* of what a derived one is about */
     ttc_probe *probe, *target_probe;
@@ -44,6 +45,16 @@ bool ttc_check_rate(ttc_check *check, arb_t out, ttc_id id);
 /* The Jacobian of the field, shape (n, n); false after ttc_check_undefined. */
 bool ttc_check_jacobian(ttc_check *check, arb_ptr out);
 
+/* a - b is zero; a value that is missing leaves the point untold. */
+void ttc_check_same(ttc_check *check, arb_srcptr a, arb_srcptr b, const char *what, const char *name);
+
+/** The target probe at the image of the point in hand: states and parameters. False: it has none. */
+bool ttc_check_set_image(ttc_check *check, const ttc_image *image);
+
+/* What leads to the target's i-th state from a probe of the model: sine and cosine of an angle over one positive number, or the
+ * state and 1; false: undefined. */
+bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine);
+
 void ttc_check_integral(ttc_check *check);
 void ttc_check_invariant(ttc_check *check);
 void ttc_check_rate_claim(ttc_check *check);
@@ -60,6 +71,7 @@ void ttc_check_left_null(ttc_check *check);
 void ttc_check_obstructs(ttc_check *check);
 void ttc_check_reduction(ttc_check *check); /* and embeddings */
 void ttc_check_section(ttc_check *check);
+void ttc_check_way(ttc_check *check); /* reductions by a table, and lifts */
 void ttc_check_pole(ttc_check *check);
 void ttc_check_root(ttc_check *check); /* and logarithms */
 void ttc_check_variant(ttc_check *check);

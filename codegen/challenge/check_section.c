@@ -17,49 +17,6 @@ static const ttc_section *section_of(const ttc_check *check)
     return NULL;
 }
 
-/* Sine and cosine of an angle over one positive number, or the coordinate and 1, at a probe of the model; false: undefined. */
-static bool way_back(section_check *s, arb_t sine, arb_t cosine, ttc_probe *probe, size_t state)
-{
-    const ttc_id *entries = s->check->claim->entries + 2 * ttc_section_coordinate(s->section, s->check->target, state);
-    arb_srcptr value = ttc_probe_at(probe, entries[0]);
-    if (value != NULL) arb_set(sine, value);
-    if (value != NULL) value = ttc_probe_at(probe, entries[1]);
-    if (value == NULL) return false;
-    arb_set(cosine, value);
-    return true;
-}
-
-/* The chart's parameters, levels at their values here, and its coordinates. */
-static bool set_chart(section_check *s)
-{
-    const ttc_check *check = s->check;
-    const ttc_model *model = check->model, *chart = check->target;
-    bool good = true;
-    arb_t sine, cosine;
-    arb_init(sine);
-    arb_init(cosine);
-    ttc_probe_begin(check->target_probe, s->precision);
-    for (size_t i = 0; good && i < chart->param_count; i++) {
-        const uint32_t place = ttc_section_place(model, s->section, chart, i);
-        const bool is_level = place >= model->param_count;
-        const ttc_id level = is_level ? model->claims[check->claim->members[place - model->param_count]].expression : TTC_NONE;
-        arb_srcptr value = ttc_probe_at(check->probe, is_level ? level : model->symbols[model->params[place]].node);
-        good = value != NULL;
-        if (good) ttc_probe_set(check->target_probe, chart->params[i], value);
-    }
-    for (size_t i = 0; good && i < chart->state_count; i++) {
-        good = way_back(s, sine, cosine, check->probe, i);
-        if (good && s->section->is_angle[ttc_section_coordinate(s->section, chart, i)]) {
-            good = !(arb_contains_zero(sine) && arb_contains_zero(cosine));
-            arb_atan2(sine, sine, cosine, s->precision);
-        }
-        if (good) ttc_probe_set(check->target_probe, chart->states[i], sine);
-    }
-    arb_clear(cosine);
-    arb_clear(sine);
-    return good;
-}
-
 /* The model at the lift of that point. */
 static bool set_lifted(section_check *s)
 {
@@ -76,37 +33,26 @@ static bool set_lifted(section_check *s)
     return true;
 }
 
-/* a - b is zero; a value that is missing leaves the point untold. */
-static void check_same(section_check *s, arb_srcptr a, arb_srcptr b, const char *what, const char *name)
-{
-    arb_t difference;
-    if (a == NULL || b == NULL) {
-        ttc_check_undefined(s->check);
-        return;
-    }
-    arb_init(difference);
-    arb_sub(difference, a, b, s->precision);
-    ttc_check_zero(s->check, difference, what, name);
-    arb_clear(difference);
-}
-
 /* What the lift claims of itself. */
 static void check_lift(section_check *s)
 {
     const ttc_model *model = s->check->model;
     const ttc_claim *claim = s->check->claim;
     const ttc_binding *at = claim->when.items;
-    check_same(s, ttc_probe_value(s->lifted, at->symbol), ttc_probe_at(s->lifted, at->expression), "off the section by its lift:",
+    ttc_check_same(s->check, ttc_probe_value(s->lifted, at->symbol), ttc_probe_at(s->lifted, at->expression),
+                   "off the section by its lift:",
                model->symbols[at->symbol].name);
     for (size_t i = 0; i < claim->member_count; i++) {
         const ttc_claim *integral = model->claims + claim->members[i];
-        check_same(s, ttc_probe_at(s->lifted, integral->expression), ttc_probe_at(s->check->probe, integral->expression),
+        ttc_check_same(s->check, ttc_probe_at(s->lifted, integral->expression),
+                       ttc_probe_at(s->check->probe, integral->expression),
                    "off its level by its lift:", integral->name);
     }
     for (size_t i = 0; i < model->symbol_count; i++) {
         const ttc_id lift = model->symbols[i].kind == TTC_ROOT ? ttc_chart_lift(s->check->target, model->symbols[i].name) : TTC_NONE;
         if (lift != TTC_NONE)
-            check_same(s, ttc_probe_at(s->check->target_probe, lift), ttc_probe_at(s->lifted, model->symbols[i].node),
+            ttc_check_same(s->check, ttc_probe_at(s->check->target_probe, lift),
+                           ttc_probe_at(s->lifted, model->symbols[i].node),
                        "lifted root - root of the lift:", model->symbols[i].name);
     }
 }
@@ -124,9 +70,9 @@ static void check_return(section_check *s, size_t state)
     arb_init(own_cosine);
     arb_init(along);
     arb_init(across);
-    if (!way_back(s, sine, cosine, s->lifted, state)) {
+    if (!ttc_check_way_to(s->check, s->lifted, &s->section->image, state, sine, cosine)) {
         ttc_check_undefined(s->check);
-    } else if (s->section->is_angle[ttc_section_coordinate(s->section, chart, state)]) {
+    } else if (s->section->image.forms[ttc_image_state(&s->section->image, chart, state)] == TTC_GIVEN_ANGLE) {
         arb_sin_cos(own_sine, own_cosine, own, s->precision);
         arb_mul(along, sine, own_sine, s->precision);
         arb_addmul(along, cosine, own_cosine, s->precision);
@@ -135,7 +81,7 @@ static void check_return(section_check *s, size_t state)
         ttc_check_zero(s->check, across, "the way back from the lift leads elsewhere in", name);
         ttc_check_positive(s->check, along, "the way back from the lift leads to the opposite of", name);
     } else {
-        check_same(s, sine, own, "the way back from the lift leads elsewhere in", name);
+        ttc_check_same(s->check, sine, own, "the way back from the lift leads elsewhere in", name);
     }
     arb_clear(across);
     arb_clear(along);
@@ -160,7 +106,7 @@ static void check_state(section_check *s)
     const ttc_model *model = s->check->model;
     char fault[256];
     const int crossing = direction(s, s->check->probe);
-    if (crossing == 0 || !set_chart(s)) {
+    if (crossing == 0 || !ttc_check_set_image(s->check, &s->section->image)) {
         ttc_check_undefined(s->check);
         return;
     }
@@ -174,7 +120,8 @@ static void check_state(section_check *s)
     check_lift(s);
     for (size_t i = 0; i < s->check->target->state_count; i++) check_return(s, i);
     for (size_t i = 0; i < model->state_count && direction(s, s->lifted) == crossing; i++)
-        check_same(s, ttc_probe_value(s->lifted, model->states[i]), ttc_probe_value(s->check->probe, model->states[i]),
+        ttc_check_same(s->check, ttc_probe_value(s->lifted, model->states[i]),
+                       ttc_probe_value(s->check->probe, model->states[i]),
                    "the lift of where the way back leads is another state in", model->symbols[model->states[i]].name);
 }
 

@@ -63,27 +63,78 @@ void ttc_check_time(ttc_check *check)
     if (factor != NULL) ttc_check_positive(check, factor, "dt/dtau of", time->name);
 }
 
-/* With the state at an end of its interval, some lifted root is the root of zero. */
-static void check_end(ttc_check *check, uint32_t state, ttc_id end)
+enum { NEAR_BITS = 200, NEARER_BITS = 280, FALL_BITS = 10 };
+
+/* out = the rate of a root in its time, with the state at `end` - 2^-bits*way; false after ttc_check_undefined. */
+static bool rate_near(ttc_check *check, arb_t out, const ttc_time *time, uint32_t root, uint32_t state, arb_srcptr end,
+                      arb_srcptr way, long bits)
+{
+    const long precision = ttc_probe_precision(check->probe);
+    arb_t near;
+    arb_init(near);
+    arb_mul_2exp_si(near, way, -bits);
+    arb_sub(near, end, near, precision);
+    ttc_probe_set(check->probe, state, near);
+    ttc_probe_seed_states(check->probe);
+    const bool has_rate = ttc_check_rate(check, out, check->model->symbols[root].node);
+    arb_srcptr factor = has_rate ? ttc_check_at(check, time->factor) : NULL;
+    if (factor != NULL) arb_mul(out, out, factor, precision);
+    arb_clear(near);
+    return factor != NULL;
+}
+
+/* What goes to zero at least as the root of the way left falls by 2^-40 between the two places, at any of them that is near. */
+static void check_rest(ttc_check *check, const ttc_time *time, uint32_t root, uint32_t state, arb_srcptr end, arb_srcptr way)
+{
+    const long precision = ttc_probe_precision(check->probe);
+    arb_t before, after;
+    arb_init(before);
+    arb_init(after);
+    if (rate_near(check, before, time, root, state, end, way, NEAR_BITS) &&
+        rate_near(check, after, time, root, state, end, way, NEARER_BITS)) {
+        arb_abs(before, before);
+        arb_abs(after, after);
+        arb_mul_2exp_si(after, after, FALL_BITS);
+        arb_sub(before, before, after, precision);
+        if (arb_is_negative(before))
+            ttc_check_violate(check, "at an end that orbits should not run through changes", check->model->symbols[root].name);
+    }
+    arb_clear(after);
+    arb_clear(before);
+}
+
+/* With the state at an end of its interval, some lifted root is the root of zero, and comes to rest. */
+static void check_end(ttc_check *check, uint32_t state, ttc_id end, ttc_id other)
 {
     const ttc_model *model = check->model;
-    arb_srcptr value = ttc_check_at(check, end);
     bool vanishes = false;
-    if (value == NULL) return;
-    ttc_probe_set(check->probe, state, value);
+    arb_t at, way;
+    arb_srcptr value = ttc_check_at(check, end), opposite = ttc_check_at(check, other);
+    if (value == NULL || opposite == NULL) return;
+    arb_init(at);
+    arb_init(way);
+    arb_set(at, value);
+    arb_sub(way, value, opposite, ttc_probe_precision(check->probe));
     for (size_t i = 0; i < model->time_count; i++)
         for (size_t k = 0; k < model->times[i].lifted_count; k++) {
-            arb_srcptr radicand = ttc_probe_at(check->probe, model->symbols[model->times[i].lifted[k]].definition);
-            vanishes |= radicand == NULL || arb_contains_zero(radicand);
+            const uint32_t root = model->times[i].lifted[k];
+            ttc_probe_set(check->probe, state, at);
+            arb_srcptr radicand = ttc_probe_at(check->probe, model->symbols[root].definition);
+            const bool is_zero = radicand == NULL || arb_contains_zero(radicand);
+            if (radicand != NULL && is_zero) check_rest(check, &model->times[i], root, state, at, way);
+            vanishes |= is_zero;
         }
     if (!vanishes) ttc_check_violate(check, "no lifted root is zero at an end of", model->symbols[state].name);
+    arb_clear(way);
+    arb_clear(at);
 }
 
 void ttc_check_pole(ttc_check *check)
 {
     const uint32_t state = check->model->poles[check->index].state;
-    check_end(check, state, check->model->symbols[state].low);
-    check_end(check, state, check->model->symbols[state].high);
+    const ttc_symbol_entry *entry = check->model->symbols + state;
+    check_end(check, state, entry->low, entry->high);
+    check_end(check, state, entry->high, entry->low);
 }
 
 /* With the level at the integral's value, the solution is the state, and moves as the state does. */

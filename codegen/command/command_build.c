@@ -22,9 +22,11 @@ static void add_identity(ttc_text *key, const char *path)
                         found.st_mtim.tv_nsec);
 }
 
-/* Everything that decides on the object: ttc, compiler, flags, the table, and those that its claims lead to. */
-static void make_key(char digest[65], const ttc_model *model, const char *compiler, bool lanes)
+/* Everything that decides on the object: ttc, compiler, flags, the table, and those that its claims lead to. False: one of these is
+ * wrong, which is to be told again. */
+static bool make_key(char digest[65], const ttc_model *model, const char *compiler, bool lanes)
 {
+    bool good = true;
     ttc_text key = { 0 };
     ttc_text_format(&key, "ttc %s\n%s\n", JLT_VERSION, model->sha256);
     ttc_compiler_add_flags(&key, lanes);
@@ -32,14 +34,16 @@ static void make_key(char digest[65], const ttc_model *model, const char *compil
     add_identity(&key, compiler);
     for (size_t i = 0; i < model->claim_count; i++) {
         if (model->claims[i].target == NULL) continue;
-        ttc_diagnostics *ignored = ttc_diagnostics_create();
-        ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, ignored);
+        ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+        ttc_model *target = diagnostics == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, diagnostics);
         ttc_text_format(&key, "%s\n", target == NULL ? "none" : target->sha256);
+        if (diagnostics != NULL) good &= ttc_error_count(diagnostics) == ttc_io_error_count(diagnostics);
         ttc_model_destroy(target);
-        ttc_diagnostics_destroy(ignored);
+        ttc_diagnostics_destroy(diagnostics);
     }
     ttc_sha256(digest, ttc_text_string(&key), key.length);
     ttc_text_clear(&key);
+    return good;
 }
 
 /* On the disk before it has its name: a name never leads to half an object. */
@@ -85,12 +89,12 @@ static int make(ttc_cache *cache, const char *key, const char *path, const char 
 static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *compiler, const ttc_options *options, char **path)
 {
     char key[65];
-    make_key(key, model, compiler, options->lanes);
+    const bool is_known = make_key(key, model, compiler, options->lanes);
     *path = ttc_cache_path(cache, key);
     if (*path == NULL) return TTC_EXIT_MEMORY;
-    if (ttc_cache_has(*path)) return TTC_EXIT_DONE;
+    if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE;
     if (!ttc_cache_lock(cache, key)) return fail(TTC_EXIT_IO, "cannot lock the cache: %s", strerror(errno));
-    if (ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run has made it meanwhile */
+    if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run has made it meanwhile */
     return make(cache, key, *path, compiler, options);
 }
 

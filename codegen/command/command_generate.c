@@ -195,7 +195,7 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
     else if (resting->length > 0)
         ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: kernels that rest on it are marked as unproved "
                          "(%.200s%s)", proof->kind, proof->name, status, ttc_text_string(resting), cut);
-    else if (claim != NULL && (claim->kind == TTC_CLAIM_REDUCTION || claim->kind == TTC_CLAIM_EMBEDDING))
+    else if (claim != NULL && claim->target != NULL)
         ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: %s and this table no longer serve in place of each "
                          "other", proof->kind, proof->name, status, claim->target);
     else ttc_command_warn(model, proof->place, "the %s claim '%s' is %s", proof->kind, proof->name, status);

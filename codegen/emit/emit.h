@@ -39,6 +39,9 @@ void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program
 void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
                        const ttc_block *block);
 
+/* The same of expressions in the field's symbols, on raw parameters, and an empty line after it. False when memory is out. */
+bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count);
+
 /* The unsimplified field in complex arithmetic, a function named rhs_complex. */
 void ttc_emit_complex(ttc_text *text, ttc_field *field);
 
@@ -56,11 +59,15 @@ bool ttc_emit_equilibria(ttc_text *text, ttc_kernels *kernels);
 /* The name of the table's file without its folder; borrowed. */
 const char *ttc_emit_base_name(const ttc_model *model);
 
-/* Name parts: "general", "balanced_in_regular_on_level_G", ... */
+/* Name parts: "general", "balanced_in_regular_on_level_omega3", ... */
 void ttc_emit_stem(ttc_text *text, const ttc_field *field);
 
 /* The kernels of one descriptor on vectors of lanes, to be compiled once for each instruction set. */
 void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
+
+/* Of these `stages_varied`: Runge-Kutta stages of the variational equations. It uses the inline kernels `linear` (field and Jacobian)
+ * and `clock` above it. */
+void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels);
 
 /* The function `jet`: Taylor coefficients of the solution, scalar and on lanes; and the header with its recurrences. */
 void ttc_emit_jet(ttc_text *text, const ttc_kernels *kernels);
@@ -84,6 +91,11 @@ void ttc_emit_reversor_member(ttc_text *text, const ttc_field *field);
 void ttc_emit_quantities(ttc_text *text, const char *name, const ttc_model *model, const uint32_t *symbols, size_t count,
                          const bool *is_angle);
 
+/* Lifted roots of a field: kernels of their relations; the descriptor's members on them, and on an eliminated state. False when memory is
+ * out. */
+bool ttc_emit_roots(ttc_text *text, ttc_field *field);
+void ttc_emit_root_member(ttc_text *text, const ttc_field *field);
+
 /* The poles of the general field, with all its states: the array, and the descriptor's members. */
 void ttc_emit_poles(ttc_text *text, const ttc_field *field);
 void ttc_emit_pole_member(ttc_text *text, const ttc_field *field);
@@ -91,6 +103,16 @@ void ttc_emit_pole_member(ttc_text *text, const ttc_field *field);
 /** Kernels and table of the sections that have coordinates, of the general field with all its states; the table is named
  *  `sections`, and *count is its length. One whose table of coordinates does not fit is left out. False when memory is out. */
 bool ttc_emit_sections(ttc_text *text, ttc_kernels *kernels, size_t *count);
+
+/** Kernels and table of the ways to tables that serve in place of the field's own, of the general field with all its states;
+ *  the table is named `ways`, and *count is its length. One whose table does not fit is left out. False when memory is out. */
+bool ttc_emit_ways(ttc_text *text, ttc_kernels *kernels, size_t *count);
+
+/* The conditions of `tier`, of such a field, and their kernel; the states with their lifted roots, of any field in a time that
+ * lifts some; and the descriptor's members. */
+bool ttc_emit_tier(ttc_text *text, ttc_field *field);
+bool ttc_emit_lifted(ttc_text *text, const ttc_field *field);
+void ttc_emit_way_members(ttc_text *text, const ttc_field *field, size_t ways);
 
 /* The file of one descriptor. */
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);

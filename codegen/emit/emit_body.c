@@ -1,6 +1,8 @@
 /* A program as C statements, each temporary with the formula it stands for. */
 #include "emit/emit.h"
 
+#include "optimize/lower.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -263,4 +265,15 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
     if (ttc_program_output_count(program) == 0) ttc_text_add(text, "    (void)out;\n");
     ttc_emit_body(text, &ttc_dialect_scalar, program, field, block, parameters, 0);
     ttc_text_add(text, "}\n");
+}
+
+bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count)
+{
+    ttc_program *program = ttc_lower(field, ids, count, (ttc_lowering){ .share = true, .factor_roots = true });
+    if (program != NULL) {
+        ttc_emit_function(text, name, program, field, NULL);
+        ttc_text_add(text, "\n");
+    }
+    ttc_program_destroy(program);
+    return program != NULL;
 }

@@ -232,7 +232,7 @@ static void add_string_member(ttc_text *text, const char *member, const char *va
     ttc_text_add(text, "\",\n");
 }
 
-static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections)
+static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size_t ways)
 {
     const ttc_field *field = k->field;
     const ttc_model *model = field->model;
@@ -266,6 +266,8 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections)
     ttc_emit_reversor_member(text, field);
     ttc_emit_pole_member(text, field);
     if (sections > 0) ttc_text_format(text, "    .section_count = %zu, .sections = sections,\n", sections);
+    ttc_emit_way_members(text, field, ways);
+    ttc_emit_root_member(text, field);
     ttc_text_format(text, "    .integral_count = %zu, .measure_count = %zu, .equilibria_count = %zu,\n", k->integral_count,
                     k->measure_count, k->family_count);
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
@@ -286,7 +288,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections)
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
 {
     const ttc_field *field = k->field;
-    size_t sections = 0;
+    size_t sections = 0, ways = 0;
     add_header(text, k);
     ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
     ttc_emit_model_names(text, field->model);
@@ -312,7 +314,9 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     ttc_text_add(text, "\n");
     ttc_emit_complex(text, k->field);
     ttc_text_add(text, "\n");
-    if (!ttc_emit_equilibria(text, k) || !ttc_emit_sections(text, k, &sections)) return false;
+    if (!ttc_emit_equilibria(text, k) || !ttc_emit_sections(text, k, &sections) || !ttc_emit_lifted(text, field) ||
+        !ttc_emit_roots(text, k->field) || !ttc_emit_tier(text, k->field) || !ttc_emit_ways(text, k, &ways))
+        return false;
     ttc_emit_quantities(text, "states", field->model, field->states, field->state_count, NULL);
     ttc_emit_quantities(text, "params", field->model, field->params, field->param_count, NULL);
     add_names(text, "integrals", k->field, k->integrals, k->integral_count);
@@ -322,6 +326,6 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0) add_validities(text, field->model);
     ttc_emit_reversors(text, field);
     ttc_emit_poles(text, field);
-    add_descriptor(text, k, sections);
+    add_descriptor(text, k, sections, ways);
     return !text->failed;
 }

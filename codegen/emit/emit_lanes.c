@@ -55,14 +55,14 @@ static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     ttc_text_add(text, "}\n");
 }
 
-/* The kernel rhs: f of what is loaded. */
-static void add_rhs(ttc_text *text, const ttc_field *field)
+/* The kernel called `name`: what the inline one makes of what is loaded. */
+static void add_loading(ttc_text *text, const ttc_field *field, const char *name, const char *inlined)
 {
     ttc_text_add(text, "\nstatic void ");
     ttc_emit_stem(text, field);
-    ttc_text_add(text, "_rhs(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ");
+    ttc_text_format(text, "_%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ", name);
     ttc_emit_stem(text, field);
-    ttc_text_add(text, "_field(");
+    ttc_text_format(text, "_%s(", inlined);
     for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "jlt_lanes_load(x + %zu*stride), ", i);
     ttc_text_add(text, "p, out, stride);\n}\n");
 }
@@ -182,8 +182,9 @@ static void add_table(ttc_text *text, const ttc_kernels *kernels)
         if (kernels->kernels[kind].count > 0)
             ttc_text_format(text, "    .%s = %s_%s,\n", ttc_kernel_name((ttc_kernel_kind)kind), ttc_text_string(&stem),
                             ttc_kernel_name((ttc_kernel_kind)kind));
-    ttc_text_format(text, "    .stages = %s_stages,\n    .stages_clock = %s_stages_clock,\n    .jet = %s_jet,\n};\n",
-                    ttc_text_string(&stem), ttc_text_string(&stem), ttc_text_string(&stem));
+    ttc_text_format(text, "    .stages = %s_stages,\n    .stages_clock = %s_stages_clock,\n    .stages_varied = %s_stages_varied,\n"
+                          "    .jet = %s_jet,\n};\n",
+                    ttc_text_string(&stem), ttc_text_string(&stem), ttc_text_string(&stem), ttc_text_string(&stem));
     text->failed |= name.failed || stem.failed;
     ttc_text_clear(&name);
     ttc_text_clear(&stem);
@@ -196,11 +197,14 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels)
                     kernels->field->model->name, kernels->field->model->sha256, JLT_VERSION);
     add_inline(text, kernels, TTC_KERNEL_RHS, "field");
     if (kernels->field->time != NULL) add_inline(text, kernels, TTC_KERNEL_TIME_FACTOR, "clock");
-    add_rhs(text, kernels->field);
+    add_inline(text, kernels, TTC_KERNEL_RHS_JACOBIAN, "linear");
+    add_loading(text, kernels->field, "rhs", "field");
+    add_loading(text, kernels->field, "rhs_jacobian", "linear");
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
-        if (kind != TTC_KERNEL_RHS && kernels->kernels[kind].count > 0) add_kernel(text, kernels, (ttc_kernel_kind)kind);
+        if (kind != TTC_KERNEL_RHS && kind != TTC_KERNEL_RHS_JACOBIAN && kernels->kernels[kind].count > 0) add_kernel(text, kernels, (ttc_kernel_kind)kind);
     add_stages(text, kernels, false);
     add_stages(text, kernels, true);
+    ttc_emit_stages_varied(text, kernels);
     ttc_emit_jet_lanes(text, kernels);
     add_table(text, kernels);
 }

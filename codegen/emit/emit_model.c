@@ -20,7 +20,7 @@ static void add_table(ttc_text *text, const ttc_model *model)
     ttc_text_add(text, "\n    '\\0'\n};\n");
 }
 
-/* SHA-256 of the table that a reduction, embedding or section leads to, in quotation marks; NULL where there is none. */
+/* SHA-256 of the table that a claim leads to, in quotation marks; NULL where there is none. */
 static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *claim)
 {
     ttc_diagnostics *ignored = claim != NULL && claim->target != NULL ? ttc_diagnostics_create() : NULL;

@@ -44,18 +44,11 @@ typedef struct {
 /* The expressions in `ids`, those of `field`. */
 static bool emit_program(section_emitter *e, const char *name, ttc_field *field, size_t count)
 {
-    const ttc_lowering options = { .share = true, .factor_roots = true };
-    ttc_program *program = ttc_lower(field, e->ids, count, options);
     ttc_text function = { 0 };
-    if (program != NULL) {
-        ttc_text_format(&function, "section%zu_%s", e->number, name);
-        ttc_emit_function(e->text, ttc_text_string(&function), program, field, NULL);
-        ttc_text_add(e->text, "\n");
-    }
-    e->text->failed |= function.failed;
+    ttc_text_format(&function, "section%zu_%s", e->number, name);
+    const bool ok = !function.failed && ttc_emit_outputs(e->text, ttc_text_string(&function), field, e->ids, count);
     ttc_text_clear(&function);
-    ttc_program_destroy(program);
-    return program != NULL;
+    return ok;
 }
 
 static ttc_id lifted(const section_emitter *e, size_t state)
@@ -103,7 +96,7 @@ static bool emit_back(section_emitter *e)
     const size_t n = field->state_count, count = 2 * e->chart->state_count;
     ttc_id *back = calloc(count + 1, sizeof *back);
     for (size_t i = 0; back != NULL && i < count; i++) {
-        const size_t k = ttc_section_coordinate(e->section, e->chart, i / 2);
+        const size_t k = ttc_image_state(&e->section->image, e->chart, i / 2);
         back[i] = e->ids[i] = ttc_field_specialise(field, e->claim->entries[2 * k + i % 2]);
     }
     bool ok = back != NULL && emit_program(e, "back", field, count);
@@ -135,7 +128,7 @@ static bool emit_shown(section_emitter *e, const char *what, const uint32_t *sym
 static void add_coordinates(section_emitter *e)
 {
     ttc_text name = { 0 };
-    const size_t n = e->chart->state_count, levels = e->section->level_count;
+    const size_t n = e->chart->state_count, levels = e->section->image.level_count;
     ttc_text_format(&name, "section%zu_coordinates", e->number);
     ttc_emit_quantities(e->text, ttc_text_string(&name), e->chart, e->chart->states, n, e->is_angle);
     ttc_text_clear(&name);
@@ -192,9 +185,9 @@ static void add_entry(ttc_text *table, const section_emitter *e)
     ttc_emit_constant(table, ttc_coefficient(field->graph, e->claim->when.items[0].expression));
     ttc_text_format(table, ",\n      .coordinate_count = %zu, .coordinates = section%zu_coordinates, .is_angle = section%zu_is_angle,\n",
                     chart->state_count, k, k);
-    if (e->section->level_count > 0)
+    if (e->section->image.level_count > 0)
         ttc_text_format(table, "      .level_count = %zu, .levels = section%zu_levels, .integrals = section%zu_integrals,\n",
-                        e->section->level_count, k, k);
+                        e->section->image.level_count, k, k);
     ttc_text_format(table, "      .lift = section%zu_lift, .lift_slopes = section%zu_lift_slopes,\n", k, k);
     if (chart->region_count > 0)
         ttc_text_format(table, "      .region_count = %zu, .region = section%zu_region,\n", chart->region_count, k);
@@ -213,7 +206,7 @@ static void add_entry(ttc_text *table, const section_emitter *e)
 static bool prepare(section_emitter *e)
 {
     const ttc_model *model = e->kernels->field->model, *chart = e->chart;
-    const size_t n = e->kernels->field->state_count, levels = e->section->level_count, q = chart->state_count;
+    const size_t n = e->kernels->field->state_count, levels = e->section->image.level_count, q = chart->state_count;
     size_t outputs = n * (q + levels + 2 * q) + chart->region_count + e->section->beside_count + e->section->ending_count + 2 * q + 1;
     uint32_t *places = calloc(chart->param_count + 1, sizeof *places);
     e->slope_count = q + levels;
@@ -224,7 +217,7 @@ static bool prepare(section_emitter *e)
               ttc_field_create(&e->field, chart, NULL, NULL, NULL) == TTC_FIELD_OK;
     for (size_t i = 0; ok && i < q; i++) {
         e->slopes[i] = chart->states[i];
-        e->is_angle[i] = e->section->is_angle[ttc_section_coordinate(e->section, chart, i)];
+        e->is_angle[i] = e->section->image.forms[ttc_image_state(&e->section->image, chart, i)] == TTC_GIVEN_ANGLE;
     }
     for (size_t i = 0; ok && i < chart->param_count; i++) {
         places[i] = ttc_section_place(model, e->section, chart, i);

@@ -220,7 +220,7 @@ static void add_state(ttc_task *task, ttc_conditions *c, const ttc_symbol_entry 
     }
 }
 
-static ttc_relation relation_of(ttc_sign sign)
+ttc_relation ttc_domain_relation(ttc_sign sign)
 {
     switch (sign) {
     case TTC_POSITIVE: return TTC_IS_POSITIVE;
@@ -262,7 +262,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
         if (entry->kind == TTC_STATE) add_state(task, c, entry, &value, &end);
         if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN && ttc_valuation_is_bound(task->field, i)) {
             ttc_evaluate(task->field, &value, entry->node);
-            add(task, c, &value, relation_of(entry->sign), "%s lies outside its domain under the conditions of this claim",
+            add(task, c, &value, ttc_domain_relation(entry->sign),
+                "%s lies outside its domain under the conditions of this claim",
                 entry->name);
         }
         if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) add_root(task, c, i, &value);
@@ -321,7 +322,7 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
         ttc_ratio_init(task->ring, &value);
         bool of_definition = entry->kind != TTC_PARAM;
         ttc_evaluate(map, &value, of_definition ? entry->definition : entry->node);
-        ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : relation_of(entry->sign), "%s%s%s",
+        ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : ttc_domain_relation(entry->sign), "%s%s%s",
                          of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ",
                          entry->name, where);
         ttc_ratio_clear(task->ring, &value);

@@ -14,6 +14,9 @@ typedef enum {
  * depend on them are left out: theirs is what the claim has to show. */
 void ttc_domain_add(ttc_task *task, ttc_conditions *conditions, ttc_domain_extent extent);
 
+/* What the sign of a parameter says of its value; for one without a sign it is of no use. */
+ttc_relation ttc_domain_relation(ttc_sign sign);
+
 /* Requires of the value of a symbol what its record says of it; map: NULL, or the valuation in which `model` is seen. */
 void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where);
 

@@ -19,6 +19,7 @@ static const struct {
     { TTC_CLAIM_POSITIVE, ttc_prove_positive },     { TTC_CLAIM_REDUCTION, ttc_prove_reduction },
     { TTC_CLAIM_EMBEDDING, ttc_prove_reduction },   { TTC_CLAIM_SYMMETRY, ttc_prove_symmetry },
     { TTC_CLAIM_PERIODIC, ttc_prove_symmetry },     { TTC_CLAIM_SECTION, ttc_prove_section },
+    { TTC_CLAIM_DESCENT, ttc_prove_descent },       { TTC_CLAIM_LIFT, ttc_prove_lift },
 };
 
 static ttc_prover prover_of(ttc_claim_kind kind)

@@ -70,39 +70,6 @@ static void prove_elimination(ttc_task *task)
     ttc_ratio_clear(task->ring, &left);
 }
 
-typedef struct {
-    uint32_t state;
-    ttc_id end;
-} state_end;
-
-static ttc_id at_end(void *context, uint32_t symbol)
-{
-    const state_end *e = context;
-    return symbol == e->state ? e->end : TTC_NONE;
-}
-
-/* At both ends of the state's interval a root that some time lifts is zero: of the product of their radicands one factor is. */
-static void prove_pole(ttc_task *task)
-{
-    const ttc_model *model = task->model;
-    const ttc_symbol_entry *state = &model->symbols[model->poles[task->claim->family].state];
-    ttc_id product = TTC_NONE;
-    ttc_ratio value;
-    for (size_t i = 0; i < model->time_count; i++)
-        for (size_t k = 0; k < model->times[i].lifted_count; k++) {
-            const ttc_id radicand = ttc_model_expand(model, model->symbols[model->times[i].lifted[k]].definition);
-            product = product == TTC_NONE ? radicand : ttc_multiply(model->graph, product, radicand);
-        }
-    if (product == TTC_NONE) ttc_task_unsettle(task, "no time lifts a root, which would be zero there");
-    ttc_ratio_init(task->ring, &value);
-    for (int high = 0; high < 2 && ttc_task_open(task); high++) {
-        state_end e = { model->poles[task->claim->family].state, high ? state->high : state->low };
-        ttc_evaluate(task->field, &value, ttc_substitute(model->graph, product, at_end, &e));
-        ttc_task_require_zero(task, &value, "at the %s end of %s no lifted root is zero: radicand", high ? "upper" : "lower", state->name);
-    }
-    ttc_ratio_clear(task->ring, &value);
-}
-
 /* Roots and logarithms. */
 static bool is_of_positive(const ttc_symbol_entry *entry) { return entry->kind == TTC_ROOT || entry->kind == TTC_LOG; }
 
@@ -159,7 +126,7 @@ void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_cla
         derived->kind = "pole";
         derived->name = model->symbols[model->poles[index].state].name;
         derived->claim.place = model->poles[index].place;
-        derived->prove = prove_pole;
+        derived->prove = ttc_prove_pole;
     } else {
         const ttc_elimination *elimination = &model->eliminations[index];
         derived->kind = "eliminate";

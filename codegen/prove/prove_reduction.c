@@ -1,27 +1,17 @@
 /* A reduction or embedding: the images of our states move as the other model says and lie in its domain; those of a reduction
  * have its dimension, those of an embedding ours. */
 #include "prove/domain.h"
+#include "prove/way_table.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static bool binding_of(const ttc_task *task, const char *name, ttc_id *expression)
-{
-    for (size_t i = 0; i < task->claim->bindings.count; i++)
-        if (strcmp(task->claim->target_names[i], name) == 0) {
-            *expression = task->claim->bindings.items[i].expression;
-            return true;
-        }
-    return false;
-}
-
-/* A target's parameter given as an expression is a quantity that our flow keeps. */
-static void check_parameter(ttc_task *task, const ttc_symbol_entry *entry, ttc_id expression)
+void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression)
 {
     ttc_ratio rate;
     ttc_ratio_init(task->ring, &rate);
     ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, expression));
-    ttc_task_require_zero(task, &rate, "d%s/dt, which should be constant", entry->name);
+    ttc_task_require_zero(task, &rate, "d%s/dt, which should be constant", name);
     ttc_ratio_clear(task->ring, &rate);
 }
 
@@ -30,8 +20,8 @@ static void bind_target(ttc_task *task, const ttc_model *target, ttc_valuation *
     for (uint32_t i = 0; i < target->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &target->symbols[i];
         uint32_t own;
-        ttc_id expression;
-        if (binding_of(task, entry->name, &expression)) {
+        const ttc_id expression = ttc_given_for(task->claim, entry->name);
+        if (expression != TTC_NONE) {
             if (entry->kind != TTC_STATE && entry->kind != TTC_ROOT && entry->kind != TTC_PARAM)
                 ttc_task_unsettle(task, "%s is no state, root or parameter of %s", entry->name, target->name);
             ttc_valuation_bind(map, i, expression);
@@ -50,15 +40,15 @@ static void bind_target(ttc_task *task, const ttc_model *target, ttc_valuation *
     }
 }
 
-static void chain_rule(ttc_task *task, const ttc_model *target, ttc_valuation *map)
+void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map)
 {
     ttc_ratio left, right;
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
     for (size_t i = 0; i < target->state_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *state = &target->symbols[target->states[i]];
-        ttc_id image = TTC_NONE;
-        if (!binding_of(task, state->name, &image)) continue;
+        const ttc_id image = ttc_given_for(claim, state->name);
+        if (image == TTC_NONE) continue;
         ttc_evaluate(task->field, &left, ttc_derive_field(task->model, image));
         ttc_evaluate(map, &right, ttc_model_field(target, i));
         ttc_ratio_subtract(task->ring, &left, &left, &right);
@@ -81,8 +71,7 @@ static void require_alike(ttc_task *task, ttc_valuation *map, ttc_id own, ttc_id
     ttc_ratio_clear(task->ring, &left);
 }
 
-/* What both models observe, or hold valid, under one name is one quantity. */
-static void require_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map)
+void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map)
 {
     const ttc_model *model = task->model;
     for (size_t i = 0; i < model->observed_count; i++)
@@ -241,6 +230,13 @@ static void require_dimension(ttc_task *task, const ttc_model *target)
     ttc_task_free(task, matrix, rows * n);
 }
 
+/* A root of the image may have got the sign that leaves none. */
+static bool has_points(ttc_task *task)
+{
+    const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
+    return result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED;
+}
+
 static void prove_onto(ttc_task *task, const ttc_model *target)
 {
     ttc_valuation *map = ttc_valuation_map(target, task->field);
@@ -248,19 +244,21 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
         ttc_task_unsettle(task, "out of memory");
         return;
     }
+    ttc_task_enter_map(task, map);
     bind_target(task, target, map);
     /* First, as the image's roots are then not yet in the ring, where they would be positive. */
     ttc_domain_require_image(task, map, target, " of the image");
     for (size_t i = 0; i < target->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &target->symbols[i];
-        ttc_id expression;
-        if (!binding_of(task, entry->name, &expression)) continue;
+        const ttc_id expression = ttc_given_for(task->claim, entry->name);
+        if (expression == TTC_NONE) continue;
         if (entry->kind == TTC_ROOT) ttc_domain_require_root(task, map, entry);
-        if (entry->kind == TTC_PARAM) check_parameter(task, entry, expression);
+        if (entry->kind == TTC_PARAM) ttc_prove_constant(task, entry->name, expression);
     }
-    chain_rule(task, target, map);
-    require_same_observations(task, target, map);
-    if (ttc_task_open(task)) require_dimension(task, target);
+    ttc_prove_chain_rule(task, task->claim, target, map);
+    ttc_prove_same_observations(task, target, map);
+    if (ttc_task_open(task) && has_points(task)) require_dimension(task, target);
+    ttc_task_leave_map(task);
     ttc_valuation_destroy(map);
 }
 
@@ -270,11 +268,14 @@ void ttc_prove_reduction(ttc_task *task)
         ttc_task_unsettle(task, "a reduction under a condition on states (expected 'modulo' of what the flow keeps)");
         return;
     }
+    char error[TTC_DIAGNOSTIC_LINE] = "";
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *target = NULL;
     if (diagnostics != NULL && task->resolver != NULL)
         target = task->resolver(task->resolver_context, task->model, task->claim->target, diagnostics);
-    if (target == NULL) ttc_task_unsettle(task, "the target %s could not be read", task->claim->target);
+    if (diagnostics != NULL) ttc_diagnostics_first_error(diagnostics, error, sizeof error);
+    if (target == NULL)
+        ttc_task_unsettle(task, "the target %s could not be read%s%s", task->claim->target, *error == '\0' ? "" : ": ", error);
     else prove_onto(task, target);
     ttc_model_destroy(target);
     ttc_diagnostics_destroy(diagnostics);

@@ -190,6 +190,7 @@ static void prove_map(ttc_task *task)
     if (!ttc_task_open(task)) return;
     const size_t entries = task->model->state_count * task->model->state_count;
     ttc_valuation *map = image(task);
+    if (map != NULL) ttc_task_enter_map(task, map);
     /* First, as the image's roots are then not yet in the ring, where they would be positive. */
     if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
     if (map != NULL && task->claim->kind == TTC_CLAIM_PERIODIC) check_regions(task, map);
@@ -201,6 +202,7 @@ static void prove_map(ttc_task *task)
         check_field(task, map);
     }
     ttc_task_free(task, matrix, entries);
+    if (map != NULL) ttc_task_leave_map(task);
     ttc_valuation_destroy(map);
 }
 

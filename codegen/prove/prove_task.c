@@ -76,12 +76,29 @@ bool ttc_task_open(const ttc_task *task)
     return task->status == TTC_PROVED && task->ring->status == TTC_RING_OK;
 }
 
+void ttc_task_enter_map(ttc_task *task, ttc_valuation *map) { task->maps[task->map_count++] = map; }
+
+void ttc_task_leave_map(ttc_task *task) { task->map_count--; }
+
+/* Roots of a model seen elsewhere that were evaluated; what is given for a root is positive when that was shown. */
+static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *value)
+{
+    const ttc_model *model = ttc_valuation_model(map);
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const bool is_given = ttc_valuation_is_bound(map, i);
+        if (model->symbols[i].kind != TTC_ROOT || is_given || !ttc_valuation_has_value(map, i)) continue;
+        ttc_evaluate(map, value, model->symbols[i].node);
+        ttc_conditions_add(&task->domain, value, TTC_IS_POSITIVE);
+    }
+}
+
 /* A root that has come into the ring since the domain was written down is positive, and a square root by which a level was
  * solved is real. */
 static void add_new_roots(ttc_task *task)
 {
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < task->map_count; i++) add_roots_of_map(task, task->maps[i], &value);
     for (size_t i = 0; i < task->ring->generator_count; i++)
         if (!task->ring->generators[i].positive)
             ttc_conditions_add(&task->domain, &task->ring->generators[i].square, TTC_IS_NONNEGATIVE);

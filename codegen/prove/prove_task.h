@@ -26,8 +26,8 @@ struct ttc_task {
     void *resolver_context;
     ttc_verdict_source verdict_of;
     void *verdict_context;
-    const ttc_task *section; /* in a table of coordinates: the claim that it is looked at for; NULL */
-    bool is_lifted;          /* of a section: its table of coordinates was looked at */
+    const ttc_task *outer; /* in another table: the claim that it is looked at for; NULL */
+    bool is_lifted;        /* the other table was looked at, once for all leaves */
     const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none */
     uint32_t tested_root;       /* the root whose radicand is to be shown positive; 0: none */
     /* of the leaf in hand */
@@ -39,6 +39,8 @@ struct ttc_task {
     bool is_thin;   /* the leaf may be no component of the level that it lies on */
     bool is_hidden; /* it is none, or one whose component has no other real points */
     ttc_id apart;   /* not zero at points that belong to no other component, or TTC_NONE */
+    ttc_valuation *maps[2]; /* other models, or ours elsewhere, seen from here: their roots are positive as well */
+    size_t map_count;
     size_t kept;    /* leaves that the flow was shown to keep */
     char why_empty[160]; /* what keeps the last empty leaf from having points; "" where that is not evident */
     /* the verdict so far */
@@ -65,6 +67,9 @@ TTC_PRINTF(3, 4) void ttc_task_require_zero(ttc_task *task, const ttc_ratio *rem
 TTC_PRINTF(4, 5) void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...);
 /* What was found of a task that this one rests on, and what it holds then belongs to us. */
 void ttc_task_adopt(ttc_task *task, ttc_task *other);
+/* A map is looked at until it is left: whichever sign makes one of its roots rational here, it is positive. */
+void ttc_task_enter_map(ttc_task *task, ttc_valuation *map);
+void ttc_task_leave_map(ttc_task *task);
 bool ttc_task_open(const ttc_task *task); /* nothing against the claim so far, and the ring is sound */
 
 /** Look for a point of the leaf at which a ratio stands in a relation to zero. text, when not NULL, receives the point. */
@@ -99,6 +104,13 @@ void ttc_task_free(ttc_task *task, ttc_ratio *ratios, size_t count);
  * kept, which then leaves the claim not settled. */
 void ttc_task_require_kept(ttc_task *task, const char *hint);
 
+/* A parameter of another table, of that name, given as an expression is a quantity that our flow keeps. */
+void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression);
+/* What `claim` gives for states of `target`, bound in `map`, moves as the target says; and what both models observe, or
+ * hold valid, under one name is one quantity. */
+void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map);
+void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map);
+
 /* The provers, one a kind. */
 void ttc_prove_integral(ttc_task *task);
 void ttc_prove_rate(ttc_task *task);
@@ -116,5 +128,8 @@ void ttc_prove_equal(ttc_task *task);
 void ttc_prove_positive(ttc_task *task);
 void ttc_prove_reduction(ttc_task *task);
 void ttc_prove_section(ttc_task *task);
+void ttc_prove_descent(ttc_task *task);
+void ttc_prove_lift(ttc_task *task);
+void ttc_prove_pole(ttc_task *task);
 
 #endif

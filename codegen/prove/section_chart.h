@@ -2,6 +2,7 @@
 #ifndef TTC_SECTION_CHART_H
 #define TTC_SECTION_CHART_H
 
+#include "prove/image.h"
 #include "prove/prove.h"
 
 /** The chart, for ttc_model_destroy. NULL: it cannot be read, or does not fit; reason, shape (size,), then says why. It fits where
@@ -13,13 +14,8 @@ ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section,
 /* Whether a table is the chart of that section. */
 bool ttc_section_fits(const ttc_model *model, const ttc_section *section, const ttc_model *chart, char *reason, size_t size);
 
-/* Of a chart that fits: the section's number of the chart's i-th state, and the place of its i-th parameter among the model's
- * parameters with the levels after them. */
-size_t ttc_section_coordinate(const ttc_section *section, const ttc_model *chart, size_t i);
+/* Of a chart that fits: the place of its i-th parameter among the model's parameters with the levels after them. */
 uint32_t ttc_section_place(const ttc_model *model, const ttc_section *section, const ttc_model *chart, size_t i);
-
-/* The cosine whose argument is a state alone; false: there is none. */
-bool ttc_chart_cosine(const ttc_model *chart, uint32_t state, uint32_t *cosine);
 
 /* What a table of coordinates lifts to the state or root of that name, or TTC_NONE. */
 ttc_id ttc_chart_lift(const ttc_model *chart, const char *name);

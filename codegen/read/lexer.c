@@ -54,6 +54,9 @@ static bool is_soft(ttc_keyword keyword)
     case TTC_KEYWORD_LIFT:
     case TTC_KEYWORD_START:
     case TTC_KEYWORD_TURNS:
+    case TTC_KEYWORD_TIER:
+    case TTC_KEYWORD_WHERE:
+    case TTC_KEYWORD_WHILE:
     case TTC_KEYWORD_AT:
     case TTC_KEYWORD_BESIDE:
     case TTC_KEYWORD_ENDING:

@@ -21,15 +21,39 @@ void ttc_claim_clear(ttc_claim *claim)
     free(claim->name);
 }
 
+static void clear_image(ttc_image *image)
+{
+    clear_names(image->names, image->count);
+    clear_names(image->levels, image->level_count);
+    free(image->forms);
+}
+
+static void clear_inequalities(ttc_inequalities *list)
+{
+    for (size_t i = 0; i < list->count; i++) free(list->items[i].text);
+    free(list->items);
+}
+
+/* What is said of tables that serve in place of each other. */
+static void clear_ways(ttc_model *model)
+{
+    for (size_t i = 0; i < model->way_count; i++) {
+        clear_image(&model->ways[i].image);
+        clear_inequalities(&model->ways[i].where);
+    }
+    clear_inequalities(&model->tier.conditions);
+    free(model->tier.name);
+    free(model->tier.meaning);
+    free(model->ways);
+}
+
 /* What is said of sections, on either side. */
 static void clear_sections(ttc_model *model)
 {
     for (size_t i = 0; i < model->pole_count; i++) free(model->poles[i].meaning);
     for (size_t i = 0; i < model->section_count; i++) {
         ttc_section *section = model->sections + i;
-        clear_names(section->coordinates, section->coordinate_count);
-        clear_names(section->levels, section->level_count);
-        free(section->is_angle);
+        clear_image(&section->image);
         free(section->beside);
         free(section->ending);
     }
@@ -66,6 +90,7 @@ void ttc_model_destroy(ttc_model *model)
     for (size_t i = 0; i < model->elimination_count; i++) free(model->eliminations[i].name);
     for (size_t i = 0; i < model->claim_count; i++) ttc_claim_clear(model->claims + i);
     clear_sections(model);
+    clear_ways(model);
     free(model->symbols);
     free(model->params);
     free(model->states);
@@ -157,6 +182,8 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_SYMMETRY: return "symmetry";
     case TTC_CLAIM_PERIODIC: return "periodic";
     case TTC_CLAIM_SECTION: return "section";
+    case TTC_CLAIM_DESCENT: return "reduction";
+    case TTC_CLAIM_LIFT: return "lift";
     }
     return "claim";
 }

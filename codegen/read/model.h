@@ -110,7 +110,9 @@ typedef enum {
     TTC_CLAIM_EMBEDDING,  /* the same; the target is the larger model */
     TTC_CLAIM_SYMMETRY,   /* as REVERSOR; named by its keyword where it has no name */
     TTC_CLAIM_PERIODIC,   /* the symmetry STATE = STATE + period; named by its state */
-    TTC_CLAIM_SECTION     /* when: STATE = number; target: the table of coordinates; see ttc_section */
+    TTC_CLAIM_SECTION,    /* when: STATE = number; target: the table of coordinates; see ttc_section */
+    TTC_CLAIM_DESCENT,    /* a reduction by a smaller table, `target`, which has an embedding into this one; see ttc_way */
+    TTC_CLAIM_LIFT        /* into a larger table, `target`, which has a reduction onto this one; see ttc_way */
 } ttc_claim_kind;
 
 typedef struct {
@@ -127,7 +129,7 @@ typedef struct {
     size_t entry_count;
     uint32_t *members;
     size_t member_count;
-    char *target;         /* REDUCTION, EMBEDDING, SECTION: file name of the other model, beside this one */
+    char *target;         /* REDUCTION, EMBEDDING, SECTION, DESCENT, LIFT: file name of the other model, beside this one */
     char **target_names;  /* of the first two: names in it, one a binding */
 } ttc_claim;
 
@@ -138,18 +140,51 @@ typedef struct {
     ttc_place place;
 } ttc_pole;
 
-/* A section and its coordinates, beside what its claim holds: `entries`, two a coordinate, which are the sine and the cosine of an
- * angle times one positive number, otherwise the coordinate and 1; and `members`, the integrals whose values are `levels`. */
+typedef enum { TTC_GIVEN_PLAIN, TTC_GIVEN_ANGLE, TTC_GIVEN_ROOT } ttc_given_form;
+
+/* Where a point of this table lies in another one, beside what its claim holds: `entries`, two a name, which are the sine
+ * and the cosine of an angle times one positive number, of a root the radicand and 1, otherwise the value and 1; and
+ * `members`, the integrals whose values are `levels`. */
+typedef struct {
+    char **names; /* in the other table, in the order of the record */
+    ttc_given_form *forms;
+    size_t count;
+    char **levels; /* parameters of that table */
+    size_t level_count;
+} ttc_image;
+
+/* A section and its coordinates, which are states of another table. */
 typedef struct {
     uint32_t claim;
-    char **coordinates; /* names in the table of coordinates, in the order of this record */
-    bool *is_angle;
-    size_t coordinate_count;
-    char **levels;      /* parameters of that table */
-    size_t level_count;
+    ttc_image image;
     uint32_t *beside, *ending; /* symbols */
     size_t beside_count, ending_count;
 } ttc_section;
+
+/* expression > 0 */
+typedef struct {
+    ttc_id expression;
+    char *text; /* of the whole, as the table writes it */
+} ttc_inequality;
+
+typedef struct {
+    ttc_inequality *items;
+    size_t count;
+} ttc_inequalities;
+
+/* A table that may serve in place of this one: a smaller or a larger one, by the kind of the claim. */
+typedef struct {
+    uint32_t claim;
+    ttc_image image;
+    ttc_inequalities where;
+} ttc_way;
+
+/* What this table is called among tables that serve in place of each other. */
+typedef struct {
+    char *name, *meaning; /* NULL: there is no such record */
+    ttc_inequalities conditions; /* its coordinates are good for computing while they hold */
+    ttc_place place;
+} ttc_tier;
 
 /* In a table of coordinates: the states and lifted roots of the model, as expressions in the coordinates. */
 typedef struct {
@@ -188,6 +223,7 @@ typedef enum {
     TTC_DIVIDES_VARIANT,
     TTC_DIVIDES_TIME,
     TTC_DIVIDES_VALID,  /* in validity `owner`, which is looked at where it is defined, and nowhere else */
+    TTC_DIVIDES_TIER,   /* the same of the conditions of `tier` */
     TTC_DIVIDES_LIFT    /* in what a table of coordinates says of its points, all of which it must be defined at */
 } ttc_divisor_role;
 
@@ -234,6 +270,9 @@ typedef struct ttc_model {
     size_t pole_count;
     ttc_section *sections;
     size_t section_count;
+    ttc_way *ways;
+    size_t way_count;
+    ttc_tier tier;
     ttc_lift lift;
     ttc_start *starts;
     size_t start_count;

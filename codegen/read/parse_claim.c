@@ -165,8 +165,14 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
     case TTC_CLAIM_LEFT_NULL:
         return ttc_parse_expect_mark(parser, ':', "the family") && parse_names(parser, TTC_REFER_MEMBER, index, "an integral");
     case TTC_CLAIM_REDUCTION:
+        if (!ttc_parse_expect_mark(parser, ':', "the name")) return false;
+        if (!ttc_parse_at_keyword(parser, TTC_KEYWORD_BY)) return parse_reduction(parser, claim);
+        claim->kind = TTC_CLAIM_DESCENT;
+        return ttc_parse_way(parser, claim);
     case TTC_CLAIM_EMBEDDING:
         return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
+    case TTC_CLAIM_LIFT:
+        return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_way(parser, claim);
     case TTC_CLAIM_SECTION:
         return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_section(parser, claim);
     case TTC_CLAIM_MATRIX:
@@ -211,6 +217,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     case TTC_KEYWORD_SYMMETRY: return TTC_CLAIM_SYMMETRY;
     case TTC_KEYWORD_PERIODIC: return TTC_CLAIM_PERIODIC;
     case TTC_KEYWORD_SECTION: return TTC_CLAIM_SECTION;
+    case TTC_KEYWORD_LIFT: return TTC_CLAIM_LIFT;
     default: return TTC_CLAIM_REDUCTION;
     }
 }
@@ -246,7 +253,7 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
         const ttc_claim *other = model->claims + i;
         bool rivals = ttc_claim_speaks_of_family(claim->kind) ? other->kind == claim->kind
                                                     : !ttc_claim_speaks_of_family(other->kind) && !is_unnamed(other);
-        if (rivals && strlen(other->name) == name->length && memcmp(other->name, name->text, name->length) == 0)
+        if (rivals && ttc_token_is(name, other->name))
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' is claimed twice (first in line %u)", other->name,
                                    (unsigned)other->place.line);
     }

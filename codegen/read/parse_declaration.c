@@ -370,7 +370,7 @@ bool ttc_parse_region(ttc_parser *parser)
     const ttc_token *name = ttc_parse_name(parser, "a name for the condition");
     if (name == NULL || !ttc_parse_expect_mark(parser, ':', "the name")) return false;
     for (size_t i = 0; i < model->region_count; i++)
-        if (strlen(model->regions[i].name) == name->length && memcmp(model->regions[i].name, name->text, name->length) == 0)
+        if (ttc_token_is(name, model->regions[i].name))
             return ttc_parse_error(parser, ttc_token_place(name), "a second domain record '%s' (first in line %u)",
                                    model->regions[i].name, (unsigned)model->regions[i].place.line);
     if (model->region_count >= TTC_REGION_LIMIT)

@@ -96,7 +96,7 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
 {
     static const char lambda[] = "lambda";
     uint32_t symbol;
-    if (parser->in_charpoly && name->length == strlen(lambda) && memcmp(name->text, lambda, name->length) == 0)
+    if (parser->in_charpoly && ttc_token_is(name, lambda))
         return parser->model->symbols[0].node;
     if (ttc_parse_find(parser, name, &symbol)) {
         parser->used[symbol] = 1;

@@ -23,11 +23,6 @@ static bool check_fixed(ttc_parser *parser, const ttc_bindings *bindings)
                            "numbers)", moving);
 }
 
-static bool is_name(const ttc_token *token, const char *name)
-{
-    return strlen(name) == token->length && memcmp(name, token->text, token->length) == 0;
-}
-
 static bool check_new(ttc_parser *parser, const ttc_token *name, const char *what, size_t count, const char *taken)
 {
     if (taken != NULL)
@@ -43,7 +38,7 @@ static bool parse_variant(ttc_parser *parser, const ttc_token *name)
     ttc_model *model = parser->model;
     const char *taken = NULL;
     for (size_t i = 0; i < model->variant_count; i++)
-        if (is_name(name, model->variants[i].name)) taken = model->variants[i].name;
+        if (ttc_token_is(name, model->variants[i].name)) taken = model->variants[i].name;
     if (!check_new(parser, name, "variant", model->variant_count, taken)) return false;
     ttc_variant *variants = ttc_parse_extend(model->variants, model->variant_count, sizeof *variants);
     if (variants == NULL) return ttc_parse_no_memory(parser);
@@ -89,7 +84,7 @@ static bool parse_time(ttc_parser *parser, const ttc_token *name)
     ttc_model *model = parser->model;
     const char *taken = NULL;
     for (size_t i = 0; i < model->time_count; i++)
-        if (is_name(name, model->times[i].name)) taken = model->times[i].name;
+        if (ttc_token_is(name, model->times[i].name)) taken = model->times[i].name;
     if (!check_new(parser, name, "time", model->time_count, taken)) return false;
     ttc_time *times = ttc_parse_extend(model->times, model->time_count, sizeof *times);
     if (times == NULL) return ttc_parse_no_memory(parser);
@@ -123,7 +118,7 @@ static bool parse_elimination(ttc_parser *parser, const ttc_token *name)
     ttc_model *model = parser->model;
     const char *taken = NULL;
     for (size_t i = 0; i < model->elimination_count; i++)
-        if (is_name(name, model->eliminations[i].name)) taken = model->eliminations[i].name;
+        if (ttc_token_is(name, model->eliminations[i].name)) taken = model->eliminations[i].name;
     if (!check_new(parser, name, "eliminate", model->elimination_count, taken)) return false;
     ttc_elimination *eliminations = ttc_parse_extend(model->eliminations, model->elimination_count, sizeof *eliminations);
     if (eliminations == NULL) return ttc_parse_no_memory(parser);

@@ -11,7 +11,7 @@ static uint32_t hash_name(const char *text, size_t length)
     return hash;
 }
 
-static bool is_named(const ttc_token *token, const char *name)
+bool ttc_token_is(const ttc_token *token, const char *name)
 {
     return strlen(name) == token->length && memcmp(name, token->text, token->length) == 0;
 }
@@ -20,7 +20,7 @@ bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *s
 {
     uint32_t hash = hash_name(name->text, name->length);
     for (size_t i = 1; i < parser->model->symbol_count; i++)
-        if (parser->hashes[i] == hash && is_named(name, parser->model->symbols[i].name)) {
+        if (parser->hashes[i] == hash && ttc_token_is(name, parser->model->symbols[i].name)) {
             *symbol = (uint32_t)i;
             return true;
         }
@@ -127,7 +127,7 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
     } else if (definition != NULL) {
         ttc_parse_error(parser, place, "'%.*s' has no meaning, as its record in line %u is wrong", length, text,
                         (unsigned)definition->line);
-    } else if (is_named(name, "lambda")) {
+    } else if (ttc_token_is(name, "lambda")) {
         ttc_parse_error(parser, place, "'lambda' is the indeterminate of 'charpoly' and means nothing elsewhere (expected "
                         "another name)");
     } else {
@@ -141,7 +141,7 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
 
 bool ttc_parse_pi(ttc_parser *parser, const ttc_token *name, uint32_t *symbol)
 {
-    if (!is_named(name, "pi") || find_definition(parser, name) != NULL) return false;
+    if (!ttc_token_is(name, "pi") || find_definition(parser, name) != NULL) return false;
     return ttc_parse_define(parser, name, TTC_PI, TTC_NONE, symbol);
 }
 

@@ -2,7 +2,6 @@
 #include "read/parser.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static bool read_exponent(const char *text, size_t length, long *exponent)
 {

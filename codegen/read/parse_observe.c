@@ -65,7 +65,7 @@ bool ttc_parse_valid(ttc_parser *parser)
     const ttc_token *name = ttc_parse_name(parser, "a name for the condition");
     if (name == NULL || !ttc_parse_expect_mark(parser, ':', "the name")) return false;
     for (size_t i = 0; i < model->validity_count; i++)
-        if (strlen(model->validities[i].name) == name->length && memcmp(model->validities[i].name, name->text, name->length) == 0)
+        if (ttc_token_is(name, model->validities[i].name))
             return ttc_parse_error(parser, ttc_token_place(name), "a second valid record '%s' (first in line %u)",
                                    model->validities[i].name, (unsigned)model->validities[i].place.line);
     if (model->validity_count >= TTC_REGION_LIMIT)

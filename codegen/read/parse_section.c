@@ -2,7 +2,6 @@
 #include "read/parser.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* A name of the table, used here. */
 static bool parse_symbol(ttc_parser *parser, const char *expected, const ttc_token **name, uint32_t *symbol)
@@ -22,8 +21,7 @@ static bool is_number(const ttc_model *model, ttc_id id)
     return id != TTC_NONE && ttc_kind_of(model->graph, id) == TTC_NUMBER;
 }
 
-/* A text in quotes, which may be missing. */
-static bool parse_meaning(ttc_parser *parser, char **meaning)
+bool ttc_parse_meaning(ttc_parser *parser, char **meaning)
 {
     const ttc_token *token = ttc_parse_peek(parser);
     if (token->kind != TTC_TOKEN_STRING) return true;
@@ -52,7 +50,7 @@ bool ttc_parse_pole(ttc_parser *parser)
     if (poles == NULL) return ttc_parse_no_memory(parser);
     model->poles = poles;
     poles[model->pole_count] = pole;
-    return parse_meaning(parser, &poles[model->pole_count++].meaning);
+    return ttc_parse_meaning(parser, &poles[model->pole_count++].meaning);
 }
 
 static ttc_section *add_section(ttc_parser *parser)
@@ -66,90 +64,6 @@ static ttc_section *add_section(ttc_parser *parser)
     model->sections = sections;
     sections[model->section_count] = (ttc_section){ .claim = (uint32_t)model->claim_count };
     return sections + model->section_count++;
-}
-
-static bool add_name(ttc_parser *parser, char ***names, size_t *count, const ttc_token *name)
-{
-    char **grown = ttc_parse_extend(*names, *count, sizeof *grown);
-    if (grown == NULL) return ttc_parse_no_memory(parser);
-    *names = grown;
-    grown[*count] = ttc_parse_copy(parser, name->text, name->length);
-    if (grown[*count] == NULL) return false;
-    ++*count;
-    return true;
-}
-
-/* expr, or atan2(expr, expr): two entries of the claim. */
-static bool parse_way_back(ttc_parser *parser, ttc_claim *claim, bool *is_angle)
-{
-    ttc_id sine = TTC_NONE, cosine = ttc_integer(parser->model->graph, 1);
-    const ttc_token *token = ttc_parse_peek(parser);
-    uint32_t symbol;
-    *is_angle = ttc_parse_at_keyword(parser, TTC_KEYWORD_ATAN2) && !ttc_parse_find(parser, token, &symbol);
-    parser->at += *is_angle;
-    if (*is_angle && !ttc_parse_expect_mark(parser, '(', "atan2")) return false;
-    sine = ttc_parse_expression(parser);
-    if (sine == TTC_NONE) return false;
-    if (*is_angle) {
-        if (!ttc_parse_expect_mark(parser, ',', "what is in proportion to the sine")) return false;
-        cosine = ttc_parse_expression(parser);
-        if (cosine == TTC_NONE || !ttc_parse_expect_mark(parser, ')', "what is in proportion to the cosine")) return false;
-    }
-    if (cosine == TTC_NONE) return ttc_parse_no_memory(parser);
-    for (int k = 0; k < 2; k++) {
-        ttc_id *entries = ttc_parse_extend(claim->entries, claim->entry_count, sizeof *entries);
-        if (entries == NULL) return ttc_parse_no_memory(parser);
-        claim->entries = entries;
-        entries[claim->entry_count++] = k == 0 ? sine : cosine;
-    }
-    return true;
-}
-
-/* A name alone, which is that of no quantity, is an integral's. */
-static bool at_integral(const ttc_parser *parser)
-{
-    const ttc_token *name = ttc_parse_peek(parser), *next = name + 1;
-    uint32_t symbol;
-    const bool alone = next->kind == TTC_TOKEN_END || next->kind == TTC_TOKEN_RECORD || next->kind == TTC_TOKEN_NAME ||
-                       (next->kind == TTC_TOKEN_MARK && *next->text == ',');
-    return name->kind == TTC_TOKEN_NAME && alone && !ttc_parse_find(parser, name, &symbol);
-}
-
-static bool is_given(const ttc_section *section, const ttc_token *name)
-{
-    for (size_t i = 0; i < section->coordinate_count + section->level_count; i++) {
-        const char *given = i < section->coordinate_count ? section->coordinates[i] : section->levels[i - section->coordinate_count];
-        if (strlen(given) == name->length && memcmp(given, name->text, name->length) == 0) return true;
-    }
-    return false;
-}
-
-/* COORDINATE = expr | atan2(expr, expr), PARAM = INTEGRAL, ... */
-static bool parse_coordinates(ttc_parser *parser, ttc_section *section, ttc_claim *claim)
-{
-    do {
-        const ttc_token *name = ttc_parse_name(parser, "a coordinate, or a parameter of the table of coordinates");
-        bool angle;
-        if (name == NULL || !ttc_parse_expect_mark(parser, '=', "the name")) return false;
-        if (is_given(section, name))
-            return ttc_parse_error(parser, ttc_token_place(name), "'%.*s' is set twice", (int)name->length, name->text);
-        if (at_integral(parser)) {
-            const ttc_token *integral = parser->tokens + parser->at++;
-            if (!add_name(parser, &section->levels, &section->level_count, name) ||
-                !ttc_parse_refer(parser, TTC_REFER_MEMBER, parser->model->claim_count, integral))
-                return false;
-            continue;
-        }
-        if (section->coordinate_count >= TTC_STATE_LIMIT)
-            return ttc_parse_error(parser, ttc_token_place(name), "too many coordinates (expected at most %d)", TTC_STATE_LIMIT);
-        bool *is_angle = ttc_parse_extend(section->is_angle, section->coordinate_count, sizeof *is_angle);
-        if (is_angle == NULL) return ttc_parse_no_memory(parser);
-        section->is_angle = is_angle;
-        if (!parse_way_back(parser, claim, &angle)) return false;
-        is_angle[section->coordinate_count] = angle;
-        if (!add_name(parser, &section->coordinates, &section->coordinate_count, name)) return false;
-    } while (ttc_parse_accept_mark(parser, ','));
-    return true;
 }
 
 /* QUANTITY, ... */
@@ -184,7 +98,10 @@ bool ttc_parse_section(ttc_parser *parser, ttc_claim *claim)
     if (!ttc_parse_bindings(parser, &claim->when, 1u << TTC_STATE, "a state")) return false;
     if (claim->when.count > 1 || !is_number(parser->model, claim->when.items[0].expression))
         return ttc_parse_error(parser, place, "not a section (expected one state, which is a number there)");
-    if (!ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the number") || !parse_coordinates(parser, section, claim)) return false;
+    if (!ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the number") ||
+        !ttc_parse_image(parser, &section->image, claim, 1u << TTC_GIVEN_PLAIN | 1u << TTC_GIVEN_ANGLE,
+                         "a coordinate, or a parameter of the table of coordinates"))
+        return false;
     if (ttc_parse_accept_keyword(parser, TTC_KEYWORD_BESIDE) && !parse_shown(parser, &section->beside, &section->beside_count))
         return false;
     return !ttc_parse_accept_keyword(parser, TTC_KEYWORD_ENDING) || parse_shown(parser, &section->ending, &section->ending_count);
@@ -239,7 +156,7 @@ bool ttc_parse_start(ttc_parser *parser)
     const ttc_token *name = ttc_parse_name(parser, "a name for the start");
     if (name == NULL || !ttc_parse_expect_mark(parser, ':', "the name")) return false;
     for (size_t i = 0; i < model->start_count; i++)
-        if (strlen(model->starts[i].name) == name->length && memcmp(model->starts[i].name, name->text, name->length) == 0)
+        if (ttc_token_is(name, model->starts[i].name))
             return ttc_parse_error(parser, ttc_token_place(name), "a second start '%s' (first in line %u)", model->starts[i].name,
                                    (unsigned)model->starts[i].place.line);
     if (model->start_count >= TTC_REGION_LIMIT)
@@ -264,5 +181,5 @@ bool ttc_parse_turns(ttc_parser *parser, const ttc_token *keyword)
     model->turn = ttc_parse_expression(parser);
     if (model->turn == TTC_NONE) return false;
     if (ttc_parse_peek(parser)->kind != TTC_TOKEN_STRING) return ttc_parse_unexpected(parser, "a text in quotes");
-    return parse_meaning(parser, &model->turn_meaning);
+    return ttc_parse_meaning(parser, &model->turn_meaning);
 }

@@ -37,7 +37,7 @@ bool ttc_parse_target_bindings(ttc_parser *parser, ttc_bindings *bindings, char 
             return ttc_parse_error(parser, ttc_token_place(name), "too many names are set (expected at most %d)",
                                    TTC_SYMBOL_LIMIT);
         for (size_t i = 0; i < bindings->count; i++)
-            if (strlen((*names)[i]) == name->length && memcmp((*names)[i], name->text, name->length) == 0)
+            if (ttc_token_is(name, (*names)[i]))
                 return ttc_parse_error(parser, ttc_token_place(name), "'%.*s' is set twice", (int)name->length, name->text);
         ttc_id expression = ttc_parse_expression(parser);
         if (expression == TTC_NONE) return false;

@@ -147,6 +147,13 @@ static bool parse_model(ttc_parser *parser, const ttc_token *keyword)
     return parser->model->name != NULL;
 }
 
+/* A lift with a name leads into a larger model; one without belongs to a table of coordinates. */
+static bool is_named(const ttc_parser *parser)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    return token[0].kind == TTC_TOKEN_NAME && token[1].kind == TTC_TOKEN_MARK && token[1].text[0] == ':';
+}
+
 static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
 {
     switch (keyword->keyword) {
@@ -180,7 +187,9 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
     case TTC_KEYWORD_POLE:
         return ttc_parse_pole(parser);
     case TTC_KEYWORD_LIFT:
-        return ttc_parse_lift(parser, keyword);
+        return is_named(parser) ? ttc_parse_claim(parser, keyword) : ttc_parse_lift(parser, keyword);
+    case TTC_KEYWORD_TIER:
+        return ttc_parse_tier(parser, keyword);
     case TTC_KEYWORD_START:
         return ttc_parse_start(parser);
     case TTC_KEYWORD_TURNS:
@@ -219,6 +228,7 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     else if (now.validities > before.validities) d = (ttc_divisor){ .role = TTC_DIVIDES_VALID, .owner = (uint32_t)before.validities };
     else if (now.symbols > before.symbols && defines_by_expression(keyword))
         d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)now.symbols - 1 };
+    else if (keyword == TTC_KEYWORD_TIER) d.role = TTC_DIVIDES_TIER;
     else if (keyword == TTC_KEYWORD_LIFT || keyword == TTC_KEYWORD_TURNS) d.role = TTC_DIVIDES_LIFT;
     for (size_t i = 0; i < parser->divisor_count; i++) {
         ttc_divisor *divisors = ttc_parse_extend(model->divisors, model->divisor_count, sizeof *divisors);

@@ -71,6 +71,7 @@ const ttc_token *ttc_parse_name(ttc_parser *parser, const char *what); /* NULL a
 bool ttc_parse_record_end(ttc_parser *parser); /* reports what is left over */
 bool ttc_parse_unexpected(ttc_parser *parser, const char *expected); /* reports; always false */
 ttc_place ttc_token_place(const ttc_token *token);
+bool ttc_token_is(const ttc_token *token, const char *name);
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
@@ -107,6 +108,9 @@ void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings)
 bool ttc_parse_target_file(ttc_parser *parser, char **file);
 /* NAME = expr, ... with names of that table, which are looked up when it is read; names, one a binding. */
 bool ttc_parse_target_bindings(ttc_parser *parser, ttc_bindings *bindings, char ***names, const char *expected);
+/* NAME = expr, or what else may give it, ... with names of another table. forms: a mask of 1 << ttc_given_form; PARAM =
+ * INTEGRAL goes with any but the plain one. The entries and members go to the claim at hand. */
+bool ttc_parse_image(ttc_parser *parser, ttc_image *image, ttc_claim *claim, unsigned forms, const char *expected);
 /* The symbols set in `bound` must not stand, through definitions, in the expressions of `in` (after `first` is substituted
  * into them, when it is not NULL). */
 bool ttc_parse_check_circle(ttc_parser *parser, const ttc_bindings *bound, const ttc_bindings *in, const ttc_bindings *first);
@@ -118,6 +122,8 @@ bool ttc_parse_equation(ttc_parser *parser);
 bool ttc_parse_default(ttc_parser *parser);
 bool ttc_parse_kernel(ttc_parser *parser, const ttc_token *keyword); /* variant, time, eliminate */
 bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword);
+bool ttc_parse_way(ttc_parser *parser, ttc_claim *claim); /* after the colon: a reduction by a table, or a lift into one */
+bool ttc_parse_tier(ttc_parser *parser, const ttc_token *keyword);
 bool ttc_parse_region(ttc_parser *parser); /* domain */
 bool ttc_parse_observe(ttc_parser *parser);
 bool ttc_parse_valid(ttc_parser *parser);
@@ -127,6 +133,7 @@ bool ttc_parse_lift(ttc_parser *parser, const ttc_token *keyword);
 bool ttc_parse_start(ttc_parser *parser);
 bool ttc_parse_turns(ttc_parser *parser, const ttc_token *keyword);
 bool ttc_parse_unit_and_meaning(ttc_parser *parser, char **unit, char **meaning); /* [unit] "meaning", both optional */
+bool ttc_parse_meaning(ttc_parser *parser, char **meaning); /* a text in quotes, which may be missing */
 bool ttc_parse_positive(ttc_parser *parser, const char *rule); /* > 0 */
 
 /* When every record is read: references, eliminations, completeness, names never used. */

@@ -173,26 +173,83 @@ static void check_coordinates(ttc_parser *parser)
         return;
     }
     if (model->variant_count + model->time_count + model->elimination_count + model->pole_count + model->observed_count +
-            model->validity_count > 0)
-        ttc_parse_error(parser, lift->place, "a table of coordinates asks for no kernels, has no poles and observes nothing (expected "
-                        "these records in %s)", lift->file);
+            model->validity_count + (model->tier.name != NULL) > 0)
+        ttc_parse_error(parser, lift->place,
+                        "a table of coordinates asks for no kernels, has no poles and no tier and observes nothing "
+                        "(expected these records in %s)", lift->file);
     for (size_t i = 0; i < model->claim_count; i++)
         if (model->claims[i].kind != TTC_CLAIM_EQUAL && model->claims[i].kind != TTC_CLAIM_POSITIVE)
             ttc_parse_error(parser, model->claims[i].place, "a table of coordinates claims no '%s', as nothing moves in it (expected "
                             "'equal' or 'positive')", ttc_claim_kind_name(model->claims[i].kind));
 }
 
-/* Levels of a section are those of integrals without a condition. */
-static void check_section_levels(ttc_parser *parser)
+/* Levels of a section, or of a smaller table, are those of integrals without a condition. */
+static void check_levels_hold(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
-    for (size_t i = 0; i < model->section_count; i++) {
-        const ttc_claim *claim = model->claims + model->sections[i].claim;
+    for (size_t i = 0; i < model->claim_count; i++) {
+        const ttc_claim *claim = model->claims + i;
+        if (claim->kind != TTC_CLAIM_SECTION && claim->kind != TTC_CLAIM_DESCENT) continue;
         for (size_t k = 0; k < claim->member_count; k++)
             if (model->claims[claim->members[k]].when.count + model->claims[claim->members[k]].modulo_count > 0)
                 ttc_parse_error(parser, claim->place, "'%s' is an integral under a condition only (expected one that always holds)",
                                 model->claims[claim->members[k]].name);
     }
+}
+
+/* Commands name values of integrals and parameters alike. */
+static void check_integrals(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    for (size_t i = 0; i < model->claim_count; i++) {
+        const ttc_claim *claim = model->claims + i;
+        uint32_t symbol;
+        if (claim->kind != TTC_CLAIM_INTEGRAL || !ttc_model_find_symbol(model, claim->name, &symbol)) continue;
+        if (model->symbols[symbol].kind == TTC_PARAM)
+            ttc_parse_error(parser, claim->place, "the integral '%s' has the name of the parameter in line %u (expected another name)",
+                            claim->name, (unsigned)model->symbols[symbol].place.line);
+    }
+}
+
+/* The parameter that is a divisor, or a power of which is, and may be 0; NULL: there is none. */
+static const ttc_symbol_entry *zero_divisor(const ttc_model *model, ttc_id divisor)
+{
+    const ttc_graph *graph = model->graph;
+    for (size_t i = 0; ttc_kind_of(graph, divisor) == TTC_PRODUCT && i < ttc_part_count(graph, divisor); i++) {
+        const ttc_symbol_entry *found = zero_divisor(model, ttc_part_at(graph, divisor, i).id);
+        if (found != NULL) return found;
+    }
+    if (ttc_kind_of(graph, divisor) != TTC_SYMBOL) return NULL;
+    const ttc_symbol_entry *entry = model->symbols + ttc_symbol_of(graph, divisor);
+    const bool may_vanish = entry->kind == TTC_PARAM && (entry->sign == TTC_ANY_SIGN || entry->sign == TTC_NONNEGATIVE);
+    return may_vanish ? entry : NULL;
+}
+
+static void refuse_divisor(ttc_parser *parser, const ttc_divisor *d, const char *kind, const char *name, ttc_place place)
+{
+    const ttc_symbol_entry *param = zero_divisor(parser->model, d->divisor);
+    if (param != NULL)
+        ttc_parse_error(parser, place, "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
+                        "(expected 'param %s != 0', or '> 0')", kind, name, param->name, param->name);
+}
+
+/* What is looked at beside the equations must not keep their kernels from parameters for which these are defined. */
+static void check_observed(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    unsigned char *used = ttc_model_uses(model);
+    if (used == NULL) ttc_parse_no_memory(parser);
+    for (size_t i = 0; used != NULL && i < model->divisor_count; i++) {
+        const ttc_divisor *d = model->divisors + i;
+        if (d->role == TTC_DIVIDES_VALID)
+            refuse_divisor(parser, d, "condition", model->validities[d->owner].name, model->validities[d->owner].place);
+        for (size_t k = 0; d->role == TTC_DIVIDES_SYMBOL && !used[d->owner] && k < model->observed_count; k++) {
+            const ttc_symbol_entry *observed = model->symbols + model->observed[k];
+            if (ttc_model_depends(model, observed->node, d->owner) || model->observed[k] == d->owner)
+                refuse_divisor(parser, d, "observed quantity", observed->name, observed->place);
+        }
+    }
+    free(used);
 }
 
 static void check_matrices(ttc_parser *parser)
@@ -231,10 +288,12 @@ void ttc_parse_resolve(ttc_parser *parser)
     check_equations(parser);
     check_matrices(parser);
     check_coordinates(parser);
-    check_section_levels(parser);
+    check_levels_hold(parser);
+    check_integrals(parser);
     check_modulo_circles(parser);
     if (parser->out_of_memory || ttc_error_count(parser->diagnostics) > parser->errors_before) return;
     check_levels(parser);
+    check_observed(parser);
     for (size_t i = 0; i < parser->model->elimination_count; i++) solve_elimination(parser, parser->model->eliminations + i);
     warn_unused(parser);
 }

@@ -14,12 +14,13 @@
     X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate") X(POSITIVE, "positive")                 \
     X(DOMAIN, "domain") X(EMBEDDING, "embedding")                                               \
     X(SYMMETRY, "symmetry") X(EXP, "exp") X(LOG, "log") X(OBSERVE, "observe") X(VALID, "valid") X(PERIODIC, "periodic") \
-    X(POLE, "pole") X(SECTION, "section") X(LIFT, "lift") X(START, "start") X(TURNS, "turns")
+    X(POLE, "pole") X(SECTION, "section") X(LIFT, "lift") X(START, "start") X(TURNS, "turns") X(TIER, "tier")
 
 /* Keywords inside a record. */
 #define TTC_CLAUSE_LIST(X)                                                                                   \
-    X(IN, "in") X(WHEN, "when") X(MODULO, "modulo") X(BY, "by") X(LIFTING, "lifting") X(ONTO, "onto") X(INTO, "into")        \
-    X(WITH, "with") X(AT, "at") X(BESIDE, "beside") X(ENDING, "ending") X(ATAN2, "atan2") X(SQRT, "sqrt") X(COS, "cos") X(SIN, "sin")
+    X(IN, "in") X(WHEN, "when") X(WHERE, "where") X(WHILE, "while") X(MODULO, "modulo") X(BY, "by")          \
+    X(LIFTING, "lifting") X(ONTO, "onto") X(INTO, "into") X(WITH, "with") X(AT, "at") X(BESIDE, "beside")         \
+    X(ENDING, "ending") X(ATAN2, "atan2") X(SQRT, "sqrt") X(COS, "cos") X(SIN, "sin")
 
 #define TTC_KEYWORD_ENUM(name, text) TTC_KEYWORD_##name,
 typedef enum {

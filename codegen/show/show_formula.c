@@ -71,7 +71,7 @@ bool ttc_show_text(FILE *stream, const ttc_model *model)
         if (!ttc_print(stream, model, model->validities[i].expression, TTC_NOTATION_TEXT)) return false;
         fputs(" > 0\n", stream);
     }
-    if (!ttc_show_sections(stream, model, TTC_NOTATION_TEXT)) return false;
+    if (!ttc_show_sections(stream, model, TTC_NOTATION_TEXT) || !ttc_show_ways(stream, model, TTC_NOTATION_TEXT)) return false;
     fputs("\n# Jacobian, entries that are not zero: J[i, k] = d(d i/dt)/d k\n", stream);
     return show_jacobian(stream, model, TTC_NOTATION_TEXT);
 }
@@ -88,7 +88,9 @@ bool ttc_show_latex(FILE *stream, const ttc_model *model)
     }
     if (!show_equations(stream, model, TTC_NOTATION_LATEX)) return false;
     fputs("\\end{align}\n", stream);
-    if (!ttc_show_sections(stream, model, TTC_NOTATION_LATEX)) return false;
+    if (!ttc_show_sections(stream, model, TTC_NOTATION_LATEX) ||
+        !ttc_show_ways(stream, model, TTC_NOTATION_LATEX))
+        return false;
     fputs("% Jacobian, entries that are not zero\n\\begin{align}\n", stream);
     if (!show_jacobian(stream, model, TTC_NOTATION_LATEX)) return false;
     fputs("\\end{align}\n", stream);

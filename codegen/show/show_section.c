@@ -1,24 +1,16 @@
 /* Poles and sections of a model; and what a table of coordinates has in place of equations, its lift. */
 #include "show/show_section.h"
 
+#include "show/show_image.h"
+
 static bool is_latex(ttc_notation notation) { return notation == TTC_NOTATION_LATEX; }
-
-/* NAME = expression, in rows. */
-static bool show_row(FILE *stream, const ttc_model *model, const char *name, ttc_id id, ttc_notation notation)
-{
-    ttc_print_name(stream, name, notation);
-    fputs(is_latex(notation) ? " &= " : " = ", stream);
-    return ttc_print(stream, model, id, notation);
-}
-
-static const char *end_of_row(ttc_notation notation, bool is_last) { return is_latex(notation) && !is_last ? " \\\\\n" : "\n"; }
 
 bool ttc_show_lift(FILE *stream, const ttc_model *model, ttc_notation notation)
 {
     const ttc_lift *lift = &model->lift;
     for (size_t i = 0; i < lift->bindings.count; i++) {
-        if (!show_row(stream, model, lift->names[i], lift->bindings.items[i].expression, notation)) return false;
-        fputs(end_of_row(notation, i + 1 == lift->bindings.count), stream);
+        if (!ttc_show_row(stream, model, lift->names[i], lift->bindings.items[i].expression, notation)) return false;
+        fputs(ttc_show_end_of_row(notation, i + 1 == lift->bindings.count), stream);
     }
     return true;
 }
@@ -38,35 +30,14 @@ static bool show_poles(FILE *stream, const ttc_model *model, ttc_notation notati
     return true;
 }
 
-static bool show_way_back(FILE *stream, const ttc_model *model, const ttc_section *section, size_t k, ttc_notation notation)
-{
-    const ttc_id *entries = model->claims[section->claim].entries + 2 * k;
-    if (!section->is_angle[k]) return show_row(stream, model, section->coordinates[k], entries[0], notation);
-    ttc_print_name(stream, section->coordinates[k], notation);
-    fputs(is_latex(notation) ? " &= \\operatorname{atan2}\\left(" : " = atan2(", stream);
-    if (!ttc_print(stream, model, entries[0], notation)) return false;
-    fputs(", ", stream);
-    if (!ttc_print(stream, model, entries[1], notation)) return false;
-    fputs(is_latex(notation) ? "\\right)" : ")", stream);
-    return true;
-}
-
 static bool show_section(FILE *stream, const ttc_model *model, const ttc_section *section, ttc_notation notation)
 {
     const ttc_claim *claim = model->claims + section->claim;
-    const size_t levels = section->level_count;
     fprintf(stream, "%s section %s: %s = ", is_latex(notation) ? "%" : "\n#", claim->name,
             model->symbols[claim->when.items[0].symbol].name);
     if (!ttc_print(stream, model, claim->when.items[0].expression, TTC_NOTATION_TEXT)) return false;
     fprintf(stream, ", in the coordinates of %s\n%s", claim->target, is_latex(notation) ? "\\begin{align}\n" : "");
-    for (size_t k = 0; k < section->coordinate_count; k++) {
-        if (!show_way_back(stream, model, section, k, notation)) return false;
-        fputs(end_of_row(notation, levels == 0 && k + 1 == section->coordinate_count), stream);
-    }
-    for (size_t k = 0; k < levels; k++) {
-        if (!show_row(stream, model, section->levels[k], model->claims[claim->members[k]].expression, notation)) return false;
-        fputs(end_of_row(notation, k + 1 == levels), stream);
-    }
+    if (!ttc_show_image(stream, model, claim, &section->image, notation)) return false;
     if (is_latex(notation)) fputs("\\end{align}\n", stream);
     return true;
 }

@@ -2,12 +2,12 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   18    6    1    1    0     11    7   (72)
- *  jacobian            6   40   13    1    1    0     14   13   (239)
+ *  rhs                 5   18    6    1    1    0     10    7   (72)
+ *  jacobian            6   40   13    1    1    0     13   11   (239)
  *  rhs_jacobian        10   44   14    1    1    0     13   15   (293)
  *  divergence          3   10    3    1    1    0      8    5   (33)
  *  integral_values     3   14    9    0    1    0      8    8   (58)
@@ -17,12 +17,12 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2),
- *      2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1),
- *      V/R = (1/R)*v_nu + omega_tau, gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s, d(omega3)/dt,
+ *    digits are lost where terms nearly cancel in m*R^2*I1 - m*R^2*I3, 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1),
+ *      V/R = (1/R)*v_nu + omega_tau, a part of d(d(omega_n)/dt)/d(gamma3), d(omega3)/dt,
  *      omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, a part of d(omega_tau)/dt,
- *      a part of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega3)/dt)/d(gamma3),
- *      omega3 + omega_n*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, d(d(v_nu)/dt)/d(omega_n),
+ *      a part of d(d(omega_tau)/dt)/d(omega_n), gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s,
+ *      d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega3)/dt)/d(gamma3),
+ *      omega3 + gamma3*omega_n*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, d(d(v_nu)/dt)/d(omega_n),
  *      d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -63,18 +63,18 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
-    out[30] = t1;
+    out[29] = t1;
     const double t2 = params[5]/t1; /* I3/(m*R*R) */
     out[6] = t2;
     const double t3 = params[5]/params[4]; /* I3/I1 */
     out[7] = t3;
-    const double t4 = 1.0/params[1]; /* 1/R */
-    out[8] = t4;
-    const double t5 = t1*params[4]; /* m*R*R*I1 */
-    const double t6 = params[5]*params[5]; /* I3*I3 */
-    const double t7 = t1*params[5]; /* m*R*R*I3 */
-    const double t8 = t6 + t7; /* I3*I3 + m*R*R*I3 */
-    const double t9 = t8/t5; /* (I3*I3 + m*R*R*I3)/(m*R*R*I1) */
+    const double t4 = t1*params[4]; /* m*R*R*I1 */
+    const double t5 = params[5]*params[5]; /* I3*I3 */
+    const double t6 = t1*params[5]; /* m*R*R*I3 */
+    const double t7 = t5 + t6; /* I3*I3 + m*R*R*I3 */
+    const double t8 = t7/t4; /* (I3*I3 + m*R*R*I3)/(m*R*R*I1) */
+    out[8] = t8;
+    const double t9 = 1.0/params[1]; /* 1/R */
     out[9] = t9;
     const double t10 = params[4] - params[5]; /* I1 - I3 */
     const double t11 = t10/params[4]; /* (I1 - I3)/I1 */
@@ -83,71 +83,66 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t12;
     const double t13 = -t3; /* -I3/I1 */
     out[12] = t13;
-    const double t14 = t5*2.0; /* m*R*R*I1*2 */
-    const double t15 = t7*2.0; /* m*R*R*I3*2 */
-    const double t16 = t14 - t15; /* m*R*R*I1*2 - m*R*R*I3*2 */
-    out[13] = t16;
-    const double t17 = params[0]*params[0]; /* m*m */
-    const double t18 = t0*t0; /* R*R*R*R */
-    const double t19 = t17*t18; /* m*m*R*R*R*R */
-    const double t20 = params[4]*params[4]; /* I1*I1 */
-    const double t21 = t19*t20; /* m*m*R*R*R*R*I1*I1 */
-    const double t22 = t8/t21; /* (I3*I3 + m*R*R*I3)/(m*m*R*R*R*R*I1*I1) */
-    out[14] = t22;
-    const double t23 = t1*t20; /* m*R*R*I1*I1 */
-    const double t24 = params[5]/t23; /* I3/(m*R*R*I1*I1) */
-    out[15] = t24;
-    const double t25 = params[1]*params[4]; /* R*I1 */
-    out[26] = t25;
-    const double t26 = params[5]/t25; /* I3/(R*I1) */
-    out[22] = t26;
-    const double t27 = -t26; /* -I3/(R*I1) */
-    out[16] = t27;
-    const double t28 = 1.0/t5; /* 1/(m*R*R*I1) */
-    out[17] = t28;
-    const double t29 = (-1.0)/params[1]; /* (-1)/R */
-    out[18] = t29;
-    const double t30 = params[5]*2.0; /* I3*2 */
-    const double t31 = t5 - t7; /* m*R*R*I1 - m*R*R*I3 */
-    const double t32 = t30*t31; /* I3*2*(m*R*R*I1 - m*R*R*I3) */
-    const double t33 = t32/t23; /* I3*2*(m*R*R*I1 - m*R*R*I3)/(m*R*R*I1*I1) */
+    const double t14 = params[0]*params[0]; /* m*m */
+    const double t15 = t0*t0; /* R*R*R*R */
+    const double t16 = t14*t15; /* m*m*R*R*R*R */
+    const double t17 = params[4]*params[4]; /* I1*I1 */
+    const double t18 = t16*t17; /* m*m*R*R*R*R*I1*I1 */
+    const double t19 = t7*2.0; /* (I3*I3 + m*R*R*I3)*2 */
+    const double t20 = t4 - t6; /* m*R*R*I1 - m*R*R*I3 */
+    out[18] = t20;
+    const double t21 = t19*t20; /* (I3*I3 + m*R*R*I3)*2*(m*R*R*I1 - m*R*R*I3) */
+    const double t22 = t21/t18; /* (I3*I3 + m*R*R*I3)*2*(m*R*R*I1 - m*R*R*I3)/(m*m*R*R*R*R*I1*I1) */
+    out[13] = t22;
+    const double t23 = t1*t17; /* m*R*R*I1*I1 */
+    const double t24 = params[5]*2.0; /* I3*2 */
+    const double t25 = t20*t24; /* (m*R*R*I1 - m*R*R*I3)*I3*2 */
+    const double t26 = t25/t23; /* (m*R*R*I1 - m*R*R*I3)*I3*2/(m*R*R*I1*I1) */
+    out[14] = t26;
+    const double t27 = params[1]*params[4]; /* R*I1 */
+    out[25] = t27;
+    const double t28 = params[5]/t27; /* I3/(R*I1) */
+    out[21] = t28;
+    const double t29 = -t28; /* -I3/(R*I1) */
+    out[15] = t29;
+    const double t30 = 2.0*t20; /* 2*(m*R*R*I1 - m*R*R*I3) */
+    const double t31 = t30/t4; /* 2*(m*R*R*I1 - m*R*R*I3)/(m*R*R*I1) */
+    out[16] = t31;
+    const double t32 = (-1.0)/params[1]; /* (-1)/R */
+    out[17] = t32;
+    const double t33 = t24/t23; /* I3*2/(m*R*R*I1*I1) */
     out[19] = t33;
-    const double t34 = t8*2.0; /* (I3*I3 + m*R*R*I3)*2 */
-    const double t35 = t31*t34; /* (m*R*R*I1 - m*R*R*I3)*(I3*I3 + m*R*R*I3)*2 */
-    const double t36 = t35/t21; /* (m*R*R*I1 - m*R*R*I3)*(I3*I3 + m*R*R*I3)*2/(m*m*R*R*R*R*I1*I1) */
-    out[20] = t36;
-    const double t37 = 2.0*t31; /* 2*(m*R*R*I1 - m*R*R*I3) */
-    const double t38 = t37/t5; /* 2*(m*R*R*I1 - m*R*R*I3)/(m*R*R*I1) */
-    out[21] = t38;
-    const double t39 = params[4]/2.0; /* I1/2 */
-    out[23] = t39;
-    const double t40 = params[0]/params[4]; /* m/I1 */
-    out[24] = t40;
-    const double t41 = t1/params[4]; /* m*R*R/I1 */
-    out[25] = t41;
-    const double t42 = params[1]*params[5]; /* R*I3 */
-    out[27] = t42;
-    const double t43 = params[0]*t20; /* m*I1*I1 */
-    out[28] = t43;
-    const double t44 = t5*t10; /* m*R*R*I1*(I1 - I3) */
-    out[29] = t44;
-    const double t45 = -t25; /* -R*I1 */
-    out[31] = t45;
-    const double t46 = -t42; /* -R*I3 */
-    out[32] = t46;
-    const double t47 = t10*(-2.0); /* (I1 - I3)*(-2) */
-    const double t48 = t31*t47; /* (m*R*R*I1 - m*R*R*I3)*(I1 - I3)*(-2) */
-    out[33] = t48;
-    const double t49 = params[0]*2.0; /* m*2 */
-    const double t50 = t20*t49; /* I1*I1*m*2 */
-    out[34] = t50;
-    const double t51 = params[1]*t49; /* R*m*2 */
-    const double t52 = t20*t51; /* I1*I1*R*m*2 */
-    out[35] = t52;
-    const double t53 = t0*t49; /* R*R*m*2 */
-    const double t54 = params[4]*t53; /* I1*R*R*m*2 */
-    const double t55 = t10*t54; /* (I1 - I3)*I1*R*R*m*2 */
-    out[36] = t55;
+    const double t34 = t19/t18; /* (I3*I3 + m*R*R*I3)*2/(m*m*R*R*R*R*I1*I1) */
+    out[20] = t34;
+    const double t35 = params[4]/2.0; /* I1/2 */
+    out[22] = t35;
+    const double t36 = params[0]/params[4]; /* m/I1 */
+    out[23] = t36;
+    const double t37 = t1/params[4]; /* m*R*R/I1 */
+    out[24] = t37;
+    const double t38 = params[1]*params[5]; /* R*I3 */
+    out[26] = t38;
+    const double t39 = params[0]*t17; /* m*I1*I1 */
+    out[27] = t39;
+    const double t40 = t4*t10; /* m*R*R*I1*(I1 - I3) */
+    out[28] = t40;
+    const double t41 = -t27; /* -R*I1 */
+    out[30] = t41;
+    const double t42 = -t38; /* -R*I3 */
+    out[31] = t42;
+    const double t43 = t10*(-2.0); /* (I1 - I3)*(-2) */
+    const double t44 = t20*t43; /* (m*R*R*I1 - m*R*R*I3)*(I1 - I3)*(-2) */
+    out[32] = t44;
+    const double t45 = params[0]*2.0; /* m*2 */
+    const double t46 = t17*t45; /* I1*I1*m*2 */
+    out[33] = t46;
+    const double t47 = params[1]*t45; /* R*m*2 */
+    const double t48 = t17*t47; /* I1*I1*R*m*2 */
+    out[34] = t48;
+    const double t49 = t0*t45; /* R*R*m*2 */
+    const double t50 = params[4]*t49; /* I1*R*R*m*2 */
+    const double t51 = t10*t50; /* (I1 - I3)*I1*R*R*m*2 */
+    out[35] = t51;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -175,18 +170,18 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t18 = x[3]*t17; /* omega_n*t17 */
     const double t19 = -t18; /* -omega_n*t17 */
     out[2] = t19;
-    const double t20 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t21 = t2*t9; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
-    const double t22 = t20*t21; /* V/R*1/(Theta/(m*R^2*I1)) */
-    const double t23 = JLT_FNMA(p[7], t22, x[2]); /* omega_tau - I3/I1*V/R*1/(Theta/(m*R^2*I1)) */
-    const double t24 = t13*t23; /* 1/(s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1)*(omega_tau - I3/I1*V/R*1/(Theta/(m*R^2*I1))) */
-    const double t25 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t26 = t21*t25; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
-    const double t27 = JLT_FMA(p[9], t26, t24); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*omega_tau*omega3 + t24 */
+    const double t20 = t2*t9; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t21 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t22 = t20*t21; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t23 = p[8]*t22; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t24 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t25 = t20*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = JLT_FNMA(p[7], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t27 = JLT_FMA(t13, t26, t23); /* 1/(s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1)*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + t23 */
     out[3] = t27;
-    const double t28 = x[3]*t22; /* omega_n*V/R*1/(Theta/(m*R^2*I1)) */
+    const double t28 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
     const double t29 = t10*p[10]; /* gamma3*s*(I1 - I3)/I1 */
-    const double t30 = JLT_FMS(t26, t29, t28); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*gamma3*s*(I1 - I3)/I1 - omega_n*V/R*1/(Theta/(m*R^2*I1)) */
+    const double t30 = JLT_FMS(t22, t29, t28); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*gamma3*s*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
     out[4] = t30;
 }
 
@@ -213,71 +208,71 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t9 = 1.0/t8; /* 1/(s^2*Theta/(m*R^2*I1)) */
     const double t10 = sqrt(t4); /* s = sqrt(s^2) */
     out[2] = t10;
-    const double t11 = t4*t9; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
-    const double t12 = t7*t10; /* Theta/(m*R^2*I1)*s */
-    const double t13 = t9*t12; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t14 = x[2]*t11; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t15 = p[9]*t14; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[19] = t15;
-    const double t16 = x[4]*t11; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t17 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t18 = t11*t17; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t19 = x[3]*t11; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t20 = p[18]*t19; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[21] = t20;
-    const double t21 = -t18; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[23] = t21;
-    const double t22 = p[10]*t14; /* (I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t23 = x[0]*t10; /* gamma3*s */
-    const double t24 = x[0]*t13; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t25 = JLT_FMS(x[0], t24, t10); /* gamma3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s */
-    const double t26 = p[14]*t16; /* (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t27 = t14*t26; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t28 = t22*t23; /* (I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s */
-    out[24] = t28;
-    const double t29 = t16*t28; /* omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s */
-    const double t30 = JLT_FNMA(t18, t19, t29); /* t29 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t31 = x[4]*t22; /* omega3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t32 = p[10]*t23; /* (I1 - I3)/I1*gamma3*s */
-    const double t33 = JLT_FMS(t16, t32, t19); /* omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*gamma3*s - omega_n*1/(Theta/(m*R^2*I1)) */
-    out[22] = t33;
-    const double t34 = t19*t24; /* omega_n*1/(Theta/(m*R^2*I1))*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t35 = p[16]*t34; /* (-I3/(R*I1))*t34 */
-    out[16] = t35;
-    const double t36 = x[3]*t13; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t37 = x[0]*p[13]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t38 = p[15]*t18; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t39 = JLT_FNMA(t34, t38, t27); /* t27 - t34*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t40 = t37*t39; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*(t27 - t34*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t41 = p[17]*t37; /* 1/(m*R^2*I1)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t42 = t30*t41; /* (t29 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)))*1/(m*R^2*I1)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t43 = JLT_FNMA(t25, t31, t42); /* t42 - t25*omega3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[20] = t43;
-    const double t44 = JLT_FNMA(p[7], t18, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t45 = t24*t44; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[18] = t45;
-    const double t46 = t13*t36; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t47 = t36*t46; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t46 */
-    const double t48 = t13*t46; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t46 */
-    const double t49 = JLT_FMA(t44, t48, t40); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t46 + t40 */
-    out[15] = t49;
-    const double t50 = p[1]*t47; /* R*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t46 */
-    out[5] = t50;
-    const double t51 = -t47; /* -omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t46 */
-    out[10] = t51;
-    const double t52 = x[3]*t24; /* omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t53 = x[2]*t24; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t54 = -t53; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    out[0] = t54;
-    const double t55 = JLT_FMA(p[9], t16, t52); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t56 = JLT_FNMA(p[7], t34, t55); /* t55 - I3/I1*t34 */
+    const double t11 = t7*t10; /* Theta/(m*R^2*I1)*s */
+    const double t12 = t9*t11; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t13 = t4*t9; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t14 = p[10]*t10; /* (I1 - I3)/I1*s */
+    const double t15 = x[0]*t12; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t16 = x[0]*t13; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t17 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t18 = t13*t17; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t19 = -t18; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[23] = t19;
+    const double t20 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t21 = x[3]*p[16]; /* omega_n*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
+    const double t22 = t18*t21; /* 1/(Theta/(m*R^2*I1))*V/R*omega_n*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
+    const double t23 = p[10]*t15; /* (I1 - I3)/I1*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t24 = t14*t16; /* (I1 - I3)/I1*s*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t25 = JLT_FNMA(p[16], t24, t23); /* t23 - 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*(I1 - I3)/I1*s*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t26 = JLT_FMA(t20, t25, t22); /* omega_tau*omega3*t25 + t22 */
+    const double t27 = t13*t20; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t28 = t16*t26; /* gamma3*1/(Theta/(m*R^2*I1))*(omega_tau*omega3*t25 + t22) */
+    const double t29 = JLT_FMS(t14, t27, t28); /* (I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 - gamma3*1/(Theta/(m*R^2*I1))*(omega_tau*omega3*t25 + t22) */
+    out[20] = t29;
+    const double t30 = x[2]*t24; /* omega_tau*(I1 - I3)/I1*s*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[24] = t30;
+    const double t31 = x[3]*t12; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t32 = p[13]*t16; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t33 = t27*t32; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*t32 */
+    const double t34 = p[14]*t18; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t35 = t16*t34; /* gamma3*1/(Theta/(m*R^2*I1))*t34 */
+    const double t36 = JLT_FNMA(p[7], t18, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t37 = t15*t36; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[18] = t37;
+    const double t38 = x[2]*t15; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t39 = -t38; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[0] = t39;
+    const double t40 = t12*t31; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t41 = t12*t40; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t40 */
+    const double t42 = t31*t40; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t40 */
+    const double t43 = x[0]*t31; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t44 = JLT_FNMA(t35, t43, t33); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*t32 - gamma3*1/(Theta/(m*R^2*I1))*t34*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t45 = JLT_FMA(t36, t41, t44); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t40 + t44 */
+    out[15] = t45;
+    const double t46 = p[1]*t42; /* R*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t40 */
+    out[5] = t46;
+    const double t47 = -t42; /* -omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t40 */
+    out[10] = t47;
+    const double t48 = p[8]*t13; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t49 = x[2]*t48; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[19] = t49;
+    const double t50 = JLT_FMA(x[4], t48, t43); /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t51 = p[1]*x[4]; /* R*omega3 */
+    const double t52 = JLT_FMA(p[11], t43, t51); /* 2*R*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + R*omega3 */
+    out[8] = t52;
+    const double t53 = x[4]*p[12]; /* omega3*(-I3/I1) */
+    const double t54 = JLT_FMA((-2.0), t43, t53); /* (-2)*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*(-I3/I1) */
+    out[13] = t54;
+    const double t55 = t13*t43; /* 1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t56 = JLT_FNMA(p[7], t55, t50); /* t50 - I3/I1*t55 */
     out[17] = t56;
-    const double t57 = p[1]*x[4]; /* R*omega3 */
-    const double t58 = JLT_FMA(p[11], t52, t57); /* 2*R*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + R*omega3 */
-    out[8] = t58;
-    const double t59 = x[4]*p[12]; /* omega3*(-I3/I1) */
-    const double t60 = JLT_FMA((-2.0), t52, t59); /* (-2)*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*(-I3/I1) */
-    out[13] = t60;
+    const double t57 = p[15]*t55; /* (-I3/(R*I1))*t55 */
+    out[16] = t57;
+    const double t58 = x[3]*t13; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t59 = JLT_FMS(x[4], t24, t58); /* omega3*(I1 - I3)/I1*s*gamma3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1)) */
+    out[22] = t59;
+    const double t60 = p[17]*t58; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[21] = t60;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -302,85 +297,85 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = sqrt(t3); /* s = sqrt(s^2) */
     out[7] = t9;
     const double t10 = t6*t9; /* Theta/(m*R^2*I1)*s */
-    const double t11 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
-    const double t12 = t8*t10; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t11 = t8*t10; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t12 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
     const double t13 = x[2]*t9; /* omega_tau*s */
     out[0] = t13;
-    const double t14 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t15 = t11*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t14 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t15 = t12*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
     const double t16 = -t15; /* -1/(Theta/(m*R^2*I1))*V/R */
     out[28] = t16;
-    const double t17 = x[4]*t11; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t18 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t19 = t9*t18; /* s*gamma3*(I1 - I3)/I1 */
-    const double t20 = x[0]*t12; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t21 = JLT_FMS(x[0], t20, t9); /* gamma3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s */
-    const double t22 = x[2]*t17; /* omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t23 = x[0]*t11; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t24 = p[19]*t15; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t25 = t23*t24; /* gamma3*1/(Theta/(m*R^2*I1))*t24 */
-    const double t26 = x[3]*t20; /* omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t27 = t25*t26; /* gamma3*1/(Theta/(m*R^2*I1))*t24*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t28 = x[4]*p[7]; /* omega3*I3/I1 */
-    const double t29 = t19*t22; /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t30 = JLT_FNMA(x[3], t15, t29); /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[4] = t30;
-    const double t31 = JLT_FNMA(p[7], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t32 = t20*t31; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[23] = t32;
-    const double t33 = x[2]*t20; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t34 = -t33; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    out[5] = t34;
-    const double t35 = x[3]*t12; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t36 = t26 + t28; /* omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*I3/I1 */
-    const double t37 = x[3]*t36; /* omega_n*t36 */
-    const double t38 = -t37; /* -omega_n*t36 */
-    out[2] = t38;
-    const double t39 = JLT_FMA(2.0, t26, t28); /* 2*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*I3/I1 */
-    const double t40 = -t39; /* -t39 */
-    out[18] = t40;
-    const double t41 = t12*t35; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t42 = t35*t41; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 */
-    const double t43 = t12*t41; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 */
+    const double t17 = x[3]*t11; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t18 = x[4]*t12; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t19 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
+    const double t20 = t9*t19; /* s*gamma3*(I1 - I3)/I1 */
+    const double t21 = x[0]*t17; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t22 = x[2]*t18; /* omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t23 = p[19]*t15; /* 2*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t24 = t21*t23; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*2*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t25 = JLT_FNMA(p[20], t22, t24); /* t24 - 2*(I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t26 = x[4]*p[7]; /* omega3*I3/I1 */
+    const double t27 = t20*t22; /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t28 = JLT_FNMA(x[3], t15, t27); /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[4] = t28;
+    const double t29 = JLT_FNMA(p[7], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t30 = x[0]*t12; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t31 = t21 + t26; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*I3/I1 */
+    const double t32 = x[3]*t31; /* omega_n*t31 */
+    const double t33 = -t32; /* -omega_n*t31 */
+    out[2] = t33;
+    const double t34 = JLT_FMA(2.0, t21, t26); /* 2*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*I3/I1 */
+    const double t35 = -t34; /* -t34 */
+    out[18] = t35;
+    const double t36 = x[0]*t11; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t37 = JLT_FMS(x[0], t36, t9); /* gamma3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s */
+    const double t38 = t29*t36; /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[23] = t38;
+    const double t39 = x[2]*t36; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t40 = -t39; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[5] = t40;
+    const double t41 = t11*t17; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t42 = t17*t41; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 */
+    const double t43 = t11*t41; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 */
     const double t44 = p[1]*t42; /* R*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 */
     out[10] = t44;
     const double t45 = -t42; /* -omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 */
     out[15] = t45;
-    const double t46 = p[20]*t23; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t47 = JLT_FMS(t22, t46, t27); /* omega_tau*omega3*1/(Theta/(m*R^2*I1))*t46 - t27 */
-    const double t48 = JLT_FMA(t31, t43, t47); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 + omega_tau*omega3*1/(Theta/(m*R^2*I1))*t46 - t27 */
+    const double t46 = p[18]*t30; /* (m*R^2*I1 - m*R^2*I3)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t47 = t25*t46; /* t25*(m*R^2*I1 - m*R^2*I3)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t48 = JLT_FMS(t29, t43, t47); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t41 - t25*(m*R^2*I1 - m*R^2*I3)*gamma3*1/(Theta/(m*R^2*I1)) */
     out[20] = t48;
-    const double t49 = p[21]*t23; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t50 = t30*t49; /* t30*t49 */
-    const double t51 = t26*t31; /* omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t52 = JLT_FMA(p[9], t22, t51); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*omega3*1/(Theta/(m*R^2*I1)) + t51 */
+    const double t49 = p[16]*t30; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t50 = t28*t49; /* t28*t49 */
+    const double t51 = t21*t29; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t52 = JLT_FMA(p[8], t22, t51); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*omega3*1/(Theta/(m*R^2*I1)) + t51 */
     out[3] = t52;
     const double t53 = p[10]*t22; /* (I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t54 = JLT_FNMA(t21, t53, t50); /* t30*t49 - t21*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t54 = JLT_FNMA(t37, t53, t50); /* t28*t49 - t37*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
     out[25] = t54;
-    const double t55 = x[4] + t26; /* omega3 + omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t55 = x[4] + t21; /* omega3 + gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
     const double t56 = x[3]*p[1]; /* omega_n*R */
     out[14] = t56;
     const double t57 = t55*t56; /* t55*omega_n*R */
     out[1] = t57;
     const double t58 = x[4]*p[1]; /* omega3*R */
-    const double t59 = JLT_FMA(p[11], t26, t58); /* 2*R*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*R */
+    const double t59 = JLT_FMA(p[11], t21, t58); /* 2*R*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*R */
     out[13] = t59;
-    const double t60 = t11*t26; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t61 = JLT_FMA(p[9], t17, t26); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t60 = t12*t21; /* 1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t61 = JLT_FMA(p[8], t18, t21); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
     const double t62 = JLT_FNMA(p[7], t60, t61); /* t61 - I3/I1*t60 */
     out[22] = t62;
-    const double t63 = p[16]*t60; /* (-I3/(R*I1))*t60 */
+    const double t63 = p[15]*t60; /* (-I3/(R*I1))*t60 */
     out[21] = t63;
-    const double t64 = x[2]*t11; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t65 = x[3]*t11; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t66 = JLT_FMS(t17, t19, t65); /* omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t64 = x[2]*t12; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t65 = x[3]*t12; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t66 = JLT_FMS(t18, t20, t65); /* omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
     out[27] = t66;
-    const double t67 = p[18]*t65; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t67 = p[17]*t65; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
     out[26] = t67;
-    const double t68 = t19*t64; /* s*gamma3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t68 = t20*t64; /* s*gamma3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
     out[29] = t68;
-    const double t69 = p[9]*t64; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t69 = p[8]*t64; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
     out[24] = t69;
 }
 
@@ -395,7 +390,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t6 = t2*t5; /* s^2*Theta/(m*R^2*I1) */
     const double t7 = 1.0/t6; /* 1/(s^2*Theta/(m*R^2*I1)) */
     const double t8 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t9 = p[22]*t8; /* I3/(R*I1)*V */
+    const double t9 = p[21]*t8; /* I3/(R*I1)*V */
     const double t10 = t5*t9; /* Theta/(m*R^2*I1)*I3/(R*I1)*V */
     const double t11 = sqrt(t2); /* s = sqrt(s^2) */
     const double t12 = x[0]*t2; /* gamma3*s^2 */
@@ -409,7 +404,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[24]*x[1]; /* m/I1*v_nu */
+    const double t0 = p[23]*x[1]; /* m/I1*v_nu */
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = x[4]*x[4]; /* omega3*omega3 */
     const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
@@ -418,25 +413,25 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t7 = x[4]*t6; /* omega3*s */
     const double t8 = JLT_FMA(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t9 = p[25]*t8; /* m*R^2/I1*v_tau/R */
+    const double t9 = p[24]*t8; /* m*R^2/I1*v_tau/R */
     const double t10 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t11 = JLT_FMA(x[1], t0, t10); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t12 = JLT_FMA(p[7], t2, t11); /* I3/I1*omega3*omega3 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t13 = JLT_FMA(t8, t9, t12); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t12 */
-    const double t14 = p[23]*t13; /* 1/2*I1*energy/(1/2*I1) */
+    const double t14 = p[22]*t13; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t14;
-    const double t15 = x[3]*p[26]; /* omega_n*R*I1 */
+    const double t15 = x[3]*p[25]; /* omega_n*R*I1 */
     const double t16 = t6*t15; /* s*omega_n*R*I1 */
-    const double t17 = x[4]*p[27]; /* omega3*R*I3 */
+    const double t17 = x[4]*p[26]; /* omega3*R*I3 */
     const double t18 = JLT_FNMA(x[0], t17, t16); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     out[1] = t18;
     const double t19 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t20 = p[28]*t19; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t20 = p[27]*t19; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t21 = t19*t20; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t22 = p[7]*x[0]; /* I3/I1*gamma3 */
     const double t23 = t5 + p[6]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
     const double t24 = JLT_FMA(x[0], t22, t23); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t25 = t2*p[29]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t25 = t2*p[28]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t26 = JLT_FMA(t24, t25, t21); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[2] = t26;
 }
@@ -450,23 +445,23 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[1] = t0;
     const double t1 = p[4]*x[2]; /* I1*omega_tau */
     out[2] = t1;
-    const double t2 = x[0]*p[32]; /* gamma3*(-R*I3) */
+    const double t2 = x[0]*p[31]; /* gamma3*(-R*I3) */
     out[9] = t2;
     const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t5 = t3*t4; /* (1 - gamma3)*(1 + gamma3) */
     const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t7 = p[6] + t5; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t8 = p[26]*t6; /* R*I1*s */
+    const double t8 = p[25]*t6; /* R*I1*s */
     out[8] = t8;
     const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t10 = 1.0/t6; /* 1/s */
     const double t11 = x[0]*x[4]; /* gamma3*omega3 */
     const double t12 = JLT_FMA(x[4], t6, t9); /* v_tau/R = omega3*s + omega_n*gamma3 */
-    const double t13 = p[31]*t9; /* (-R*I1)*omega_n*gamma3 */
-    const double t14 = p[30]*t12; /* m*R^2*v_tau/R */
+    const double t13 = p[30]*t9; /* (-R*I1)*omega_n*gamma3 */
+    const double t14 = p[29]*t12; /* m*R^2*v_tau/R */
     const double t15 = t10*t13; /* 1/s*(-R*I1)*omega_n*gamma3 */
-    const double t16 = JLT_FMA(x[4], p[32], t15); /* omega3*(-R*I3) + 1/s*(-R*I1)*omega_n*gamma3 */
+    const double t16 = JLT_FMA(x[4], p[31], t15); /* omega3*(-R*I3) + 1/s*(-R*I1)*omega_n*gamma3 */
     out[5] = t16;
     const double t17 = JLT_FNMA(t10, t11, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - 1/s*gamma3*omega3 */
     const double t18 = t14*t17; /* m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R */
@@ -479,15 +474,15 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t23 = x[4]*p[5]; /* omega3*I3 */
     const double t24 = JLT_FMA(t6, t14, t23); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
     out[4] = t24;
-    const double t25 = x[4]*p[33]; /* omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
+    const double t25 = x[4]*p[32]; /* omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
     const double t26 = t11*t25; /* gamma3*omega3*omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
     out[10] = t26;
     const double t27 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t28 = p[34]*t27; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t28 = p[33]*t27; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[11] = t28;
-    const double t29 = p[35]*t27; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t29 = p[34]*t27; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
     out[12] = t29;
-    const double t30 = x[4]*p[36]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t30 = x[4]*p[35]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t31 = t20*t30; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[14] = t31;
 }
@@ -519,11 +514,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
-    double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
@@ -556,18 +551,18 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t24[k] = x4[k]*p[7] + t20[k];
         t25[k] = jlt_jet_product(x3, t24, k);
         t26[k] = -t25[k];
-        t29[k] = p[8]*x1[k] + x2[k];
-        t30[k] = jlt_jet_product(t6, t17, k);
-        t31[k] = jlt_jet_product(t29, t30, k);
-        t32[k] = x2[k] - p[7]*t31[k];
-        t33[k] = jlt_jet_product(t20, t32, k);
-        t35[k] = jlt_jet_product(x2, x4, k);
-        t36[k] = jlt_jet_product(t30, t35, k);
-        t37[k] = p[9]*t36[k] + t33[k];
-        t38[k] = jlt_jet_product(x3, t31, k);
+        t28[k] = jlt_jet_product(t6, t17, k);
+        t29[k] = jlt_jet_product(x2, x4, k);
+        t30[k] = jlt_jet_product(t28, t29, k);
+        t31[k] = p[8]*t30[k];
+        t34[k] = p[9]*x1[k] + x2[k];
+        t35[k] = jlt_jet_product(t28, t34, k);
+        t36[k] = x2[k] - p[7]*t35[k];
+        t37[k] = jlt_jet_product(t20, t36, k) + t31[k];
+        t38[k] = jlt_jet_product(x3, t35, k);
         t40[k] = x0[k]*p[10];
         t41[k] = jlt_jet_product(t6, t40, k);
-        t42[k] = jlt_jet_product(t36, t41, k) - t38[k];
+        t42[k] = jlt_jet_product(t30, t41, k) - t38[k];
         double *restrict next = coefficients + (k + 1)*5;
         next[0] = x0[k + 1] = t7[k]/(k + 1);
         next[1] = x1[k + 1] = t23[k]/(k + 1);
@@ -887,9 +882,9 @@ static const jlt_named integrals[] = {
     { "F0", "a3 = 0" },
 };
 
-static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_7[] = { 1, -1, -1, 1, 1 };
 static const jlt_reversor reversors[] = {
-    { signs_8, 8 },
+    { signs_7, 7 },
 };
 
 const jlt_descriptor jlt_kernels_spherical_top_balanced = {
@@ -899,20 +894,20 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a",
+    .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 37,
+    .state_count = 5, .param_count = 6, .block_count = 36,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 5, 18, 6, 1, 1, 0, 11, 7 }, { 12, 50, 0, 9, 1, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3 + ((1)/s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1), a part of d(omega_tau)/dt, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*V/R*1/(Theta/(m*R^2*I1)), d(omega_n)/dt, d(omega3)/dt" },
-    .jacobian = { jacobian, 25, { 6, 40, 13, 1, 1, 0, 14, 13 }, { 36, 168, 0, 34, 1, 0, 14, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, V/R = (1/R)*v_nu + omega_tau, gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s, a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n), d(d(omega_tau)/dt)/d(omega_n)" },
+    .rhs = { rhs, 5, { 5, 18, 6, 1, 1, 0, 10, 7 }, { 12, 50, 0, 9, 1, 0, 11, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3 + ((1)/s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1), a part of d(omega_tau)/dt, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(omega_n)/dt, d(omega3)/dt" },
+    .jacobian = { jacobian, 25, { 6, 40, 13, 1, 1, 0, 13, 11 }, { 36, 168, 0, 34, 1, 0, 14, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 44, 14, 1, 1, 0, 13, 15 }, { 44, 205, 0, 43, 1, 0, 14, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2), 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s, d(omega3)/dt, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega3)/dt)/d(gamma3), omega3 + omega_n*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in m*R^2*I1 - m*R^2*I3, 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, a part of d(d(omega_n)/dt)/d(gamma3), d(omega3)/dt, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(omega_n), gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s, d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega3)/dt)/d(gamma3), omega3 + gamma3*omega_n*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 3, 10, 3, 1, 1, 0, 8, 5 }, { 6, 24, 0, 2, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 3, { 3, 14, 9, 0, 1, 0, 8, 8 }, { 12, 45, 0, 0, 1, 0, 10, 6 },

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   15    3    1    1    0      9    5   (61)
  *  jacobian            7   26    4    1    1    0      9    6   (143)
- *  rhs_jacobian        11   32    4    1    1    0     10    9   (186)
+ *  rhs_jacobian        11   32    4    1    1    0     10    8   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
  *  integral_values     2   10    7    0    1    0      8    4   (42)
  *  integral_gradients  2   14    6    1    1    0      8    4   (53)
@@ -18,7 +18,7 @@
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
  *      omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V,
- *      a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(omega_n)/dt,
+ *      d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n),
  *      d(d(omega_n)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -208,76 +208,76 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = 0.0;
     out[25] = 0.0;
     out[29] = 0.0;
-    const double t0 = -x[3]; /* -omega_n */
-    out[19] = t0;
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t4 = p[6]*t3; /* (m*R^2*I1 + I1^2)*s^2 */
-    const double t5 = 1.0/t4; /* 1/((m*R^2*I1 + I1^2)*s^2) */
-    const double t6 = sqrt(t3); /* s = sqrt(s^2) */
-    out[7] = t6;
-    const double t7 = t3*t5; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
-    const double t8 = x[2]*t6; /* omega_tau*s */
-    out[0] = t8;
-    const double t9 = p[6]*t6; /* (m*R^2*I1 + I1^2)*s */
-    const double t10 = t5*t9; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t12 = p[7]*t11; /* m*R*I1*V */
-    const double t13 = t7*t12; /* 1/Theta*m*R*I1*V */
-    const double t14 = -t13; /* -1/Theta*m*R*I1*V */
-    out[28] = t14;
-    const double t15 = x[0]*t10; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t16 = x[3]*t15; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t17 = x[3]*t10; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t18 = x[4] + t16; /* omega3 + omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t19 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I1*V */
-    const double t20 = x[3]*t13; /* omega_n*1/Theta*m*R*I1*V */
-    const double t21 = -t20; /* -omega_n*1/Theta*m*R*I1*V */
-    out[4] = t21;
-    const double t22 = t15*t19; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    out[23] = t22;
-    const double t23 = p[6]*t7; /* (m*R^2*I1 + I1^2)*1/Theta */
-    const double t24 = x[3]*t7; /* omega_n*1/Theta */
-    const double t25 = p[8]*t24; /* (-m*R*I1)*omega_n*1/Theta */
-    out[26] = t25;
-    const double t26 = p[10]*t24; /* (-m*R^2*I1)*omega_n*1/Theta */
-    out[27] = t26;
-    const double t27 = t15*t24; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/Theta */
-    const double t28 = x[2]*t15; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t29 = -t28; /* -t28 */
-    out[5] = t29;
-    const double t30 = p[8]*t27; /* (-m*R*I1)*t27 */
-    out[21] = t30;
-    const double t31 = t10*t17; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t32 = t17*t31; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t31 */
-    const double t33 = t10*t19; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t34 = t31*t33; /* t31*t33 */
-    out[20] = t34;
-    const double t35 = t16*t19; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
-    const double t36 = JLT_FMA(2.0, t16, x[4]); /* 2*omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
-    const double t37 = p[1]*t32; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t31 */
-    out[10] = t37;
-    const double t38 = -t32; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t31 */
-    out[15] = t38;
-    const double t39 = p[1]*t36; /* R*t36 */
-    out[13] = t39;
-    const double t40 = -t36; /* -t36 */
-    out[18] = t40;
-    const double t41 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t41;
-    const double t42 = t18*t41; /* t18*omega_n*R */
-    out[1] = t42;
-    const double t43 = x[3]*t18; /* omega_n*t18 */
-    const double t44 = -t43; /* -omega_n*t18 */
-    out[2] = t44;
-    const double t45 = x[2]*t23; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
-    out[24] = t45;
-    const double t46 = JLT_FMA(x[4], t45, t35); /* omega3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + t35 */
-    out[3] = t46;
-    const double t47 = x[4]*t23; /* omega3*(m*R^2*I1 + I1^2)*1/Theta */
-    const double t48 = JLT_FMA(p[9], t27, t47); /* I1^2*t27 + omega3*(m*R^2*I1 + I1^2)*1/Theta */
-    out[22] = t48;
+    const double t0 = p[1]*x[3]; /* R*omega_n */
+    out[14] = t0;
+    const double t1 = -x[3]; /* -omega_n */
+    out[19] = t1;
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t5 = p[6]*t4; /* (m*R^2*I1 + I1^2)*s^2 */
+    const double t6 = 1.0/t5; /* 1/((m*R^2*I1 + I1^2)*s^2) */
+    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
+    out[7] = t7;
+    const double t8 = t4*t6; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
+    const double t9 = x[2]*t7; /* omega_tau*s */
+    out[0] = t9;
+    const double t10 = p[6]*t7; /* (m*R^2*I1 + I1^2)*s */
+    const double t11 = t6*t10; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t12 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t13 = p[7]*t12; /* m*R*I1*V */
+    const double t14 = t8*t13; /* 1/Theta*m*R*I1*V */
+    const double t15 = -t14; /* -1/Theta*m*R*I1*V */
+    out[28] = t15;
+    const double t16 = x[0]*t11; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t17 = x[3]*t16; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t18 = x[2]*t16; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t19 = -t18; /* -t18 */
+    out[5] = t19;
+    const double t20 = x[3]*t11; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t21 = x[4] + t17; /* omega3 + omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t22 = x[3]*t21; /* omega_n*t21 */
+    const double t23 = p[1]*t22; /* R*omega_n*t21 */
+    out[1] = t23;
+    const double t24 = -t22; /* -omega_n*t21 */
+    out[2] = t24;
+    const double t25 = x[2] - t14; /* omega_tau - 1/Theta*m*R*I1*V */
+    const double t26 = x[3]*t14; /* omega_n*1/Theta*m*R*I1*V */
+    const double t27 = -t26; /* -omega_n*1/Theta*m*R*I1*V */
+    out[4] = t27;
+    const double t28 = p[6]*t8; /* (m*R^2*I1 + I1^2)*1/Theta */
+    const double t29 = t11*t20; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t30 = t20*t29; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t29 */
+    const double t31 = t11*t25; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    const double t32 = t29*t31; /* t29*t31 */
+    out[20] = t32;
+    const double t33 = x[0]*t31; /* gamma3*t31 */
+    out[23] = t33;
+    const double t34 = t17*t25; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    const double t35 = p[1]*t30; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t29 */
+    out[10] = t35;
+    const double t36 = -t30; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t29 */
+    out[15] = t36;
+    const double t37 = x[2]*t28; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
+    out[24] = t37;
+    const double t38 = JLT_FMA(x[4], t37, t34); /* omega3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + t34 */
+    out[3] = t38;
+    const double t39 = x[4]*t28; /* omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    const double t40 = JLT_FMA(2.0, t17, x[4]); /* 2*omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
+    const double t41 = t8*t17; /* 1/Theta*omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t42 = JLT_FMA(p[9], t41, t39); /* I1^2*t41 + omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    out[22] = t42;
+    const double t43 = p[8]*t41; /* (-m*R*I1)*t41 */
+    out[21] = t43;
+    const double t44 = x[3]*t8; /* omega_n*1/Theta */
+    const double t45 = p[1]*t40; /* R*t40 */
+    out[13] = t45;
+    const double t46 = -t40; /* -t40 */
+    out[18] = t46;
+    const double t47 = p[8]*t44; /* (-m*R*I1)*omega_n*1/Theta */
+    out[26] = t47;
+    const double t48 = p[10]*t44; /* (-m*R^2*I1)*omega_n*1/Theta */
+    out[27] = t48;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -718,9 +718,9 @@ static const jlt_named integrals[] = {
     { "F_linear", "a3 = 0, I1 = I3" },
 };
 
-static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_7[] = { 1, -1, -1, 1, 1 };
 static const jlt_reversor reversors[] = {
-    { signs_8, 8 },
+    { signs_7, 7 },
 };
 
 const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
@@ -730,7 +730,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a",
+    .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 21,
@@ -742,8 +742,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3 + s*((1)/s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2), a part of d(omega_n)/dt, V = omega_tau*R + v_nu, d(omega_n)/dt" },
     .jacobian = { jacobian, 25, { 7, 26, 4, 1, 1, 0, 9, 6 }, { 24, 95, 0, 23, 1, 0, 12, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_n), a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 32, 4, 1, 1, 0, 10, 9 }, { 31, 124, 0, 30, 1, 0, 12, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 32, 4, 1, 1, 0, 10, 8 }, { 31, 124, 0, 30, 1, 0, 12, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V, d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
     .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 4 }, { 9, 32, 0, 0, 1, 0, 11, 5 },

@@ -3,11 +3,11 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   12    5    1    0    0      7    6   (63)
+ *  rhs                 4   12    5    1    0    0      6    5   (63)
  *  jacobian            11   33    9    1    0    0      8   10   (242)
  *  rhs_jacobian        15   38   10    1    0    0      8   10   (290)
  *  divergence          1    1    3    1    0    0      4    3   (21)
@@ -62,14 +62,14 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
     out[15] = t1;
-    const double t2 = params[4]/t1; /* I1/(m*R*R) */
-    out[6] = t2;
-    const double t3 = 1.0/params[1]; /* 1/R */
-    out[7] = t3;
-    const double t4 = t1*params[4]; /* m*R*R*I1 */
-    const double t5 = params[4]*params[4]; /* I1*I1 */
-    const double t6 = t4 + t5; /* m*R*R*I1 + I1*I1 */
-    const double t7 = t6/t4; /* (m*R*R*I1 + I1*I1)/(m*R*R*I1) */
+    const double t2 = t1*params[4]; /* m*R*R*I1 */
+    const double t3 = params[4]*params[4]; /* I1*I1 */
+    const double t4 = t2 + t3; /* m*R*R*I1 + I1*I1 */
+    const double t5 = t4/t2; /* (m*R*R*I1 + I1*I1)/(m*R*R*I1) */
+    out[6] = t5;
+    const double t6 = params[4]/t1; /* I1/(m*R*R) */
+    out[7] = t6;
+    const double t7 = 1.0/params[1]; /* 1/R */
     out[8] = t7;
     const double t8 = (-1.0)/params[1]; /* (-1)/R */
     out[9] = t8;
@@ -81,48 +81,48 @@ static void prepare(const double *restrict params, double *restrict out)
     out[12] = t11;
     const double t12 = params[1]*params[4]; /* R*I1 */
     out[13] = t12;
-    const double t13 = params[0]*t5; /* m*I1*I1 */
+    const double t13 = params[0]*t3; /* m*I1*I1 */
     out[14] = t13;
     const double t14 = -t12; /* -R*I1 */
     out[16] = t14;
     const double t15 = params[0]*2.0; /* m*2 */
-    const double t16 = t5*t15; /* I1*I1*m*2 */
+    const double t16 = t3*t15; /* I1*I1*m*2 */
     out[17] = t16;
     const double t17 = params[1]*t15; /* R*m*2 */
-    const double t18 = t5*t17; /* I1*I1*R*m*2 */
+    const double t18 = t3*t17; /* I1*I1*R*m*2 */
     out[18] = t18;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[2]; /* s*omega_tau */
-    const double t1 = x[5]*t0; /* s*s*omega_tau */
-    out[0] = t1;
-    const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t3 = JLT_FMA(x[5], x[4], t2); /* s*omega3 + omega_n*gamma3 */
-    const double t4 = x[3]*t3; /* omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t5 = p[1]*t4; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
-    out[1] = t5;
-    const double t6 = -t4; /* -omega_n*(s*omega3 + omega_n*gamma3) */
-    out[2] = t6;
-    const double t7 = JLT_FMA(x[5], x[5], p[6]); /* s*s + I1/(m*R^2) */
-    const double t8 = JLT_FMA(x[0], x[0], t7); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
-    const double t9 = 1.0/t8; /* 1/(Theta/(m*R^2*I1)) */
-    const double t10 = JLT_FMA(p[7], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t11 = t9*t10; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t12 = x[2] - t11; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
-    const double t13 = t2*t12; /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t14 = x[4]*p[8]; /* omega3*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    const double t15 = t0*t14; /* s*omega_tau*omega3*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    const double t16 = JLT_FMA(t9, t15, t13); /* 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3*(m*R^2*I1 + I1^2)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    out[3] = t16;
-    const double t17 = x[5]*x[3]; /* s*omega_n */
-    const double t18 = t11*t17; /* 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
-    const double t19 = -t18; /* -1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
-    out[4] = t19;
-    const double t20 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t21 = -t20; /* -s*omega_tau*gamma3 */
-    out[5] = t21;
+    const double t0 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I1/(m*R^2) */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
+    const double t2 = 1.0/t1; /* 1/(Theta/(m*R^2*I1)) */
+    const double t3 = x[5]*x[4]; /* s*omega3 */
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = p[6]*t3; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 */
+    const double t6 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
+    const double t7 = JLT_FMA(t2, t5, t4); /* 1/(Theta/(m*R^2*I1))*(m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 + omega_n*gamma3 */
+    const double t8 = x[3]*t6; /* omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t9 = x[2]*t7; /* omega_tau*t7 */
+    const double t10 = p[1]*t8; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    out[1] = t10;
+    const double t11 = -t8; /* -omega_n*(s*omega3 + omega_n*gamma3) */
+    out[2] = t11;
+    const double t12 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t13 = t2*t12; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t14 = JLT_FNMA(t4, t13, t9); /* omega_tau*t7 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    out[3] = t14;
+    const double t15 = x[5]*x[2]; /* s*omega_tau */
+    const double t16 = x[5]*t15; /* s*s*omega_tau */
+    out[0] = t16;
+    const double t17 = x[0]*t15; /* gamma3*s*omega_tau */
+    const double t18 = -t17; /* -gamma3*s*omega_tau */
+    out[5] = t18;
+    const double t19 = x[5]*x[3]; /* s*omega_n */
+    const double t20 = t13*t19; /* 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    const double t21 = -t20; /* -1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    out[4] = t21;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -141,15 +141,15 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[34] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
     out[2] = t0;
-    const double t1 = p[6] + t0; /* I1/(m*R^2) + s*s */
+    const double t1 = p[7] + t0; /* I1/(m*R^2) + s*s */
     const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
     const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2*I1)) */
     const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t5 = JLT_FMA(p[7], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t5 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t6 = x[5]*x[4]; /* s*omega3 */
     const double t7 = t4*t5; /* omega_n*gamma3*V/R */
     const double t8 = t3*t5; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t9 = x[2]*p[8]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t9 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
     const double t10 = JLT_FMS(t6, t9, t7); /* numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) - omega_n*gamma3*V/R */
     const double t11 = t3*t10; /* 1/(Theta/(m*R^2*I1))*numerator of d(omega_n)/dt over Theta/(m*R^2*I1) */
     const double t12 = t3*t9; /* 1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
@@ -196,7 +196,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t39 = -t37; /* -omega_n*omega_n */
     out[12] = t39;
     const double t40 = JLT_FMA(2.0, t4, t6); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t41 = JLT_FMS(p[8], t6, t4); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 - omega_n*gamma3 */
+    const double t41 = JLT_FMS(p[6], t6, t4); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 - omega_n*gamma3 */
     const double t42 = JLT_FMA(t3, t41, t4); /* 1/(Theta/(m*R^2*I1))*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) + omega_n*gamma3 */
     out[20] = t42;
     const double t43 = p[9]*t4; /* (-1/R)*omega_n*gamma3 */
@@ -235,14 +235,14 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[40] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
     out[8] = t0;
-    const double t1 = p[6] + t0; /* I1/(m*R^2) + s*s */
+    const double t1 = p[7] + t0; /* I1/(m*R^2) + s*s */
     const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
     const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2*I1)) */
     const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t5 = JLT_FMA(p[7], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t5 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t6 = x[5]*x[4]; /* s*omega3 */
     const double t7 = t4*t5; /* omega_n*gamma3*V/R */
-    const double t8 = x[2]*p[8]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t8 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
     const double t9 = JLT_FMS(t6, t8, t7); /* numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) - omega_n*gamma3*V/R */
     const double t10 = t3*t9; /* 1/(Theta/(m*R^2*I1))*numerator of d(omega_n)/dt over Theta/(m*R^2*I1) */
     const double t11 = t3*t8; /* 1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
@@ -304,7 +304,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t48 = -t46; /* -omega_n*omega_n */
     out[18] = t48;
     const double t49 = JLT_FMA(2.0, t4, t6); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t50 = JLT_FMS(p[8], t6, t4); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 - omega_n*gamma3 */
+    const double t50 = JLT_FMS(p[6], t6, t4); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 - omega_n*gamma3 */
     const double t51 = JLT_FMA(t3, t50, t4); /* 1/(Theta/(m*R^2*I1))*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) + omega_n*gamma3 */
     out[26] = t51;
     const double t52 = t3*t4; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
@@ -331,9 +331,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(x[5], x[5], p[6]); /* s*s + I1/(m*R^2) */
+    const double t0 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I1/(m*R^2) */
     const double t1 = JLT_FMA(x[0], x[0], t0); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
-    const double t2 = JLT_FMA(p[7], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t2 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t3 = x[0]*t2; /* gamma3*V/R */
     const double t4 = t3/t1; /* gamma3*V/R/(Theta/(m*R^2*I1)) */
     const double t5 = -t4; /* -gamma3*V/R/(Theta/(m*R^2*I1)) */
@@ -462,14 +462,14 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t10[k] = jlt_jet_product(x3, t9, k);
         t11[k] = p[1]*t10[k];
         t12[k] = -t10[k];
-        t14[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[6] : 0);
+        t14[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
         t15[k] = jlt_jet_product(x0, x0, k) + t14[k];
         t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t17, k);
-        t20[k] = p[7]*x1[k] + x2[k];
+        t20[k] = p[8]*x1[k] + x2[k];
         t21[k] = jlt_jet_product(t17, t20, k);
         t22[k] = x2[k] - t21[k];
         t23[k] = jlt_jet_product(t8, t22, k);
-        t25[k] = x4[k]*p[8];
+        t25[k] = x4[k]*p[6];
         t26[k] = jlt_jet_product(t2, t25, k);
         t27[k] = jlt_jet_product(t17, t26, k) + t23[k];
         t28[k] = jlt_jet_product(x5, x3, k);
@@ -525,6 +525,44 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[5] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    out[3] = x[3];
+    out[4] = x[4];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[5] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[5]*x[5]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    const double t1 = 2.0*x[5]; /* 2*s */
+    out[5] = t1;
+}
+
 static const jlt_quantity states[] = {
     { "gamma3", "1", "cosine of the tilt of the symmetry axis, (gamma, e3)", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu, the direction of free slipping", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -557,7 +595,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a",
+    .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 19,
@@ -565,8 +603,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 4, 12, 5, 1, 0, 0, 7, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
-        "digits are lost where terms nearly cancel in s*omega3 + omega_n*gamma3, V/R = (1/R)*v_nu + omega_tau, omega_tau - ((1)/Theta/(m*R^2*I1))*V/R, d(omega_n)/dtau" },
+    .rhs = { rhs, 6, { 4, 12, 5, 1, 0, 0, 6, 5 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
+        "digits are lost where terms nearly cancel in s*omega3 + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau" },
     .jacobian = { jacobian, 36, { 11, 33, 9, 1, 0, 0, 8, 10 }, { 30, 190, 0, 22, 0, 0, 13, 6 },
         "digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*((m*R^2*I1 + I1^2)/(m*R^2*I1)) - omega_n*gamma3*V/R, omega_tau - ((1)/Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = ((m*R^2*I1 + I1^2)/(m*R^2*I1))*s*omega3 - omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 42, { 15, 38, 10, 1, 0, 0, 8, 10 }, { 38, 226, 0, 26, 0, 0, 13, 6 },
@@ -584,6 +622,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .lifted = lifted,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -1,36 +1,34 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   26   13    1    1    0     12   10   (99)
- *  jacobian            9   56   30    1    1    0     16   21   (373)
- *  rhs_jacobian        10   64   34    1    1    0     17   26   (447)
- *  divergence          3   14    8    1    1    0     14    7   (54)
+ *  rhs                 4   26   13    1    1    0     12   10   (99)
+ *  jacobian            9   53   30    1    1    0     17   19   (373)
+ *  rhs_jacobian        9   65   35    1    1    0     16   24   (447)
+ *  divergence          2   14    9    1    1    0     11    9   (54)
  *  integral_values     2   12    9    0    1    0      7    6   (43)
  *  integral_gradients  2   16    9    1    1    0      6    7   (53)
- *  observe_values      2    6    5    1    1    0      7    5   (38)
- *  valid_values        2    6    5    1    1    0      7    5   (38)
+ *  observe_values      2    6    5    1    1    0      7    6   (38)
+ *  valid_values        2    6    5    1    1    0      7    6   (38)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu,
- *      (m*R)*e + I3, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), omega_tau*1/s^2 - (m*R*I3)*1/Theta*V,
- *      I1*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_tau)/dt over D,
- *      numerator of d(omega_n)/dt over Theta = omega3*I3*omega_tau*((m*R)*e + I3) - V*(m*I3)*b*omega_n*1/s^2*s,
- *      d(omega_n)/dt, a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n),
- *      d(d(v_nu)/dt)/d(omega_n), R*omega3 - b*omega_n*1/s^2*s, d(numerator of d(omega3)/dt over Theta)/d(gamma3),
- *      gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3),
- *      d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(omega_n)/dt)/d(gamma3),
- *      a part of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
- *      s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*omega_n*(m*R*I1),
- *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*((m*R)*e + I3) - e*(m*I3)*b*omega_n*1/s^2*s,
- *      d(d(omega_n)/dt)/d(omega_tau), (2*I1)*gamma3*omega_n*1/s^2*s + omega3*I3,
- *      b*omega_n*1/s^2*s*gamma3*1/s^2*s + omega_n*R, d(v_nu)/dt, a part of d(d(omega_tau)/dt)/d(gamma3)
+ *      d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      ((1)/s^2*Theta*D)*Theta*D*s - (2*m*a3^2)*s*1/D, a part of d(d(omega_n)/dt)/d(gamma3),
+ *      (I3/I1)*omega3*1/D + omega_n*((1)/s^2*Theta*D)*Theta*D*s*gamma3*1/D, a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(omega_tau)/dt, d(d(omega_tau)/dt)/d(omega_n), a3*I3 - gamma3*(R*(I1 - I3)),
+ *      a part of d(d(omega3)/dt)/d(gamma3), (m*R*I3)*e + I3^2, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1),
+ *      a part of d(d(v_nu)/dt)/d(gamma3), d(v_nu)/dt, a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(d(omega_tau)/dt)/d(gamma3), a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3),
+ *      d(d(omega3)/dt)/d(gamma3), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3),
+ *      d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau),
+ *      a part of d(d(omega3)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -59,7 +57,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[19] = t1;
+    out[30] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[6] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
@@ -69,28 +67,29 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t6 = params[4]*t3; /* I1*R*R */
     const double t7 = params[5]/t6; /* I3/(I1*R*R) */
     out[8] = t7;
-    const double t8 = params[5]/params[4]; /* I3/I1 */
-    out[9] = t8;
-    const double t9 = params[0]*params[2]; /* m*g */
-    const double t10 = params[3]*t9; /* a3*m*g */
-    out[32] = t10;
-    const double t11 = t10/params[4]; /* a3*m*g/I1 */
+    const double t8 = params[0]*params[2]; /* m*g */
+    const double t9 = params[3]*t8; /* a3*m*g */
+    out[31] = t9;
+    const double t10 = t9/params[4]; /* a3*m*g/I1 */
+    out[9] = t10;
+    const double t11 = params[5]/params[4]; /* I3/I1 */
     out[10] = t11;
     const double t12 = params[4]*params[1]; /* I1*R */
-    out[41] = t12;
+    out[47] = t12;
     const double t13 = params[5]/t12; /* I3/(I1*R) */
     out[11] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[33] = t14;
+    out[32] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[12] = t15;
     const double t16 = 1.0/params[1]; /* 1/R */
     out[13] = t16;
-    const double t17 = params[3]*params[5]; /* a3*I3 */
-    const double t18 = t17/t12; /* a3*I3/(I1*R) */
+    const double t17 = params[4] - params[5]; /* I1 - I3 */
+    const double t18 = t17/params[4]; /* (I1 - I3)/I1 */
     out[14] = t18;
-    const double t19 = params[4] - params[5]; /* I1 - I3 */
-    const double t20 = t19/params[4]; /* (I1 - I3)/I1 */
+    const double t19 = params[3]*params[5]; /* a3*I3 */
+    out[33] = t19;
+    const double t20 = t19/t12; /* a3*I3/(I1*R) */
     out[15] = t20;
     const double t21 = params[4]*params[5]; /* I1*I3 */
     out[16] = t21;
@@ -100,55 +99,66 @@ static void prepare(const double *restrict params, double *restrict out)
     out[18] = t23;
     const double t24 = params[0]*2.0; /* m*2 */
     const double t25 = t0*t24; /* a3*a3*m*2 */
-    out[20] = t25;
-    const double t26 = params[5]*2.0; /* I3*2 */
-    out[21] = t26;
+    out[35] = t25;
+    const double t26 = t25/params[4]; /* a3*a3*m*2/I1 */
+    out[19] = t26;
     const double t27 = params[4]*2.0; /* I1*2 */
-    out[22] = t27;
-    const double t28 = -params[5]; /* -I3 */
-    out[23] = t28;
-    const double t29 = t3*t24; /* R*R*m*2 */
-    const double t30 = params[4]*t29; /* I1*R*R*m*2 */
-    out[24] = t30;
-    const double t31 = params[1]*t24; /* R*m*2 */
-    const double t32 = params[5]*t31; /* I3*R*m*2 */
-    out[25] = t32;
-    const double t33 = params[5]*t14; /* I3*m*R */
-    out[26] = t33;
-    const double t34 = params[3]*t14; /* a3*m*R */
-    const double t35 = params[5]*t34; /* I3*a3*m*R */
-    out[27] = t35;
-    const double t36 = params[5]*params[5]; /* I3*I3 */
-    out[28] = t36;
-    const double t37 = params[4]*t14; /* I1*m*R */
-    out[29] = t37;
-    const double t38 = t4*t19; /* m*R*R*(I1 - I3) */
-    out[30] = t38;
-    const double t39 = -t37; /* -I1*m*R */
-    out[31] = t39;
-    const double t40 = params[0]*params[3]; /* m*a3 */
-    const double t41 = params[5]*t40; /* I3*m*a3 */
-    out[34] = t41;
-    const double t42 = params[4]*t34; /* I1*a3*m*R */
-    out[35] = t42;
-    const double t43 = params[0]/2.0; /* m/2 */
-    out[36] = t43;
-    const double t44 = params[2]*2.0; /* g*2 */
-    const double t45 = params[3]*t44; /* a3*g*2 */
-    out[37] = t45;
-    const double t46 = 1.0/params[0]; /* 1/m */
-    out[38] = t46;
-    const double t47 = params[4]/params[0]; /* I1/m */
+    const double t28 = params[5]/t27; /* I3/(I1*2) */
+    out[20] = t28;
+    const double t29 = -params[5]; /* -I3 */
+    out[37] = t29;
+    const double t30 = -t11; /* -I3/I1 */
+    out[21] = t30;
+    const double t31 = params[5]*t14; /* I3*m*R */
+    out[22] = t31;
+    const double t32 = t3*t24; /* R*R*m*2 */
+    const double t33 = params[4]*t32; /* I1*R*R*m*2 */
+    out[23] = t33;
+    const double t34 = params[1]*t24; /* R*m*2 */
+    const double t35 = params[5]*t34; /* I3*R*m*2 */
+    out[24] = t35;
+    const double t36 = params[3]*t14; /* a3*m*R */
+    const double t37 = params[5]*t36; /* I3*a3*m*R */
+    out[25] = t37;
+    const double t38 = params[5]*params[5]; /* I3*I3 */
+    out[26] = t38;
+    const double t39 = params[4]*t14; /* I1*m*R */
+    out[27] = t39;
+    const double t40 = t4*t17; /* m*R*R*(I1 - I3) */
+    out[28] = t40;
+    const double t41 = -t14; /* -m*R */
+    out[41] = t41;
+    const double t42 = -t39; /* -I1*m*R */
+    out[29] = t42;
+    const double t43 = params[1]*t17; /* R*(I1 - I3) */
+    out[34] = t43;
+    const double t44 = params[4]*t25; /* I1*a3*a3*m*2 */
+    out[36] = t44;
+    const double t45 = params[4]*(-2.0); /* I1*(-2) */
+    out[38] = t45;
+    const double t46 = params[0]*params[3]; /* m*a3 */
+    const double t47 = params[5]*t46; /* I3*m*a3 */
     out[39] = t47;
-    const double t48 = params[5]/params[0]; /* I3/m */
+    const double t48 = params[4]*t36; /* I1*a3*m*R */
     out[40] = t48;
-    const double t49 = -t12; /* -I1*R */
+    const double t49 = params[0]/2.0; /* m/2 */
     out[42] = t49;
-    const double t50 = params[1]*params[5]; /* R*I3 */
-    const double t51 = -t50; /* -R*I3 */
+    const double t50 = params[2]*2.0; /* g*2 */
+    const double t51 = params[3]*t50; /* a3*g*2 */
     out[43] = t51;
-    const double t52 = params[3]*params[4]; /* a3*I1 */
+    const double t52 = 1.0/params[0]; /* 1/m */
     out[44] = t52;
+    const double t53 = params[4]/params[0]; /* I1/m */
+    out[45] = t53;
+    const double t54 = params[5]/params[0]; /* I3/m */
+    out[46] = t54;
+    const double t55 = -t12; /* -I1*R */
+    out[48] = t55;
+    const double t56 = params[1]*params[5]; /* R*I3 */
+    const double t57 = -t56; /* -R*I3 */
+    out[49] = t57;
+    const double t58 = params[3]*params[4]; /* a3*I1 */
+    out[50] = t58;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -175,161 +185,157 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t19 = JLT_FMA(p[1], x[4], t18); /* R*omega3 + b*t16 */
     const double t20 = x[3]*t19; /* omega_n*(R*omega3 + b*t16) */
     out[1] = t20;
-    const double t21 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t21 = t5*t16; /* I3/(R^2*I1)*b*t16 */
+    const double t22 = x[0]*t16; /* gamma3*t16 */
     const double t23 = x[2]*t14; /* omega_tau*s */
     out[0] = t23;
-    const double t24 = p[6]*t21; /* m*a3^2/I1*omega_tau*gamma3 */
-    const double t25 = t23*t24; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
-    const double t26 = JLT_FNMA(p[10], t14, t25); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
-    const double t27 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t28 = t13*t27; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t29 = JLT_FNMA(t5, t28, t21); /* omega_tau*gamma3 - I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t30 = p[12] + t22; /* I3/(m*R) + e */
-    const double t31 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t32 = t16*t29; /* t16*(omega_tau*gamma3 - I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V) */
-    const double t33 = x[0]*t16; /* gamma3*t16 */
-    const double t34 = JLT_FMA(x[4], p[9], t33); /* omega3*I3/I1 + gamma3*t16 */
-    const double t35 = JLT_FNMA(x[3], t34, t26); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*t16) */
-    const double t36 = t17*t35; /* s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1)*t35 */
-    out[2] = t36;
-    const double t37 = x[3]*p[13]; /* omega_n*1/R */
-    const double t38 = t28*t37; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t39 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t40 = t23*t39; /* omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t41 = JLT_FMA(t31, t40, t38); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t42 = -t41; /* -t41 */
-    out[4] = t42;
-    const double t43 = x[2]*p[11]; /* omega_tau*I3/(R*I1) */
-    const double t44 = t30*t43; /* (I3/(m*R) + e)*omega_tau*I3/(R*I1) */
-    const double t45 = JLT_FMA(t31, t44, t32); /* omega3*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e)*omega_tau*I3/(R*I1) + t32 */
-    out[3] = t45;
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = x[0]*t23; /* gamma3*omega_tau*s */
+    const double t26 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t27 = t25*t26; /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t28 = JLT_FNMA(p[9], t14, t27); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s */
+    const double t29 = p[14]*t25; /* (I1 - I3)/I1*gamma3*omega_tau*s */
+    const double t30 = JLT_FNMA(p[15], t23, t29); /* (I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s */
+    const double t31 = p[12] + t24; /* I3/(m*R) + e */
+    const double t32 = p[11]*t31; /* I3/(R*I1)*(I3/(m*R) + e) */
+    const double t33 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t34 = t13*t33; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t35 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t36 = JLT_FMA(t32, t35, t22); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*t16 */
+    const double t37 = JLT_FMA(x[4], p[10], t22); /* omega3*I3/I1 + gamma3*t16 */
+    const double t38 = JLT_FNMA(x[3], t37, t28); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*t16) */
+    const double t39 = t17*t38; /* s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1)*t38 */
+    out[2] = t39;
+    const double t40 = x[2]*t36; /* omega_tau*t36 */
+    const double t41 = JLT_FNMA(t21, t34, t40); /* omega_tau*t36 - I3/(R^2*I1)*b*t16*1/(Theta/(m*R^2*I1))*V */
+    out[3] = t41;
+    const double t42 = x[3]*p[13]; /* omega_n*1/R */
+    const double t43 = t34*t42; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t44 = JLT_FMS(t30, t35, t43); /* ((I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s)*omega3*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    out[4] = t44;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
-    out[2] = t3;
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = t4*p[18]; /* b*m*I3 */
-    const double t6 = JLT_FMA(t2, p[17], p[16]); /* s^2*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + s^2*m*R^2*I1 + I1*I3 */
-    const double t8 = JLT_FMA(t2, p[19], p[4]); /* D = s^2*m*a3^2 + I1 */
-    const double t9 = t2*t7; /* s^2*Theta */
-    const double t10 = t8*t9; /* D*s^2*Theta */
-    const double t11 = 1.0/t10; /* 1/(D*s^2*Theta) */
-    const double t12 = t8*t11; /* D*1/(D*s^2*Theta) */
-    const double t13 = t3*t7; /* s*Theta */
-    const double t14 = t12*t13; /* D*1/(D*s^2*Theta)*s*Theta */
-    const double t15 = x[0]*t14; /* gamma3*D*1/(D*s^2*Theta)*s*Theta */
-    const double t16 = x[2]*t15; /* omega_tau*gamma3*D*1/(D*s^2*Theta)*s*Theta */
-    const double t17 = -t16; /* -omega_tau*gamma3*D*1/(D*s^2*Theta)*s*Theta */
-    out[0] = t17;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
     out[11] = 0.0;
-    const double t18 = p[1]*x[3]; /* R*omega_n */
-    out[9] = t18;
-    const double t19 = t14*x[3]; /* D*1/(D*s^2*Theta)*s*Theta*omega_n */
-    const double t20 = t4*t19; /* b*D*1/(D*s^2*Theta)*s*Theta*omega_n */
-    const double t21 = JLT_FMA(t15, t20, t18); /* gamma3*D*1/(D*s^2*Theta)*s*Theta*b*D*1/(D*s^2*Theta)*s*Theta*omega_n + R*omega_n */
-    const double t22 = t19*t21; /* D*1/(D*s^2*Theta)*s*Theta*omega_n*t21 */
-    out[5] = t22;
-    const double t23 = p[1]*x[4]; /* R*omega3 */
-    const double t24 = JLT_FMA(t20, 2.0, t23); /* b*D*1/(D*s^2*Theta)*s*Theta*omega_n*2 + R*omega3 */
-    out[8] = t24;
-    const double t25 = t9*t11; /* 1/D = s^2*Theta*1/(D*s^2*Theta) */
-    const double t26 = t3*t25; /* s*1/D */
-    const double t27 = x[0]*t25; /* gamma3*1/D */
-    const double t28 = t3*p[20]; /* s*2*m*a3^2 */
-    const double t29 = t27*t28; /* gamma3*1/D*s*2*m*a3^2 */
-    const double t30 = t29 - t15; /* gamma3*1/D*s*2*m*a3^2 - gamma3*D*1/(D*s^2*Theta)*s*Theta */
-    const double t31 = JLT_FMA(t27, t30, t26); /* gamma3*1/D*(gamma3*1/D*s*2*m*a3^2 - gamma3*D*1/(D*s^2*Theta)*s*Theta) + s*1/D */
-    const double t32 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t33 = t31*t32; /* t31*omega_tau*omega_tau */
-    const double t34 = x[4]*t25; /* omega3*1/D */
-    const double t35 = t27*p[22]; /* gamma3*1/D*2*I1 */
-    const double t36 = t19*t35; /* D*1/(D*s^2*Theta)*s*Theta*omega_n*gamma3*1/D*2*I1 */
-    const double t37 = JLT_FMA(p[21], t34, t36); /* 2*I3*omega3*1/D + D*1/(D*s^2*Theta)*s*Theta*omega_n*gamma3*1/D*2*I1 */
-    const double t38 = x[3]*t27; /* omega_n*gamma3*1/D */
-    const double t39 = JLT_FNMA(t37, t38, t33); /* t31*omega_tau*omega_tau - t37*omega_n*gamma3*1/D */
-    const double t40 = p[19]*t39; /* m*a3^2*(t31*omega_tau*omega_tau - t37*omega_n*gamma3*1/D) */
-    const double t41 = t14*t19; /* D*1/(D*s^2*Theta)*s*Theta*D*1/(D*s^2*Theta)*s*Theta*omega_n */
-    const double t42 = t19*t41; /* D*1/(D*s^2*Theta)*s*Theta*omega_n*D*1/(D*s^2*Theta)*s*Theta*D*1/(D*s^2*Theta)*s*Theta*omega_n */
-    const double t43 = JLT_FMA(t30, p[10], t42); /* (gamma3*1/D*s*2*m*a3^2 - gamma3*D*1/(D*s^2*Theta)*s*Theta)*m*g*a3/I1 + t42 */
-    const double t44 = p[4]*t25; /* I1*1/D */
-    const double t45 = JLT_FNMA(t43, t44, t40); /* m*a3^2*(t31*omega_tau*omega_tau - t37*omega_n*gamma3*1/D) - t43*I1*1/D */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t4 = p[18]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = t6*t7; /* Theta*D/I1 */
+    const double t9 = t2*t8; /* s^2*Theta*D/I1 */
+    const double t10 = 1.0/t9; /* 1/(s^2*Theta*D/I1) */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t11;
+    const double t12 = t8*t11; /* Theta*D/I1*s */
+    const double t13 = t10*t12; /* 1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t14 = t2*t10; /* 1/((D/I1)*Theta) = s^2*1/(s^2*Theta*D/I1) */
+    const double t15 = t6*t14; /* 1/(D/I1) = Theta*1/((D/I1)*Theta) */
+    const double t16 = t7*t14; /* 1/Theta = D/I1*1/((D/I1)*Theta) */
+    const double t17 = x[3]*t13; /* omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t18 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
+    const double t19 = t15*t18; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t20 = x[0]*t17; /* gamma3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t21 = JLT_FMA(x[4], p[10], t20); /* omega3*I3/I1 + gamma3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t22 = x[3]*t19; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t23 = t21*t22; /* t21*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t24 = t11*t19; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t25 = x[2]*t24; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[12] = t25;
+    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t27 = x[0]*t13; /* gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t28 = t24 - t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t29 = t13*t17; /* 1/(s^2*Theta*D/I1)*Theta*D/I1*s*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t30 = JLT_FMA(t17, t29, t23); /* omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s*t29 + t21*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t31 = JLT_FMA(p[9], t28, t30); /* m*g*a3/I1*t28 + t30 */
+    const double t32 = JLT_FMA(x[0], t28, t11); /* gamma3*t28 + s */
+    const double t33 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
+    const double t34 = t16*t33; /* 1/Theta*V */
+    const double t35 = p[29]*t34; /* (-m*R*I1)*1/Theta*V */
+    out[23] = t35;
+    const double t36 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t37 = JLT_FMS(p[24], t3, t36); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t38 = t3*t17; /* b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t39 = JLT_FMA(p[22], t26, p[26]); /* m*R*I3*e + I3^2 */
+    const double t40 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t41 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t42 = x[2]*t41; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t43 = JLT_FNMA(t32, t42, t31); /* m*g*a3/I1*t28 + t30 - (gamma3*t28 + s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t44 = t15*t43; /* 1/(D/I1)*t43 */
+    const double t45 = -t44; /* -1/(D/I1)*t43 */
     out[10] = t45;
-    const double t46 = x[2]*t29; /* omega_tau*gamma3*1/D*s*2*m*a3^2 */
-    out[12] = t46;
-    const double t47 = JLT_FMA(t34, p[5], t36); /* omega3*1/D*I3 + D*1/(D*s^2*Theta)*s*Theta*omega_n*gamma3*1/D*2*I1 */
-    const double t48 = -t47; /* -t47 */
-    out[13] = t48;
-    const double t49 = x[3]*p[23]; /* omega_n*(-I3) */
-    const double t50 = t25*t49; /* 1/D*omega_n*(-I3) */
-    out[14] = t50;
-    const double t51 = t2*t12; /* 1/Theta = s^2*D*1/(D*s^2*Theta) */
-    const double t52 = t5*t51; /* b*m*I3*1/Theta */
-    const double t53 = t19*t52; /* D*1/(D*s^2*Theta)*s*Theta*omega_n*b*m*I3*1/Theta */
-    const double t54 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t55 = x[0]*p[24]; /* gamma3*2*m*R^2*I1 */
-    const double t56 = JLT_FMS(t4, p[25], t55); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t57 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t58 = JLT_FMA(x[2], t57, x[1]); /* V = omega_tau*e + v_nu */
-    const double t59 = t51*t58; /* 1/Theta*V */
-    const double t60 = JLT_FNMA(t56, t59, t54); /* omega_tau*a3 - d(Theta)/d(gamma3)*1/Theta*V */
-    const double t61 = t53*t60; /* D*1/(D*s^2*Theta)*s*Theta*omega_n*b*m*I3*1/Theta*(omega_tau*a3 - d(Theta)/d(gamma3)*1/Theta*V) */
-    const double t62 = x[2]*t14; /* omega_tau*D*1/(D*s^2*Theta)*s*Theta */
-    const double t63 = t5*t14; /* b*m*I3*D*1/(D*s^2*Theta)*s*Theta */
-    const double t64 = JLT_FMA(t15, t63, p[26]); /* gamma3*D*1/(D*s^2*Theta)*s*Theta*b*m*I3*D*1/(D*s^2*Theta)*s*Theta + m*R*I3 */
-    const double t65 = t19*t59; /* D*1/(D*s^2*Theta)*s*Theta*omega_n*1/Theta*V */
-    const double t66 = x[2]*t51; /* omega_tau*1/Theta */
-    const double t67 = x[4]*t66; /* omega3*omega_tau*1/Theta */
-    const double t68 = JLT_FMA(t57, p[26], p[28]); /* e*m*R*I3 + I3^2 */
-    const double t69 = t51*t68; /* 1/Theta*(e*m*R*I3 + I3^2) */
-    const double t70 = JLT_FNMA(t56, t69, p[27]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/Theta*(e*m*R*I3 + I3^2) */
-    const double t71 = JLT_FMS(t41, t62, t61); /* D*1/(D*s^2*Theta)*s*Theta*D*1/(D*s^2*Theta)*s*Theta*omega_n*omega_tau*D*1/(D*s^2*Theta)*s*Theta - t61 */
-    const double t72 = JLT_FNMA(t64, t65, t71); /* t71 - t64*D*1/(D*s^2*Theta)*s*Theta*omega_n*1/Theta*V */
-    const double t73 = JLT_FMA(t67, t70, t72); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - d(Theta)/d(gamma3)*1/Theta*(e*m*R*I3 + I3^2)) + t71 - t64*D*1/(D*s^2*Theta)*s*Theta*omega_n*1/Theta*V */
-    out[15] = t73;
-    const double t74 = -t53; /* -D*1/(D*s^2*Theta)*s*Theta*omega_n*b*m*I3*1/Theta */
-    out[16] = t74;
-    const double t75 = x[0]*t19; /* gamma3*D*1/(D*s^2*Theta)*s*Theta*omega_n */
-    const double t76 = JLT_FMA(x[4], t69, t75); /* omega3*1/Theta*(e*m*R*I3 + I3^2) + gamma3*D*1/(D*s^2*Theta)*s*Theta*omega_n */
-    const double t77 = JLT_FNMA(t53, t57, t76); /* t76 - D*1/(D*s^2*Theta)*s*Theta*omega_n*b*m*I3*1/Theta*e */
-    out[17] = t77;
-    const double t78 = JLT_FNMA(t59, t63, t16); /* omega_tau*gamma3*D*1/(D*s^2*Theta)*s*Theta - 1/Theta*V*b*m*I3*D*1/(D*s^2*Theta)*s*Theta */
-    out[18] = t78;
-    const double t79 = x[2]*t69; /* omega_tau*1/Theta*(e*m*R*I3 + I3^2) */
-    out[19] = t79;
-    const double t80 = x[3]*p[29]; /* omega_n*m*R*I1 */
-    const double t81 = t51*t80; /* 1/Theta*omega_n*m*R*I1 */
-    const double t82 = t60*t81; /* (omega_tau*a3 - d(Theta)/d(gamma3)*1/Theta*V)*1/Theta*omega_n*m*R*I1 */
-    const double t83 = t3*p[30]; /* s*m*R^2*(I1 - I3) */
-    const double t84 = JLT_FNMA(x[0], p[30], p[27]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t85 = t3*t84; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t86 = t51*t85; /* 1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t87 = JLT_FMA(t56, t86, t83); /* d(Theta)/d(gamma3)*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*m*R^2*(I1 - I3) */
-    const double t88 = JLT_FMA(t15, t84, t87); /* gamma3*D*1/(D*s^2*Theta)*s*Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t87 */
-    const double t89 = JLT_FMS(t67, t88, t82); /* omega3*omega_tau*1/Theta*t88 - t82 */
-    out[20] = t89;
-    const double t90 = -t81; /* -1/Theta*omega_n*m*R*I1 */
-    out[21] = t90;
-    const double t91 = x[4]*t86; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t92 = JLT_FMA(t57, t81, t91); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t93 = -t92; /* -t92 */
-    out[22] = t93;
-    const double t94 = t59*p[31]; /* 1/Theta*V*(-m*R*I1) */
-    out[23] = t94;
-    const double t95 = t66*t85; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t96 = -t95; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[24] = t96;
+    const double t46 = p[22]*t17; /* m*R*I3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t47 = t34*t46; /* 1/Theta*V*m*R*I3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t48 = t16*t39; /* 1/Theta*(m*R*I3*e + I3^2) */
+    const double t49 = x[2]*t16; /* omega_tau*1/Theta */
+    const double t50 = t39*t49; /* (m*R*I3*e + I3^2)*omega_tau*1/Theta */
+    out[19] = t50;
+    const double t51 = x[4]*t49; /* omega3*omega_tau*1/Theta */
+    const double t52 = t11*t40; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t53 = p[28]*t11; /* m*R^2*(I1 - I3)*s */
+    const double t54 = JLT_FMA(t27, t40, t53); /* gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + m*R^2*(I1 - I3)*s */
+    const double t55 = t16*t52; /* 1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t56 = JLT_FMA(t37, t55, t54); /* d(Theta)/d(gamma3)*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t54 */
+    const double t57 = x[2]*p[3]; /* omega_tau*a3 */
+    const double t58 = JLT_FNMA(t34, t37, t57); /* omega_tau*a3 - 1/Theta*V*d(Theta)/d(gamma3) */
+    const double t59 = JLT_FNMA(t37, t48, p[25]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/Theta*(m*R*I3*e + I3^2) */
+    const double t60 = JLT_FMS(t51, t59, t47); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - d(Theta)/d(gamma3)*1/Theta*(m*R*I3*e + I3^2)) - 1/Theta*V*m*R*I3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t61 = t4*t34; /* m*I3*b*1/Theta*V */
+    const double t62 = t4*t17; /* m*I3*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t63 = t16*t62; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t64 = JLT_FNMA(t58, t63, t60); /* t60 - (omega_tau*a3 - 1/Theta*V*d(Theta)/d(gamma3))*1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t65 = JLT_FMA(x[4], t48, t20); /* omega3*1/Theta*(m*R*I3*e + I3^2) + gamma3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t66 = JLT_FNMA(t26, t63, t65); /* t65 - e*1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    out[17] = t66;
+    const double t67 = -t63; /* -1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    out[16] = t67;
+    const double t68 = JLT_FMA(x[4], p[20], t20); /* omega3*1/2*I3/I1 + gamma3*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t69 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t70 = t16*t69; /* 1/Theta*omega_n*m*R*I1 */
+    const double t71 = t58*t70; /* (omega_tau*a3 - 1/Theta*V*d(Theta)/d(gamma3))*1/Theta*omega_n*m*R*I1 */
+    const double t72 = JLT_FMS(t51, t56, t71); /* omega3*omega_tau*1/Theta*t56 - t71 */
+    out[20] = t72;
+    const double t73 = -t70; /* -1/Theta*omega_n*m*R*I1 */
+    out[21] = t73;
+    const double t74 = p[1]*x[3]; /* R*omega_n */
+    out[9] = t74;
+    const double t75 = JLT_FMA(t27, t38, t74); /* gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s + R*omega_n */
+    const double t76 = t17*t75; /* omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s*t75 */
+    out[5] = t76;
+    const double t77 = x[2]*t13; /* omega_tau*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t78 = JLT_FNMA(t27, t61, t77); /* omega_tau*1/(s^2*Theta*D/I1)*Theta*D/I1*s - gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s*m*I3*b*1/Theta*V */
+    const double t79 = JLT_FMA(t29, t78, t64); /* t29*t78 + t64 */
+    out[15] = t79;
+    const double t80 = x[2]*t27; /* omega_tau*gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    const double t81 = JLT_FNMA(t13, t61, t80); /* omega_tau*gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s - 1/(s^2*Theta*D/I1)*Theta*D/I1*s*m*I3*b*1/Theta*V */
+    out[18] = t81;
+    const double t82 = -t80; /* -omega_tau*gamma3*1/(s^2*Theta*D/I1)*Theta*D/I1*s */
+    out[0] = t82;
+    const double t83 = x[4]*t55; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t84 = JLT_FMA(t26, t70, t83); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t85 = -t84; /* -t84 */
+    out[22] = t85;
+    const double t86 = x[2]*t55; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t87 = -t86; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[24] = t87;
+    const double t88 = p[1]*x[4]; /* R*omega3 */
+    const double t89 = JLT_FMA(2.0, t38, t88); /* 2*b*omega_n*1/(s^2*Theta*D/I1)*Theta*D/I1*s + R*omega3 */
+    out[8] = t89;
+    const double t90 = (-2.0)*t15; /* (-2)*1/(D/I1) */
+    const double t91 = t68*t90; /* t68*(-2)*1/(D/I1) */
+    out[13] = t91;
+    const double t92 = x[3]*p[21]; /* omega_n*(-I3/I1) */
+    const double t93 = t15*t92; /* 1/(D/I1)*omega_n*(-I3/I1) */
+    out[14] = t93;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -347,133 +353,134 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = p[18]*t3; /* m*I3*b */
     const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
     const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
-    const double t7 = JLT_FMA(p[19], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t8 = t6*t7; /* Theta*D */
     const double t9 = t2*t8; /* s^2*Theta*D */
     const double t10 = 1.0/t9; /* 1/(s^2*Theta*D) */
-    const double t11 = t8*t10; /* 1/s^2 = Theta*D*1/(s^2*Theta*D) */
-    const double t12 = t2*t10; /* 1/(D*Theta) = s^2*1/(s^2*Theta*D) */
-    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
-    out[7] = t13;
-    const double t14 = t7*t12; /* 1/Theta = D*1/(D*Theta) */
-    const double t15 = t6*t12; /* 1/D = Theta*1/(D*Theta) */
-    const double t16 = t11*t13; /* 1/s^2*s */
-    const double t17 = x[2]*t11; /* omega_tau*1/s^2 */
-    const double t18 = x[3]*t16; /* omega_n*1/s^2*s */
-    const double t19 = x[2]*p[19]; /* omega_tau*m*a3^2 */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    out[7] = t11;
+    const double t12 = t8*t11; /* Theta*D*s */
+    const double t13 = t10*t12; /* 1/(s^2*Theta*D)*Theta*D*s */
+    const double t14 = t2*t10; /* 1/(D*Theta) = s^2*1/(s^2*Theta*D) */
+    const double t15 = t6*t14; /* 1/D = Theta*1/(D*Theta) */
+    const double t16 = t7*t14; /* 1/Theta = D*1/(D*Theta) */
+    const double t17 = t4*t13; /* m*I3*b*1/(s^2*Theta*D)*Theta*D*s */
+    const double t18 = x[2]*t11; /* omega_tau*s */
+    out[0] = t18;
+    const double t19 = x[3]*t13; /* omega_n*1/(s^2*Theta*D)*Theta*D*s */
     const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t21 = x[2]*t13; /* omega_tau*s */
-    out[0] = t21;
-    const double t22 = t3*t18; /* b*omega_n*1/s^2*s */
-    const double t23 = x[0]*t19; /* gamma3*omega_tau*m*a3^2 */
-    const double t24 = t21*t23; /* omega_tau*s*gamma3*omega_tau*m*a3^2 */
-    const double t25 = JLT_FNMA(p[32], t13, t24); /* omega_tau*s*gamma3*omega_tau*m*a3^2 - m*g*a3*s */
-    const double t26 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
-    const double t27 = x[4]*p[5]; /* omega3*I3 */
-    const double t28 = x[0]*t18; /* gamma3*omega_n*1/s^2*s */
-    const double t29 = p[18]*t22; /* m*I3*b*omega_n*1/s^2*s */
-    const double t30 = JLT_FMA(p[33], t20, p[5]); /* m*R*e + I3 */
-    const double t31 = x[3]*p[29]; /* omega_n*m*R*I1 */
-    const double t32 = JLT_FNMA(x[0], p[30], p[27]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t33 = x[0]*t16; /* gamma3*1/s^2*s */
-    const double t34 = p[4]*t16; /* I1*1/s^2*s */
-    const double t35 = t18*t34; /* omega_n*1/s^2*s*I1*1/s^2*s */
-    const double t36 = t14*t26; /* 1/Theta*V */
-    const double t37 = t16*t36; /* 1/s^2*s*1/Theta*V */
-    const double t38 = JLT_FNMA(p[26], t36, t17); /* omega_tau*1/s^2 - m*R*I3*1/Theta*V */
-    const double t39 = p[31]*t36; /* (-m*R*I1)*1/Theta*V */
-    out[28] = t39;
-    const double t40 = x[2]*p[35]; /* omega_tau*m*R*a3*I1 */
-    const double t41 = x[3]*t40; /* omega_n*omega_tau*m*R*a3*I1 */
-    const double t42 = JLT_FMA(p[4], t28, t27); /* I1*gamma3*omega_n*1/s^2*s + omega3*I3 */
-    const double t43 = JLT_FNMA(x[3], t42, t25); /* numerator of d(omega_tau)/dt over D = omega_tau*s*gamma3*omega_tau*m*a3^2 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
-    const double t44 = t15*t43; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t44;
-    const double t45 = t26*t29; /* V*m*I3*b*omega_n*1/s^2*s */
-    const double t46 = t26*t31; /* V*omega_n*m*R*I1 */
-    const double t47 = x[2]*t30; /* omega_tau*(m*R*e + I3) */
-    const double t48 = JLT_FMS(t27, t47, t45); /* numerator of d(omega_n)/dt over Theta = omega3*I3*omega_tau*(m*R*e + I3) - V*m*I3*b*omega_n*1/s^2*s */
-    const double t49 = t14*t48; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t50 = p[5]*t47; /* I3*omega_tau*(m*R*e + I3) */
-    const double t51 = t14*t50; /* 1/Theta*I3*omega_tau*(m*R*e + I3) */
-    out[24] = t51;
-    const double t52 = JLT_FMA(x[2], t28, t49); /* omega_tau*gamma3*omega_n*1/s^2*s + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t52;
-    const double t53 = x[4]*t32; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t54 = JLT_FMA(t21, t53, t46); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*omega_n*m*R*I1 */
-    const double t55 = t14*t54; /* 1/Theta*t54 */
-    const double t56 = t21*t32; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t57 = t14*t56; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t58 = -t57; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[29] = t58;
-    const double t59 = -t55; /* -1/Theta*t54 */
-    out[4] = t59;
-    const double t60 = x[2]*t33; /* omega_tau*gamma3*1/s^2*s */
-    const double t61 = JLT_FNMA(t4, t37, t60); /* omega_tau*gamma3*1/s^2*s - m*I3*b*1/s^2*s*1/Theta*V */
-    out[23] = t61;
-    const double t62 = t33*t37; /* gamma3*1/s^2*s*1/s^2*s*1/Theta*V */
-    const double t63 = t29*t62; /* m*I3*b*omega_n*1/s^2*s*gamma3*1/s^2*s*1/s^2*s*1/Theta*V */
-    const double t64 = JLT_FMS(t18, t38, t63); /* omega_n*1/s^2*s*(omega_tau*1/s^2 - m*R*I3*1/Theta*V) - m*I3*b*omega_n*1/s^2*s*gamma3*1/s^2*s*1/s^2*s*1/Theta*V */
-    const double t65 = -t60; /* -omega_tau*gamma3*1/s^2*s */
-    out[5] = t65;
-    const double t66 = p[1]*x[4]; /* R*omega3 */
-    const double t67 = JLT_FMA(2.0, t22, t66); /* 2*b*omega_n*1/s^2*s + R*omega3 */
-    out[13] = t67;
-    const double t68 = t66 - t22; /* R*omega3 - b*omega_n*1/s^2*s */
-    const double t69 = p[32]*t33; /* m*g*a3*gamma3*1/s^2*s */
-    const double t70 = JLT_FNMA(t18, t35, t69); /* m*g*a3*gamma3*1/s^2*s - omega_n*1/s^2*s*omega_n*1/s^2*s*I1*1/s^2*s */
-    const double t71 = x[4]*p[30]; /* omega3*m*R^2*(I1 - I3) */
-    const double t72 = JLT_FMS(t21, t71, t41); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - omega_n*omega_tau*m*R*a3*I1 */
-    const double t73 = JLT_FMA(t53, t60, t72); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega_tau*gamma3*1/s^2*s + t72 */
-    const double t74 = JLT_FMS(x[0], t60, t21); /* gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s */
-    const double t75 = JLT_FNMA(t19, t74, t70); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t70 - omega_tau*m*a3^2*(gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s) */
-    const double t76 = x[2]*p[34]; /* omega_tau*m*a3*I3 */
-    const double t77 = t68*t76; /* (R*omega3 - b*omega_n*1/s^2*s)*omega_tau*m*a3*I3 */
-    const double t78 = x[0]*p[24]; /* gamma3*2*m*R^2*I1 */
-    const double t79 = JLT_FMS(p[25], t3, t78); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t80 = JLT_FNMA(t49, t79, t77); /* (R*omega3 - b*omega_n*1/s^2*s)*omega_tau*m*a3*I3 - 1/Theta*numerator of d(omega_n)/dt over Theta*d(Theta)/d(gamma3) */
-    const double t81 = JLT_FMA(t55, t79, t73); /* 1/Theta*t54*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t82 = JLT_FMA(t14, t80, t64); /* 1/Theta*t80 + t64 */
-    out[20] = t82;
-    const double t83 = t14*t81; /* 1/Theta*t81 */
-    out[25] = t83;
-    const double t84 = t20*t31; /* e*omega_n*m*R*I1 */
-    const double t85 = JLT_FMA(t13, t53, t84); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
-    const double t86 = t20*t29; /* e*m*I3*b*omega_n*1/s^2*s */
-    const double t87 = JLT_FMS(t27, t30, t86); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s^2*s */
-    const double t88 = JLT_FMA(t14, t87, t28); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s^2*s */
-    out[22] = t88;
-    const double t89 = JLT_FMA(p[22], t28, t27); /* 2*I1*gamma3*omega_n*1/s^2*s + omega3*I3 */
-    const double t90 = t15*t89; /* 1/D*(2*I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
-    const double t91 = -t90; /* -1/D*(2*I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
-    out[18] = t91;
-    const double t92 = t14*t29; /* 1/Theta*m*I3*b*omega_n*1/s^2*s */
-    const double t93 = -t92; /* -1/Theta*m*I3*b*omega_n*1/s^2*s */
-    out[21] = t93;
-    const double t94 = t14*t31; /* 1/Theta*omega_n*m*R*I1 */
-    const double t95 = t14*t85; /* 1/Theta*t85 */
-    const double t96 = -t94; /* -1/Theta*omega_n*m*R*I1 */
-    out[26] = t96;
-    const double t97 = -t95; /* -1/Theta*t85 */
-    out[27] = t97;
-    const double t98 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t98;
-    const double t99 = JLT_FMA(t22, t33, t98); /* b*omega_n*1/s^2*s*gamma3*1/s^2*s + omega_n*R */
-    const double t100 = t18*t99; /* omega_n*1/s^2*s*(b*omega_n*1/s^2*s*gamma3*1/s^2*s + omega_n*R) */
-    out[10] = t100;
-    const double t101 = x[3]*t22; /* omega_n*b*omega_n*1/s^2*s */
-    const double t102 = JLT_FMA(x[4], t98, t101); /* omega3*omega_n*R + omega_n*b*omega_n*1/s^2*s */
-    out[1] = t102;
-    const double t103 = x[0]*p[20]; /* gamma3*2*m*a3^2 */
-    const double t104 = JLT_FMA(t44, t103, t75); /* 1/D*numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t105 = t21*t103; /* omega_tau*s*gamma3*2*m*a3^2 */
-    const double t106 = t15*t104; /* 1/D*t104 */
-    out[15] = t106;
-    const double t107 = t15*t105; /* 1/D*omega_tau*s*gamma3*2*m*a3^2 */
-    out[17] = t107;
-    const double t108 = x[3]*p[23]; /* omega_n*(-I3) */
-    const double t109 = t15*t108; /* 1/D*omega_n*(-I3) */
-    out[19] = t109;
+    const double t21 = x[0]*t15; /* gamma3*1/D */
+    const double t22 = t11*t15; /* s*1/D */
+    const double t23 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
+    const double t24 = t16*t23; /* 1/Theta*V */
+    const double t25 = p[29]*t24; /* (-m*R*I1)*1/Theta*V */
+    out[28] = t25;
+    const double t26 = x[0]*t13; /* gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t27 = p[35]*t18; /* 2*m*a3^2*omega_tau*s */
+    const double t28 = t21*t27; /* gamma3*1/D*2*m*a3^2*omega_tau*s */
+    out[17] = t28;
+    const double t29 = t13*t19; /* 1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t30 = x[4]*t15; /* omega3*1/D */
+    const double t31 = t19*t21; /* omega_n*1/(s^2*Theta*D)*Theta*D*s*gamma3*1/D */
+    const double t32 = x[4]*t16; /* omega3*1/Theta */
+    const double t33 = x[2]*t26; /* omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t34 = JLT_FNMA(t17, t24, t33); /* omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s - m*I3*b*1/(s^2*Theta*D)*Theta*D*s*1/Theta*V */
+    out[23] = t34;
+    const double t35 = t28 - t33; /* gamma3*1/D*2*m*a3^2*omega_tau*s - omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t36 = -t33; /* -omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    out[5] = t36;
+    const double t37 = JLT_FNMA(p[35], t22, t13); /* 1/(s^2*Theta*D)*Theta*D*s - 2*m*a3^2*s*1/D */
+    const double t38 = p[31]*t37; /* m*g*a3*(1/(s^2*Theta*D)*Theta*D*s - 2*m*a3^2*s*1/D) */
+    const double t39 = p[22]*t19; /* m*R*I3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t40 = t24*t39; /* 1/Theta*V*m*R*I3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t41 = t13*t29; /* 1/(s^2*Theta*D)*Theta*D*s*1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t42 = JLT_FMA(p[25], t32, t41); /* m*R*a3*I3*omega3*1/Theta + t41 */
+    const double t43 = JLT_FMS(x[2], t42, t40); /* omega_tau*(m*R*a3*I3*omega3*1/Theta + t41) - 1/Theta*V*m*R*I3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t44 = t13*t26; /* 1/(s^2*Theta*D)*Theta*D*s*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t45 = t3*t19; /* b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t46 = x[2]*p[30]; /* omega_tau*m*a3^2 */
+    const double t47 = JLT_FMA(t35, t46, t38); /* t35*omega_tau*m*a3^2 + m*g*a3*(1/(s^2*Theta*D)*Theta*D*s - 2*m*a3^2*s*1/D) */
+    const double t48 = t18*t46; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t49 = JLT_FMA(p[10], t30, t31); /* I3/I1*omega3*1/D + omega_n*1/(s^2*Theta*D)*Theta*D*s*gamma3*1/D */
+    const double t50 = x[3]*t49; /* omega_n*t49 */
+    const double t51 = JLT_FNMA(p[36], t50, t47); /* t47 - 2*m*a3^2*I1*omega_n*t49 */
+    const double t52 = t21*t51; /* gamma3*1/D*(t47 - 2*m*a3^2*I1*omega_n*t49) */
+    const double t53 = t21*t48; /* gamma3*1/D*omega_tau*s*omega_tau*m*a3^2 */
+    const double t54 = JLT_FNMA(p[31], t22, t53); /* gamma3*1/D*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s*1/D */
+    const double t55 = JLT_FNMA(p[4], t50, t54); /* gamma3*1/D*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s*1/D - I1*omega_n*t49 */
+    out[2] = t55;
+    const double t56 = p[37]*t30; /* (-I3)*omega3*1/D */
+    const double t57 = JLT_FMA(p[38], t31, t56); /* (-2*I1)*omega_n*1/(s^2*Theta*D)*Theta*D*s*gamma3*1/D + (-I3)*omega3*1/D */
+    out[18] = t57;
+    const double t58 = p[32]*t32; /* m*R*omega3*1/Theta */
+    const double t59 = JLT_FNMA(x[0], p[34], p[33]); /* a3*I3 - gamma3*R*(I1 - I3) */
+    const double t60 = t33*t59; /* omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t61 = JLT_FMA(p[34], t18, t60); /* R*(I1 - I3)*omega_tau*s + t60 */
+    const double t62 = JLT_FMA(p[22], t20, p[26]); /* m*R*I3*e + I3^2 */
+    const double t63 = t32*t62; /* omega3*1/Theta*(m*R*I3*e + I3^2) */
+    const double t64 = p[18]*t45; /* m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t65 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t66 = t58*t59; /* m*R*omega3*1/Theta*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t67 = t11*t66; /* s*m*R*omega3*1/Theta*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t68 = p[41]*t59; /* (-m*R)*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t69 = t18*t68; /* omega_tau*s*(-m*R)*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t70 = t16*t69; /* 1/Theta*omega_tau*s*(-m*R)*(a3*I3 - gamma3*R*(I1 - I3)) */
+    out[29] = t70;
+    const double t71 = x[2]*t16; /* omega_tau*1/Theta */
+    const double t72 = t62*t71; /* (m*R*I3*e + I3^2)*omega_tau*1/Theta */
+    out[24] = t72;
+    const double t73 = p[39]*t45; /* m*a3*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t74 = JLT_FNMA(t71, t73, t43); /* t43 - omega_tau*1/Theta*m*a3*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t75 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t76 = JLT_FMS(p[24], t3, t75); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t77 = t16*t76; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t78 = x[3]*p[40]; /* omega_n*m*R*a3*I1 */
+    const double t79 = t71*t78; /* omega_tau*1/Theta*omega_n*m*R*a3*I1 */
+    const double t80 = JLT_FMS(t58, t61, t79); /* m*R*omega3*1/Theta*(R*(I1 - I3)*omega_tau*s + t60) - omega_tau*1/Theta*omega_n*m*R*a3*I1 */
+    const double t81 = p[1]*x[3]; /* R*omega_n */
+    out[14] = t81;
+    const double t82 = JLT_FMA(t26, t45, t81); /* gamma3*1/(s^2*Theta*D)*Theta*D*s*b*omega_n*1/(s^2*Theta*D)*Theta*D*s + R*omega_n */
+    const double t83 = t19*t82; /* omega_n*1/(s^2*Theta*D)*Theta*D*s*t82 */
+    out[10] = t83;
+    const double t84 = x[4]*t81; /* omega3*R*omega_n */
+    const double t85 = JLT_FMA(x[3], t45, t84); /* omega_n*b*omega_n*1/(s^2*Theta*D)*Theta*D*s + omega3*R*omega_n */
+    out[1] = t85;
+    const double t86 = x[0]*t19; /* gamma3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t87 = p[4]*t19; /* I1*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t88 = JLT_FNMA(t29, t87, t48); /* omega_tau*s*omega_tau*m*a3^2 - 1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s*I1*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t89 = JLT_FMA(t15, t88, t52); /* 1/D*t88 + gamma3*1/D*(t47 - 2*m*a3^2*I1*omega_n*t49) */
+    out[15] = t89;
+    const double t90 = t24*t64; /* 1/Theta*V*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t91 = JLT_FNMA(t44, t90, t74); /* t74 - 1/(s^2*Theta*D)*Theta*D*s*gamma3*1/(s^2*Theta*D)*Theta*D*s*1/Theta*V*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t92 = t24*t65; /* 1/Theta*V*omega_n*m*R*I1 */
+    const double t93 = JLT_FMA(t18, t66, t92); /* omega_tau*s*m*R*omega3*1/Theta*(a3*I3 - gamma3*R*(I1 - I3)) + 1/Theta*V*omega_n*m*R*I1 */
+    const double t94 = JLT_FMA(t77, t93, t80); /* 1/Theta*d(Theta)/d(gamma3)*t93 + t80 */
+    out[25] = t94;
+    const double t95 = -t93; /* -t93 */
+    out[4] = t95;
+    const double t96 = t16*t65; /* 1/Theta*omega_n*m*R*I1 */
+    const double t97 = t16*t64; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t98 = JLT_FMS(x[2], t63, t90); /* omega_tau*omega3*1/Theta*(m*R*I3*e + I3^2) - 1/Theta*V*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t99 = JLT_FNMA(t77, t98, t91); /* t91 - 1/Theta*d(Theta)/d(gamma3)*t98 */
+    out[20] = t99;
+    const double t100 = JLT_FMA(x[2], t86, t98); /* omega_tau*gamma3*omega_n*1/(s^2*Theta*D)*Theta*D*s + t98 */
+    out[3] = t100;
+    const double t101 = t63 + t86; /* omega3*1/Theta*(m*R*I3*e + I3^2) + gamma3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t102 = JLT_FNMA(t20, t97, t101); /* t101 - e*1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    out[22] = t102;
+    const double t103 = JLT_FMA(t20, t96, t67); /* e*1/Theta*omega_n*m*R*I1 + s*m*R*omega3*1/Theta*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t104 = -t97; /* -1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    out[21] = t104;
+    const double t105 = -t96; /* -1/Theta*omega_n*m*R*I1 */
+    out[26] = t105;
+    const double t106 = -t103; /* -t103 */
+    out[27] = t106;
+    const double t107 = x[4]*p[1]; /* omega3*R */
+    const double t108 = JLT_FMA(2.0, t45, t107); /* 2*b*omega_n*1/(s^2*Theta*D)*Theta*D*s + omega3*R */
+    out[13] = t108;
+    const double t109 = x[3]*p[37]; /* omega_n*(-I3) */
+    const double t110 = t15*t109; /* 1/D*omega_n*(-I3) */
+    out[19] = t110;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -482,29 +489,29 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
-    const double t7 = JLT_FMA(p[19], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
-    const double t8 = t4*t7; /* I3/(R^2*I1)*b*D */
-    const double t9 = t2*t7; /* s^2*D */
-    const double t10 = t6*t9; /* Theta/(m*R^2*I1)*s^2*D */
-    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*s^2*D) */
-    const double t12 = t6*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D) */
-    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*D*1/(Theta/(m*R^2*I1)*s^2*D) */
-    const double t14 = p[20]*t2; /* 2*m*a3^2*s^2 */
-    const double t15 = t12*t14; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*2*m*a3^2*s^2 */
-    const double t16 = JLT_FMA(p[15], t13, t15); /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) + Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*2*m*a3^2*s^2 */
-    const double t17 = x[0]*t16; /* gamma3*t16 */
-    const double t18 = JLT_FNMA(p[14], t13, t17); /* gamma3*t16 - a3*I3/(R*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t19 = x[2]*t18; /* omega_tau*(gamma3*t16 - a3*I3/(R*I1)*1/(Theta/(m*R^2*I1))) */
-    const double t20 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t22 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
-    const double t23 = t8*t22; /* I3/(R^2*I1)*b*D*V */
-    const double t24 = t12*t23; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*I3/(R^2*I1)*b*D*V */
-    const double t25 = JLT_FNMA(t13, t24, t19); /* omega_tau*(gamma3*t16 - a3*I3/(R*I1)*1/(Theta/(m*R^2*I1))) - 1/(Theta/(m*R^2*I1))*t24 */
-    const double t26 = t20*t25; /* s*t25 */
+    const double t4 = p[18]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t6*t7; /* Theta*D */
+    const double t9 = p[35]*t6; /* 2*m*a3^2*Theta */
+    const double t10 = t2*t8; /* s^2*Theta*D */
+    const double t11 = 1.0/t10; /* 1/(s^2*Theta*D) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t13 = t2*t11; /* s^2*1/(s^2*Theta*D) */
+    const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t15 = JLT_FMA(x[2], t14, x[1]); /* V = omega_tau*e + v_nu */
+    const double t16 = t4*t15; /* m*I3*b*V */
+    const double t17 = t8*t16; /* Theta*D*m*I3*b*V */
+    const double t18 = t12*t17; /* s*Theta*D*m*I3*b*V */
+    const double t19 = x[2]*t12; /* omega_tau*s */
+    const double t20 = x[0]*t19; /* gamma3*omega_tau*s */
+    const double t21 = p[28]*t20; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
+    const double t22 = JLT_FNMA(p[25], t19, t21); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
+    const double t23 = JLT_FNMA(t11, t18, t22); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s - 1/(s^2*Theta*D)*s*Theta*D*m*I3*b*V */
+    const double t24 = t7*t23; /* D*t23 */
+    const double t25 = JLT_FMA(t9, t20, t24); /* 2*m*a3^2*Theta*gamma3*omega_tau*s + D*t23 */
+    const double t26 = t13*t25; /* s^2*1/(s^2*Theta*D)*(2*m*a3^2*Theta*gamma3*omega_tau*s + D*t23) */
     out[0] = t26;
 }
 
@@ -513,25 +520,25 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[37]*x[0]; /* 2*g*a3*gamma3 */
+    const double t3 = p[43]*x[0]; /* 2*g*a3*gamma3 */
     const double t4 = JLT_FMA(x[1], x[1], t3); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t5 = p[39]*x[3]; /* I1/m*omega_n */
+    const double t5 = p[45]*x[3]; /* I1/m*omega_n */
     const double t6 = JLT_FMA(x[3], t5, t4); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t7 = p[38]*x[2]; /* 1/m*omega_tau */
+    const double t7 = p[44]*x[2]; /* 1/m*omega_tau */
     const double t8 = x[2]*t7; /* omega_tau*1/m*omega_tau */
-    const double t9 = p[40]*x[4]; /* I3/m*omega3 */
+    const double t9 = p[46]*x[4]; /* I3/m*omega3 */
     const double t10 = JLT_FMA(x[4], t9, t6); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t12 = JLT_FMA(p[19], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t12 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t13 = JLT_FMA(t8, t12, t10); /* omega_tau*1/m*omega_tau*D + t10 */
     const double t14 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t15 = x[3]*t11; /* omega_n*b */
     const double t16 = x[4]*p[1]; /* omega3*R */
     const double t17 = JLT_FMA(t14, t16, t15); /* v_tau = s*omega3*R + omega_n*b */
     const double t18 = JLT_FMA(t17, t17, t13); /* energy/(1/2*m) = v_tau*v_tau + omega_tau*1/m*omega_tau*D + t10 */
-    const double t19 = p[36]*t18; /* 1/2*m*energy/(1/2*m) */
+    const double t19 = p[42]*t18; /* 1/2*m*energy/(1/2*m) */
     out[0] = t19;
-    const double t20 = x[3]*p[41]; /* omega_n*R*I1 */
+    const double t20 = x[3]*p[47]; /* omega_n*R*I1 */
     const double t21 = t14*t20; /* s*omega_n*R*I1 */
     const double t22 = x[4]*p[5]; /* omega3*I3 */
     const double t23 = JLT_FNMA(t11, t22, t21); /* s*omega_n*R*I1 - b*omega3*I3 */
@@ -548,29 +555,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = p[23]*t4; /* (-I3)*b */
+    const double t5 = p[37]*t4; /* (-I3)*b */
     out[9] = t5;
     const double t6 = sqrt(t3); /* s = sqrt(s^2) */
-    const double t7 = p[41]*t6; /* R*I1*s */
+    const double t7 = p[47]*t6; /* R*I1*s */
     out[8] = t7;
     const double t8 = x[0]/t3; /* gamma3/s^2 */
     const double t9 = t6*t8; /* s*gamma3/s^2 */
-    const double t10 = JLT_FMA(p[19], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t10 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t11 = x[2]*t10; /* omega_tau*D */
     out[2] = t11;
     const double t12 = x[3]*t4; /* omega_n*b */
     const double t13 = p[0]*t4; /* m*b */
     const double t14 = x[4]*p[1]; /* omega3*R */
     const double t15 = JLT_FMA(t6, t14, t12); /* v_tau = s*omega3*R + omega_n*b */
-    const double t16 = p[19]*x[0]; /* m*a3^2*gamma3 */
+    const double t16 = p[30]*x[0]; /* m*a3^2*gamma3 */
     const double t17 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t18 = JLT_FNMA(t16, t17, p[32]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t19 = x[3]*p[42]; /* omega_n*(-R*I1) */
+    const double t18 = JLT_FNMA(t16, t17, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t19 = x[3]*p[48]; /* omega_n*(-R*I1) */
     const double t20 = t9*t19; /* s*gamma3/s^2*omega_n*(-R*I1) */
-    const double t21 = JLT_FMA(x[4], p[43], t20); /* omega3*(-R*I3) + s*gamma3/s^2*omega_n*(-R*I1) */
+    const double t21 = JLT_FMA(x[4], p[49], t20); /* omega3*(-R*I3) + s*gamma3/s^2*omega_n*(-R*I1) */
     out[5] = t21;
     const double t22 = JLT_FNMA(x[4], t9, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
-    const double t23 = p[33]*t15; /* m*R*v_tau */
+    const double t23 = p[32]*t15; /* m*R*v_tau */
     const double t24 = JLT_FMA(t22, t23, t18); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     out[0] = t24;
     const double t25 = x[3]*p[4]; /* omega_n*I1 */
@@ -586,18 +593,18 @@ static void observe_values(const double *restrict x, const double *restrict p, d
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = JLT_FMA(p[19], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t4 = p[44]/t3; /* a3*I1/D */
-    const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t6 = JLT_FMA(x[3], x[3], t5); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t7 = x[0]*t6; /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t8 = JLT_FMA(p[10], t2, t7); /* m*g*a3/I1*(1 - gamma3)*(1 + gamma3) + gamma3*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t10 = x[3]*p[9]; /* omega_n*I3/I1 */
-    const double t11 = x[4]*t10; /* omega3*omega_n*I3/I1 */
-    const double t12 = JLT_FMA(t9, t11, t8); /* s*omega3*omega_n*I3/I1 + t8 */
-    const double t13 = JLT_FNMA(t4, t12, p[2]); /* g - a3*I1/D*(s*omega3*omega_n*I3/I1 + t8) */
-    const double t14 = p[0]*t13; /* m*(g - a3*I1/D*(s*omega3*omega_n*I3/I1 + t8)) */
+    const double t3 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t5 = p[10]*x[3]; /* I3/I1*omega_n */
+    const double t6 = x[4]*t5; /* omega3*I3/I1*omega_n */
+    const double t7 = t2*p[9]; /* (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t8 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t9 = JLT_FMA(x[2], x[2], t8); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t10 = JLT_FMA(x[0], t9, t7); /* gamma3*(omega_tau*omega_tau + omega_n*omega_n) + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t11 = JLT_FMA(t4, t6, t10); /* s*omega3*I3/I1*omega_n + t10 */
+    const double t12 = p[50]/t3; /* a3*I1/D */
+    const double t13 = JLT_FNMA(t11, t12, p[2]); /* g - (s*omega3*I3/I1*omega_n + t10)*a3*I1/D */
+    const double t14 = p[0]*t13; /* m*(g - (s*omega3*I3/I1*omega_n + t10)*a3*I1/D) */
     out[0] = t14;
 }
 
@@ -606,18 +613,18 @@ static void valid_values(const double *restrict x, const double *restrict p, dou
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = JLT_FMA(p[19], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t4 = p[44]/t3; /* a3*I1/D */
-    const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t6 = JLT_FMA(x[3], x[3], t5); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t7 = x[0]*t6; /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t8 = JLT_FMA(p[10], t2, t7); /* m*g*a3/I1*(1 - gamma3)*(1 + gamma3) + gamma3*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t10 = x[3]*p[9]; /* omega_n*I3/I1 */
-    const double t11 = x[4]*t10; /* omega3*omega_n*I3/I1 */
-    const double t12 = JLT_FMA(t9, t11, t8); /* s*omega3*omega_n*I3/I1 + t8 */
-    const double t13 = JLT_FNMA(t4, t12, p[2]); /* g - a3*I1/D*(s*omega3*omega_n*I3/I1 + t8) */
-    const double t14 = p[0]*t13; /* m*(g - a3*I1/D*(s*omega3*omega_n*I3/I1 + t8)) */
+    const double t3 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t5 = p[10]*x[3]; /* I3/I1*omega_n */
+    const double t6 = x[4]*t5; /* omega3*I3/I1*omega_n */
+    const double t7 = t2*p[9]; /* (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t8 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t9 = JLT_FMA(x[2], x[2], t8); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t10 = JLT_FMA(x[0], t9, t7); /* gamma3*(omega_tau*omega_tau + omega_n*omega_n) + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t11 = JLT_FMA(t4, t6, t10); /* s*omega3*I3/I1*omega_n + t10 */
+    const double t12 = p[50]/t3; /* a3*I1/D */
+    const double t13 = JLT_FNMA(t11, t12, p[2]); /* g - (s*omega3*I3/I1*omega_n + t10)*a3*I1/D */
+    const double t14 = p[0]*t13; /* m*(g - (s*omega3*I3/I1*omega_n + t10)*a3*I1/D) */
     out[0] = t14;
 }
 
@@ -673,7 +680,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t59[JLT_JET_ORDER_MAX + 1];
     double t60[JLT_JET_ORDER_MAX + 1];
     double t61[JLT_JET_ORDER_MAX + 1];
-    double t62[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -700,37 +706,36 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t35[k] = p[1]*x4[k] + t34[k];
         t36[k] = jlt_jet_product(x3, t35, k);
         t37[k] = jlt_jet_product(t22, t31, k);
-        t38[k] = jlt_jet_product(x2, x0, k);
-        t39[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t38[k] = jlt_jet_product(t25, t33, k);
+        t39[k] = jlt_jet_product(x0, t33, k);
         t40[k] = jlt_jet_product(x2, t22, k);
-        t41[k] = p[6]*t38[k];
-        t42[k] = jlt_jet_product(t40, t41, k);
-        t43[k] = t42[k] - p[10]*t22[k];
-        t44[k] = jlt_jet_product(x2, t39, k) + x1[k];
-        t45[k] = jlt_jet_product(t32, t44, k);
-        t46[k] = t38[k] - jlt_jet_product(t25, t45, k);
-        t47[k] = (k == 0 ? p[12] : 0) + t39[k];
-        t48[k] = jlt_jet_product(x4, t32, k);
-        t49[k] = jlt_jet_product(t33, t46, k);
-        t50[k] = jlt_jet_product(x0, t33, k);
-        t51[k] = x4[k]*p[9] + t50[k];
-        t52[k] = t43[k] - jlt_jet_product(x3, t51, k);
-        t53[k] = jlt_jet_product(t37, t52, k);
-        t54[k] = x3[k]*p[13];
-        t55[k] = jlt_jet_product(t45, t54, k);
-        t56[k] = (k == 0 ? p[14] : 0) - x0[k]*p[15];
-        t57[k] = jlt_jet_product(t40, t56, k);
-        t58[k] = jlt_jet_product(t48, t57, k) + t55[k];
-        t59[k] = -t58[k];
-        t60[k] = x2[k]*p[11];
-        t61[k] = jlt_jet_product(t47, t60, k);
-        t62[k] = jlt_jet_product(t48, t61, k) + t49[k];
+        t41[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t42[k] = jlt_jet_product(x0, t40, k);
+        t43[k] = x2[k]*p[6];
+        t44[k] = jlt_jet_product(t42, t43, k);
+        t45[k] = t44[k] - p[9]*t22[k];
+        t46[k] = p[14]*t42[k];
+        t47[k] = t46[k] - p[15]*t40[k];
+        t48[k] = (k == 0 ? p[12] : 0) + t41[k];
+        t49[k] = p[11]*t48[k];
+        t50[k] = jlt_jet_product(x2, t41, k) + x1[k];
+        t51[k] = jlt_jet_product(t32, t50, k);
+        t52[k] = jlt_jet_product(x4, t32, k);
+        t53[k] = jlt_jet_product(t49, t52, k) + t39[k];
+        t54[k] = x4[k]*p[10] + t39[k];
+        t55[k] = t45[k] - jlt_jet_product(x3, t54, k);
+        t56[k] = jlt_jet_product(t37, t55, k);
+        t57[k] = jlt_jet_product(x2, t53, k);
+        t58[k] = t57[k] - jlt_jet_product(t38, t51, k);
+        t59[k] = x3[k]*p[13];
+        t60[k] = jlt_jet_product(t51, t59, k);
+        t61[k] = jlt_jet_product(t47, t52, k) - t60[k];
         double *restrict next = coefficients + (k + 1)*5;
         next[0] = x0[k + 1] = t40[k]/(k + 1);
         next[1] = x1[k + 1] = t36[k]/(k + 1);
-        next[2] = x2[k + 1] = t53[k]/(k + 1);
-        next[3] = x3[k + 1] = t62[k]/(k + 1);
-        next[4] = x4[k + 1] = t59[k]/(k + 1);
+        next[2] = x2[k + 1] = t56[k]/(k + 1);
+        next[3] = x3[k + 1] = t58[k]/(k + 1);
+        next[4] = x4[k + 1] = t61[k]/(k + 1);
     }
 }
 
@@ -1386,6 +1391,466 @@ static const jlt_equilibria equilibria[] = {
       .left_null_count = 2, .obstructs = 0 },
 };
 
+/* The reduction level, to the table spherical_top_level, SHA-256
+ * 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d. */
+static void way0_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    out[1] = 1.0;
+    out[3] = 1.0;
+    out[5] = 1.0;
+    out[7] = 1.0;
+    out[2] = x[1];
+    out[4] = x[2];
+    const double t0 = x[0]*params[1]; /* gamma3*R */
+    const double t1 = params[3] + t0; /* b = a3 + gamma3*R */
+    const double t2 = x[3]*t1; /* omega_n*b */
+    const double t3 = params[1]*x[4]; /* R*omega3 */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t8 = t3*t7; /* R*omega3*s */
+    const double t9 = t2 + t8; /* v_tau = omega_n*b + R*omega3*s */
+    out[6] = t9;
+}
+
+static void way0_params(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[4];
+    out[4] = params[5];
+    out[5] = params[3];
+    const double t0 = params[1]*params[4]; /* R*I1 */
+    const double t1 = t0*x[3]; /* R*I1*omega_n */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t6 = t1*t5; /* R*I1*omega_n*s */
+    const double t7 = params[5]*x[4]; /* I3*omega3 */
+    const double t8 = params[1]*x[0]; /* R*gamma3 */
+    const double t9 = params[3] + t8; /* b = a3 + R*gamma3 */
+    const double t10 = t7*t9; /* I3*omega3*b */
+    const double t11 = t6 - t10; /* R*I1*omega_n*s - I3*omega3*b */
+    out[6] = t11;
+}
+
+static void way0_back(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = t0*params[3]; /* R*R*I1 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = t5*t5; /* s*s */
+    const double t7 = t1*t6; /* R*R*I1*s*s */
+    const double t8 = x[0]*params[1]; /* gamma3*R */
+    const double t9 = params[5] + t8; /* b = a3 + gamma3*R */
+    const double t10 = t9*t9; /* b*b */
+    const double t11 = params[4]*t10; /* I3*b*b */
+    const double t12 = t7 + t11; /* K = R*R*I1*s*s + I3*b*b */
+    const double t13 = params[1]*params[6]; /* R*G */
+    const double t14 = t5*t13; /* s*R*G */
+    const double t15 = params[4]*x[3]; /* I3*v_tau */
+    const double t16 = t9*t15; /* b*I3*v_tau */
+    const double t17 = t14 + t16; /* s*R*G + b*I3*v_tau */
+    const double t18 = t17/t12; /* (s*R*G + b*I3*v_tau)/K */
+    out[3] = t18;
+    const double t19 = params[1]*params[3]; /* R*I1 */
+    const double t20 = x[3]*t19; /* v_tau*R*I1 */
+    const double t21 = t5*t20; /* s*v_tau*R*I1 */
+    const double t22 = t9*params[6]; /* b*G */
+    const double t23 = t21 - t22; /* s*v_tau*R*I1 - b*G */
+    const double t24 = t23/t12; /* (s*v_tau*R*I1 - b*G)/K */
+    out[4] = t24;
+}
+
+static const unsigned char way0_is_angle[] = { 0, 0, 0, 0 };
+
+static const unsigned char way0_is_root[] = { 0, 0, 0, 0, 0, 0, 0 };
+
+/* The reduction momentum, to the table spherical_top_balanced, SHA-256
+ * 24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33. */
+static void way1_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    out[1] = 1.0;
+    out[3] = 1.0;
+    const double t0 = params[1]*x[2]; /* R*omega_tau */
+    const double t1 = x[1] + t0; /* v_nu + R*omega_tau */
+    out[2] = t1;
+    const double t2 = params[1]*params[0]; /* R*m */
+    const double t3 = x[1]*t2; /* v_nu*R*m */
+    const double t4 = x[2]*params[4]; /* omega_tau*I1 */
+    const double t5 = t3 - t4; /* v_nu*R*m - omega_tau*I1 */
+    out[4] = t5;
+    const double t6 = x[0]*x[3]; /* gamma3*omega_n */
+    const double t7 = params[1]*params[1]; /* R*R */
+    const double t8 = params[0]*t7; /* m*R*R */
+    const double t9 = params[4] + t8; /* I1 + m*R*R */
+    const double t10 = t6*t9; /* gamma3*omega_n*(I1 + m*R*R) */
+    const double t11 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t12 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t13 = t11*t12; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t14 = sqrt(t13); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t15 = x[4]*t14; /* omega3*s */
+    const double t16 = t8 + params[5]; /* m*R*R + I3 */
+    const double t17 = t15*t16; /* omega3*s*(m*R*R + I3) */
+    const double t18 = t10 + t17; /* gamma3*omega_n*(I1 + m*R*R) + omega3*s*(m*R*R + I3) */
+    out[5] = t18;
+}
+
+static void way1_params(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[4];
+    out[3] = params[5];
+    const double t0 = params[1]*params[4]; /* R*I1 */
+    const double t1 = t0*x[3]; /* R*I1*omega_n */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t6 = t1*t5; /* R*I1*omega_n*s */
+    const double t7 = params[5]*x[4]; /* I3*omega3 */
+    const double t8 = params[1]*x[0]; /* R*gamma3 */
+    const double t9 = params[3] + t8; /* b = a3 + R*gamma3 */
+    const double t10 = t7*t9; /* I3*omega3*b */
+    const double t11 = t6 - t10; /* R*I1*omega_n*s - I3*omega3*b */
+    out[4] = t11;
+    const double t12 = params[0]*params[1]; /* m*R */
+    const double t13 = t12*x[1]; /* m*R*v_nu */
+    const double t14 = params[4]*x[2]; /* I1*omega_tau */
+    const double t15 = t13 - t14; /* m*R*v_nu - I1*omega_tau */
+    const double t16 = t15*t15; /* (m*R*v_nu - I1*omega_tau)*(m*R*v_nu - I1*omega_tau) */
+    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t18 = params[1]*params[1]; /* R*R */
+    const double t19 = params[0]*t18; /* m*R*R */
+    const double t20 = params[4] + t19; /* I1 + m*R*R */
+    const double t21 = t17*t20; /* omega_n*gamma3*(I1 + m*R*R) */
+    const double t22 = t5*x[4]; /* s*omega3 */
+    const double t23 = params[5] + t19; /* I3 + m*R*R */
+    const double t24 = t22*t23; /* s*omega3*(I3 + m*R*R) */
+    const double t25 = t21 + t24; /* omega_n*gamma3*(I1 + m*R*R) + s*omega3*(I3 + m*R*R) */
+    const double t26 = t25*t25; /* (omega_n*gamma3*(I1 + m*R*R) + s*omega3*(I3 + m*R*R))*(omega_n*gamma3*(I1 + m*R*R) + s*omega3*(I3 + m*R*R)) */
+    const double t27 = t16 + t26; /* (m*R*v_nu - I1*omega_tau)*(m*R*v_nu - I1*omega_tau) + t26 */
+    out[5] = t27;
+}
+
+static const jlt_way_condition way1_conditions[] = {
+    { "a3 = 0", 1 },
+    { "omega_n^2 + omega3^2 > 0", 0 },
+    { "I3 + (I1*R*s*omega_n - I3*b*omega3)^2 > 0", 0 },
+};
+
+static void way1_condition_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = params[3];
+    const double t0 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t1 = x[4]*x[4]; /* omega3*omega3 */
+    const double t2 = t0 + t1; /* omega_n*omega_n + omega3*omega3 */
+    out[1] = t2;
+    const double t3 = params[1]*params[4]; /* R*I1 */
+    const double t4 = x[3]*t3; /* omega_n*R*I1 */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t9 = t4*t8; /* omega_n*R*I1*s */
+    const double t10 = x[4]*params[5]; /* omega3*I3 */
+    const double t11 = params[1]*x[0]; /* R*gamma3 */
+    const double t12 = params[3] + t11; /* b = a3 + R*gamma3 */
+    const double t13 = t10*t12; /* omega3*I3*b */
+    const double t14 = t9 - t13; /* omega_n*R*I1*s - omega3*I3*b */
+    const double t15 = t14*t14; /* (omega_n*R*I1*s - omega3*I3*b)*(omega_n*R*I1*s - omega3*I3*b) */
+    const double t16 = params[5] + t15; /* I3 + t15 */
+    out[2] = t16;
+}
+
+static void way1_back(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    const double t2 = params[2] + t1; /* J1 = I1 + m*R*R */
+    const double t3 = params[2]*x[1]; /* I1*v_slip */
+    const double t4 = params[1]*params[5]; /* R*M */
+    const double t5 = sin(x[2]); /* S = sin(psi) */
+    const double t6 = t4*t5; /* R*M*S */
+    const double t7 = t3 + t6; /* I1*v_slip + R*M*S */
+    const double t8 = t7/t2; /* (I1*v_slip + R*M*S)/J1 */
+    out[1] = t8;
+    const double t9 = params[0]*params[1]; /* m*R */
+    const double t10 = x[1]*t9; /* v_slip*m*R */
+    const double t11 = params[5]*t5; /* M*S */
+    const double t12 = t10 - t11; /* v_slip*m*R - M*S */
+    const double t13 = t12/t2; /* (v_slip*m*R - M*S)/J1 */
+    out[2] = t13;
+    const double t14 = params[2]*params[3]; /* I1*I3 */
+    const double t15 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t16 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t17 = t15*t16; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t18 = sqrt(t17); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t19 = t18*t18; /* s*s */
+    const double t20 = params[2]*t19; /* I1*s*s */
+    const double t21 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t22 = params[3]*t21; /* I3*gamma3*gamma3 */
+    const double t23 = t20 + t22; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t24 = t1*t23; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t25 = t14 + t24; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t26 = t18*params[4]; /* s*G */
+    const double t27 = t1 + params[3]; /* J3 = m*R*R + I3 */
+    const double t28 = t26*t27; /* s*G*J3 */
+    const double t29 = t28/params[1]; /* s*G*J3/R */
+    const double t30 = params[5]*params[3]; /* M*I3 */
+    const double t31 = x[0]*t30; /* gamma3*M*I3 */
+    const double t32 = cos(x[2]); /* C = cos(psi) */
+    const double t33 = t31*t32; /* gamma3*M*I3*C */
+    const double t34 = t29 + t33; /* s*G*J3/R + gamma3*M*I3*C */
+    const double t35 = t34/t25; /* (s*G*J3/R + gamma3*M*I3*C)/Theta */
+    out[3] = t35;
+    const double t36 = params[2]*params[5]; /* I1*M */
+    const double t37 = t18*t36; /* s*I1*M */
+    const double t38 = t32*t37; /* C*s*I1*M */
+    const double t39 = x[0]*params[4]; /* gamma3*G */
+    const double t40 = t2*t39; /* J1*gamma3*G */
+    const double t41 = t40/params[1]; /* J1*gamma3*G/R */
+    const double t42 = t38 - t41; /* C*s*I1*M - J1*gamma3*G/R */
+    const double t43 = t42/t25; /* (C*s*I1*M - J1*gamma3*G/R)/Theta */
+    out[4] = t43;
+}
+
+static const unsigned char way1_is_angle[] = { 0, 0, 1 };
+
+static const unsigned char way1_is_root[] = { 0, 0, 0, 0, 0, 1 };
+
+/* The lift track, to the table spherical_top_track, SHA-256
+ * e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228. */
+static void way2_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    out[1] = 1.0;
+    out[3] = 1.0;
+    out[5] = 1.0;
+    out[7] = 1.0;
+    out[9] = 1.0;
+    out[11] = 1.0;
+    out[13] = 1.0;
+    out[15] = 1.0;
+    out[17] = 1.0;
+    out[2] = x[1];
+    out[4] = x[2];
+    out[6] = x[3];
+    out[8] = x[4];
+    out[10] = 0.0;
+    out[12] = 0.0;
+    out[16] = 0.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = params[3]*t3; /* a3*s */
+    out[14] = t4;
+}
+
+static void way2_params(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+}
+
+static void way2_back(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    out[3] = x[3];
+    out[4] = x[4];
+}
+
+static const unsigned char way2_is_angle[] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+
+static const unsigned char way2_is_root[] = { 0, 0, 0, 0, 0, 0 };
+
+/* The lift full, to the table spherical_top_full, SHA-256
+ * 8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445. */
+static void way3_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = 0.0;
+    out[18] = 0.0;
+    out[26] = 0.0;
+    out[28] = 0.0;
+    out[32] = 0.0;
+    out[1] = 1.0;
+    out[3] = 1.0;
+    out[5] = 1.0;
+    out[7] = 1.0;
+    out[9] = 1.0;
+    out[11] = 1.0;
+    out[13] = 1.0;
+    out[15] = 1.0;
+    out[17] = 1.0;
+    out[19] = 1.0;
+    out[21] = 1.0;
+    out[23] = 1.0;
+    out[25] = 1.0;
+    out[27] = 1.0;
+    out[29] = 1.0;
+    out[31] = 1.0;
+    out[33] = 1.0;
+    out[24] = (-1.0);
+    out[4] = x[0];
+    out[20] = x[0];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    out[22] = t3;
+    const double t4 = -t3; /* -s */
+    out[2] = t4;
+    out[14] = x[3];
+    const double t5 = x[0]*params[1]; /* gamma3*R */
+    const double t6 = params[3] + t5; /* b = a3 + gamma3*R */
+    const double t7 = x[3]*t6; /* omega_n*b */
+    out[16] = x[4];
+    const double t8 = params[1]*x[4]; /* R*omega3 */
+    const double t9 = t3*t8; /* s*R*omega3 */
+    const double t10 = t7 + t9; /* v_tau = omega_n*b + s*R*omega3 */
+    out[6] = t10;
+    const double t11 = x[0]*x[1]; /* gamma3*v_nu */
+    out[12] = x[2];
+    const double t12 = params[3]*x[2]; /* a3*omega_tau */
+    const double t13 = t3*t3; /* s*s */
+    const double t14 = t12*t13; /* a3*omega_tau*s*s */
+    const double t15 = t11 - t14; /* gamma3*v_nu - a3*omega_tau*s*s */
+    out[8] = t15;
+    const double t16 = t3*x[1]; /* s*v_nu */
+    const double t17 = x[0]*params[3]; /* gamma3*a3 */
+    const double t18 = x[2]*t17; /* omega_tau*gamma3*a3 */
+    const double t19 = t3*t18; /* s*omega_tau*gamma3*a3 */
+    const double t20 = t16 + t19; /* s*v_nu + s*omega_tau*gamma3*a3 */
+    out[10] = t20;
+    const double t21 = t3*params[3]; /* s*a3 */
+    out[30] = t21;
+}
+
+static void way3_params(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+}
+
+static const jlt_way_condition way3_conditions[] = {
+    { "I3 > 0", 0 },
+};
+
+static void way3_condition_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[5];
+}
+
+static void way3_back(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[2];
+    const double t0 = x[0]*x[0]; /* gamma1*gamma1 */
+    const double t1 = x[1]*x[1]; /* gamma2*gamma2 */
+    const double t2 = t0 + t1; /* gamma1*gamma1 + gamma2*gamma2 */
+    const double t3 = sqrt(t2); /* s = sqrt(gamma1*gamma1 + gamma2*gamma2) */
+    const double t4 = x[0]*x[3]; /* gamma1*v1 */
+    const double t5 = x[1]*x[4]; /* gamma2*v2 */
+    const double t6 = t4 + t5; /* gamma1*v1 + gamma2*v2 */
+    const double t7 = x[2]*x[5]; /* gamma3*v3 */
+    const double t8 = t6 + t7; /* gamma1*v1 + gamma2*v2 + gamma3*v3 */
+    const double t9 = x[2]*t8; /* gamma3*(gamma1*v1 + gamma2*v2 + gamma3*v3) */
+    const double t10 = x[5] - t9; /* v3 - gamma3*(gamma1*v1 + gamma2*v2 + gamma3*v3) */
+    const double t11 = t10/t3; /* (v3 - gamma3*(gamma1*v1 + gamma2*v2 + gamma3*v3))/s */
+    out[1] = t11;
+    const double t12 = x[0]*x[7]; /* gamma1*omega2 */
+    const double t13 = x[1]*x[6]; /* gamma2*omega1 */
+    const double t14 = t12 - t13; /* dgamma3 = gamma1*omega2 - gamma2*omega1 */
+    const double t15 = t14/t3; /* dgamma3/s */
+    out[2] = t15;
+    const double t16 = x[0]*x[6]; /* gamma1*omega1 */
+    const double t17 = x[1]*x[7]; /* gamma2*omega2 */
+    const double t18 = t16 + t17; /* q = gamma1*omega1 + gamma2*omega2 */
+    const double t19 = t18/t3; /* q/s */
+    const double t20 = -t19; /* -q/s */
+    out[3] = t20;
+    out[4] = x[8];
+}
+
+static const unsigned char way3_is_angle[] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+
+static const unsigned char way3_is_root[] = { 0, 0, 0, 0, 0, 0 };
+
+static const jlt_way ways[] = {
+    { .name = "level", .kind = "reduction", .model = "spherical_top_level", .file = "spherical_top_level.tt",
+      .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
+      .time = "", .claim = 25,
+      .state_count = 4, .param_count = 7, .coordinate_count = 4,
+      .is_angle = way0_is_angle,
+      .coordinates = way0_coordinates,
+      .back = way0_back,
+      .is_root = way0_is_root,
+      .params = way0_params,
+    },
+    { .name = "momentum", .kind = "reduction", .model = "spherical_top_balanced", .file = "spherical_top_balanced.tt",
+      .sha256 = "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33",
+      .time = "", .claim = 26,
+      .state_count = 3, .param_count = 6, .coordinate_count = 3,
+      .is_angle = way1_is_angle,
+      .coordinates = way1_coordinates,
+      .back = way1_back,
+      .is_root = way1_is_root,
+      .params = way1_params,
+      .condition_count = 3, .conditions = way1_conditions,
+      .condition_values = way1_condition_values,
+    },
+    { .name = "track", .kind = "lift", .model = "spherical_top_track", .file = "spherical_top_track.tt",
+      .sha256 = "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228",
+      .time = "", .claim = 27,
+      .state_count = 9, .param_count = 6, .coordinate_count = 9,
+      .is_angle = way2_is_angle,
+      .coordinates = way2_coordinates,
+      .back = way2_back,
+      .is_root = way2_is_root,
+      .params = way2_params,
+    },
+    { .name = "full", .kind = "lift", .model = "spherical_top_full", .file = "spherical_top_full.tt",
+      .sha256 = "8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445",
+      .time = "", .claim = 28,
+      .state_count = 17, .param_count = 6, .coordinate_count = 17,
+      .is_angle = way3_is_angle,
+      .coordinates = way3_coordinates,
+      .back = way3_back,
+      .is_root = way3_is_root,
+      .params = way3_params,
+      .condition_count = 1, .conditions = way3_conditions,
+      .condition_values = way3_condition_values,
+    },
+};
+
 static const jlt_quantity states[] = {
     { "gamma3", "1", "cosine of the tilt of the symmetry axis, (gamma, e3)", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu, the direction of free slipping", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -1416,9 +1881,9 @@ static const jlt_validity valids[] = {
     { "contact", "kg*m/s^2", "the plane only pushes" },
 };
 
-static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_7[] = { 1, -1, -1, 1, 1 };
 static const jlt_reversor reversors[] = {
-    { signs_8, 8 },
+    { signs_7, 7 },
 };
 
 static const jlt_pole poles[] = {
@@ -1432,21 +1897,21 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a",
+    .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 45,
+    .state_count = 5, .param_count = 6, .block_count = 51,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 5, 26, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of d(v_nu)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau*gamma3 - (I3/(R^2*I1))*b*1/(Theta/(m*R^2*I1))*V, I3/(m*R) + e, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(omega3)/dt, d(omega_n)/dt" },
-    .jacobian = { jacobian, 25, { 9, 56, 30, 1, 1, 0, 16, 21 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), gamma3*1/D*s*(2*m*a3^2) - gamma3*D*((1)/D*s^2*Theta)*s*Theta, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), omega3*1/D*I3 + D*((1)/D*s^2*Theta)*s*Theta*omega_n*gamma3*1/D*(2*I1), d(Theta)/d(gamma3) = b*(2*m*R*I3) - gamma3*(2*m*R^2*I1), e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau*a3 - d(Theta)/d(gamma3)*1/Theta*V, a part of d(d(omega_n)/dt)/d(gamma3), e*(m*R*I3) + I3^2, m*R*a3*I3 - d(Theta)/d(gamma3)*1/Theta*(e*(m*R*I3) + I3^2), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(omega_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 64, 34, 1, 1, 0, 17, 26 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, (m*R)*e + I3, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), omega_tau*1/s^2 - (m*R*I3)*1/Theta*V, I1*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_tau)/dt over D, numerator of d(omega_n)/dt over Theta = omega3*I3*omega_tau*((m*R)*e + I3) - V*(m*I3)*b*omega_n*1/s^2*s, d(omega_n)/dt, a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), R*omega3 - b*omega_n*1/s^2*s, d(numerator of d(omega3)/dt over Theta)/d(gamma3), gamma3*omega_tau*gamma3*1/s^2*s - omega_tau*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3), d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*omega_n*(m*R*I1), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*((m*R)*e + I3) - e*(m*I3)*b*omega_n*1/s^2*s, d(d(omega_n)/dt)/d(omega_tau), (2*I1)*gamma3*omega_n*1/s^2*s + omega3*I3, b*omega_n*1/s^2*s*gamma3*1/s^2*s + omega_n*R, d(v_nu)/dt, a part of d(d(omega_tau)/dt)/d(gamma3)" },
-    .divergence = { divergence, 1, { 3, 14, 8, 1, 1, 0, 14, 7 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of the divergence, a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of the divergence" },
+    .rhs = { rhs, 5, { 4, 26, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of d(v_nu)/dt, e = gamma3*a3 + R, ((I1 - I3)/I1)*gamma3*omega_tau*s - (a3*I3/(R*I1))*omega_tau*s, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, d(omega_n)/dt, d(omega3)/dt" },
+    .jacobian = { jacobian, 25, { 9, 53, 30, 1, 1, 0, 17, 19 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, omega3*(I3/I1) + gamma3*omega_n*((1)/s^2*Theta*D/I1)*Theta*D/I1*s, e = gamma3*a3 + R, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), (m*R*I3)*e + I3^2, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), omega_tau*a3 - 1/Theta*V*d(Theta)/d(gamma3), m*R*a3*I3 - d(Theta)/d(gamma3)*1/Theta*((m*R*I3)*e + I3^2), d(d(omega_n)/dt)/d(omega_tau), omega3*(1/2*I3/I1) + gamma3*omega_n*((1)/s^2*Theta*D/I1)*Theta*D/I1*s, d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega3)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 9, 65, 35, 1, 1, 0, 16, 24 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), ((1)/s^2*Theta*D)*Theta*D*s - (2*m*a3^2)*s*1/D, a part of d(d(omega_n)/dt)/d(gamma3), (I3/I1)*omega3*1/D + omega_n*((1)/s^2*Theta*D)*Theta*D*s*gamma3*1/D, a part of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, d(d(omega_tau)/dt)/d(omega_n), a3*I3 - gamma3*(R*(I1 - I3)), a part of d(d(omega3)/dt)/d(gamma3), (m*R*I3)*e + I3^2, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(v_nu)/dt)/d(gamma3), d(v_nu)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n)" },
+    .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 11, 9 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 2, { 2, 12, 9, 0, 1, 0, 7, 6 }, { 10, 32, 0, 0, 1, 0, 12, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*omega3*R + omega_n*b, energy/(1/2*m), G" },
     .integral_gradients = { integral_gradients, 10, { 2, 16, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
@@ -1455,14 +1920,16 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
-    .observe_values = { observe_values, 1, { 2, 6, 5, 1, 1, 0, 7, 5 }, { 7, 26, 0, 4, 1, 0, 14, 6 },
+    .observe_values = { observe_values, 1, { 2, 6, 5, 1, 1, 0, 7, 6 }, { 7, 26, 0, 4, 1, 0, 14, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact_force, a part of contact_force" },
-    .valid_values = { valid_values, 1, { 2, 6, 5, 1, 1, 0, 7, 5 }, { 7, 26, 0, 4, 1, 0, 14, 6 },
+    .valid_values = { valid_values, 1, { 2, 6, 5, 1, 1, 0, 7, 6 }, { 7, 26, 0, 4, 1, 0, 14, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact, a part of contact" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
     .reversor_count = 1, .reversors = reversors,
     .pole_count = 1, .poles = poles,
+    .tier = "five", .tier_meaning = "the reduced system (3.2)",
+    .way_count = 4, .ways = ways,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 3,
     .integrals = integrals,
     .equilibria = equilibria,

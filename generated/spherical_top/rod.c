@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   18    8    1    1    0     11    6   (50)
- *  jacobian            5   35   13    1    1    0     14   11   (170)
- *  rhs_jacobian        6   39   15    1    1    0     15   13   (206)
+ *  rhs                 2   18    8    1    1    0     12    8   (50)
+ *  jacobian            5   36   13    1    1    0     15   13   (170)
+ *  rhs_jacobian        6   39   15    1    1    0     14   15   (206)
  *  divergence          2    4    2    1    1    0      6    4   (18)
  *  integral_values     3   10    6    0    1    0      7    5   (54)
  *  integral_gradients  4   17    5    1    1    0      7    6   (64)
@@ -19,10 +19,11 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3,
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      e = gamma3*a3 + R, b = gamma3*R + a3, V = omega_tau*e + v_nu, a part of d(d(omega_tau)/dt)/d(gamma3),
- *      d(d(v_nu)/dt)/d(omega_n), omega_n*1/s^2*s*b + R*omega3, d(d(omega3)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(gamma3),
- *      d(d(omega3)/dt)/d(gamma3), d(omega3)/dt
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu,
+ *      b = gamma3*R + a3, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3),
+ *      gamma3*1/s^2*V + omega_tau*(1/2*a3), d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau),
+ *      d(d(v_nu)/dt)/d(omega_n), omega_n*1/s^2*s*b + R*omega3, gamma3*1/s^2*s*omega_n*1/s^2*s*b + omega_n*R,
+ *      d(omega3)/dt
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -62,40 +63,42 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[13] = t1;
+    out[14] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[6] = t2;
     const double t3 = params[0]*params[2]; /* m*g */
     const double t4 = params[3]*t3; /* a3*m*g */
-    out[15] = t4;
+    out[16] = t4;
     const double t5 = t4/params[4]; /* a3*m*g/I1 */
     out[7] = t5;
     const double t6 = 1.0/params[1]; /* 1/R */
     out[8] = t6;
     const double t7 = params[0]*2.0; /* m*2 */
     const double t8 = t0*t7; /* a3*a3*m*2 */
-    out[14] = t8;
+    out[15] = t8;
     const double t9 = t8/params[4]; /* a3*a3*m*2/I1 */
     out[9] = t9;
-    const double t10 = params[3]/params[1]; /* a3/R */
+    const double t10 = 2.0/params[1]; /* 2/R */
     out[10] = t10;
-    const double t11 = 2.0/params[1]; /* 2/R */
+    const double t11 = params[3]/params[1]; /* a3/R */
     out[11] = t11;
     const double t12 = (-1.0)/params[1]; /* (-1)/R */
     out[12] = t12;
-    const double t13 = params[4]/2.0; /* I1/2 */
-    out[16] = t13;
-    const double t14 = params[0]/2.0; /* m/2 */
+    const double t13 = params[3]/2.0; /* a3/2 */
+    out[13] = t13;
+    const double t14 = params[4]/2.0; /* I1/2 */
     out[17] = t14;
-    const double t15 = params[4]*params[1]; /* I1*R */
+    const double t15 = params[0]/2.0; /* m/2 */
     out[18] = t15;
-    const double t16 = params[0]*params[1]; /* m*R */
+    const double t16 = params[4]*params[1]; /* I1*R */
     out[19] = t16;
-    const double t17 = -t15; /* -I1*R */
+    const double t17 = params[0]*params[1]; /* m*R */
     out[20] = t17;
-    const double t18 = params[0]*(-2.0); /* m*(-2) */
-    const double t19 = t0*t18; /* a3*a3*m*(-2) */
-    out[21] = t19;
+    const double t18 = -t16; /* -I1*R */
+    out[21] = t18;
+    const double t19 = params[0]*(-2.0); /* m*(-2) */
+    const double t20 = t0*t19; /* a3*a3*m*(-2) */
+    out[22] = t20;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -110,12 +113,12 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t7 = t3*t6; /* D/I1*s */
     const double t8 = t5*t7; /* 1/(s^2*D/I1)*D/I1*s */
     const double t9 = t2*t5; /* s^2*1/(s^2*D/I1) */
-    const double t10 = x[2]*t6; /* omega_tau*s */
-    out[0] = t10;
-    const double t11 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t12 = t10*t11; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t13 = x[3]*t8; /* omega_n*1/(s^2*D/I1)*D/I1*s */
-    const double t14 = JLT_FNMA(x[3], t13, t12); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(s^2*D/I1)*D/I1*s */
+    const double t10 = x[3]*t8; /* omega_n*1/(s^2*D/I1)*D/I1*s */
+    const double t11 = x[2]*t6; /* omega_tau*s */
+    out[0] = t11;
+    const double t12 = x[3]*t10; /* omega_n*omega_n*1/(s^2*D/I1)*D/I1*s */
+    const double t13 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t14 = JLT_FMS(t11, t13, t12); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(s^2*D/I1)*D/I1*s */
     const double t15 = x[0]*t14; /* gamma3*t14 */
     const double t16 = JLT_FNMA(p[7], t6, t15); /* gamma3*t14 - m*g*a3/I1*s */
     const double t17 = t9*t16; /* s^2*1/(s^2*D/I1)*(gamma3*t14 - m*g*a3/I1*s) */
@@ -123,22 +126,38 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
     const double t20 = p[8]*t19; /* 1/R*V */
-    const double t21 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t22 = t13*t21; /* omega_n*1/(s^2*D/I1)*D/I1*s*b */
-    const double t23 = JLT_FMA(p[1], x[4], t22); /* R*omega3 + omega_n*1/(s^2*D/I1)*D/I1*s*b */
-    const double t24 = x[3]*t23; /* omega_n*(R*omega3 + omega_n*1/(s^2*D/I1)*D/I1*s*b) */
-    out[1] = t24;
-    const double t25 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t26 = t13*t25; /* omega_n*1/(s^2*D/I1)*D/I1*s*omega_tau*gamma3 */
-    out[3] = t26;
-    const double t27 = x[4]*t25; /* omega3*omega_tau*gamma3 */
-    const double t28 = JLT_FNMA(t13, t20, t27); /* omega3*omega_tau*gamma3 - omega_n*1/(s^2*D/I1)*D/I1*s*1/R*V */
-    const double t29 = t8*t28; /* 1/(s^2*D/I1)*D/I1*s*(omega3*omega_tau*gamma3 - omega_n*1/(s^2*D/I1)*D/I1*s*1/R*V) */
-    out[4] = t29;
+    const double t21 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t22 = t10*t21; /* omega_n*1/(s^2*D/I1)*D/I1*s*omega_tau*gamma3 */
+    out[3] = t22;
+    const double t23 = x[4]*t21; /* omega3*omega_tau*gamma3 */
+    const double t24 = JLT_FNMA(t10, t20, t23); /* omega3*omega_tau*gamma3 - omega_n*1/(s^2*D/I1)*D/I1*s*1/R*V */
+    const double t25 = t8*t24; /* 1/(s^2*D/I1)*D/I1*s*(omega3*omega_tau*gamma3 - omega_n*1/(s^2*D/I1)*D/I1*s*1/R*V) */
+    out[4] = t25;
+    const double t26 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t27 = t12*t26; /* omega_n*omega_n*1/(s^2*D/I1)*D/I1*s*b */
+    const double t28 = p[1]*x[3]; /* R*omega_n */
+    const double t29 = JLT_FMA(x[4], t28, t27); /* omega3*R*omega_n + omega_n*omega_n*1/(s^2*D/I1)*D/I1*s*b */
+    out[1] = t29;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t5 = t2*t4; /* s^2*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s^2*D/I1) */
+    const double t7 = t4*t6; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t8 = t3*t7; /* s*1/s^2 */
+    const double t9 = x[0]*t8; /* gamma3*s*1/s^2 */
+    const double t10 = x[2]*t9; /* omega_tau*gamma3*s*1/s^2 */
+    out[18] = t10;
+    out[24] = t10;
+    const double t11 = -t10; /* -omega_tau*gamma3*s*1/s^2 */
+    out[0] = t11;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
@@ -148,77 +167,62 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[14] = 0.0;
     out[16] = 0.0;
     out[19] = 0.0;
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t4 = t2*t3; /* s^2*D/I1 */
-    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
-    const double t6 = t3*t5; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
-    const double t7 = t2*t5; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
-    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
-    out[2] = t8;
-    const double t9 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
-    const double t10 = t7*t9; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t11 = t6*t8; /* 1/s^2*s */
-    const double t12 = x[0]*t11; /* gamma3*1/s^2*s */
-    const double t13 = t8*t10; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t14 = x[3]*t10; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t15 = x[2]*t13; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[12] = t15;
-    const double t16 = t12 - t13; /* gamma3*1/s^2*s - s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t17 = JLT_FMS(x[0], t16, t8); /* gamma3*(gamma3*1/s^2*s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s */
-    const double t18 = p[7]*t16; /* m*g*a3/I1*(gamma3*1/s^2*s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) */
-    const double t19 = x[3]*t11; /* omega_n*1/s^2*s */
-    const double t20 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t21 = x[2]*t20; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t22 = t11*t19; /* 1/s^2*s*omega_n*1/s^2*s */
-    const double t23 = JLT_FNMA(t19, t22, t18); /* m*g*a3/I1*(gamma3*1/s^2*s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - omega_n*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
-    const double t24 = JLT_FNMA(t17, t21, t23); /* t23 - (gamma3*(gamma3*1/s^2*s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t25 = t7*t24; /* 1/(D/I1)*t24 */
-    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = x[0]*t19; /* gamma3*omega_n*1/s^2*s */
-    out[17] = t27;
-    const double t28 = t7*t27; /* 1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    const double t29 = JLT_FNMA(t14, t28, t25); /* 1/(D/I1)*t24 - omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1*1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    out[10] = t29;
-    const double t30 = (-2.0)*t28; /* (-2)*1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    out[13] = t30;
-    const double t31 = t11*t27; /* 1/s^2*s*gamma3*omega_n*1/s^2*s */
-    const double t32 = x[2]*t11; /* omega_tau*1/s^2*s */
-    const double t33 = t22*t32; /* 1/s^2*s*omega_n*1/s^2*s*omega_tau*1/s^2*s */
-    out[15] = t33;
-    const double t34 = p[8]*t22; /* 1/R*1/s^2*s*omega_n*1/s^2*s */
-    const double t35 = -t34; /* -1/R*1/s^2*s*omega_n*1/s^2*s */
-    out[21] = t35;
-    const double t36 = t26*t34; /* e*1/R*1/s^2*s*omega_n*1/s^2*s */
-    const double t37 = JLT_FMS(x[4], t12, t36); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*s*omega_n*1/s^2*s */
-    out[22] = t37;
-    const double t38 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t39 = t6*t38; /* 1/s^2*V */
-    const double t40 = x[4]*t6; /* omega3*1/s^2 */
-    const double t41 = JLT_FNMA(p[10], t19, t40); /* omega3*1/s^2 - a3/R*omega_n*1/s^2*s */
-    const double t42 = t32*t41; /* omega_tau*1/s^2*s*(omega3*1/s^2 - a3/R*omega_n*1/s^2*s) */
-    const double t43 = x[2]*t12; /* omega_tau*gamma3*1/s^2*s */
-    out[18] = t43;
-    out[24] = t43;
-    const double t44 = -t43; /* -omega_tau*gamma3*1/s^2*s */
-    out[0] = t44;
-    const double t45 = p[12]*t39; /* (-1/R)*1/s^2*V */
-    out[23] = t45;
-    const double t46 = p[11]*t39; /* 2/R*1/s^2*V */
-    const double t47 = JLT_FNMA(t31, t46, t42); /* omega_tau*1/s^2*s*(omega3*1/s^2 - a3/R*omega_n*1/s^2*s) - 1/s^2*s*gamma3*omega_n*1/s^2*s*2/R*1/s^2*V */
-    out[20] = t47;
-    const double t48 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t49 = t19*t48; /* omega_n*1/s^2*s*b */
-    const double t50 = t31*t49; /* 1/s^2*s*gamma3*omega_n*1/s^2*s*omega_n*1/s^2*s*b */
-    const double t51 = x[3]*p[1]; /* omega_n*R */
-    out[9] = t51;
-    const double t52 = JLT_FMA(t19, t51, t50); /* omega_n*1/s^2*s*omega_n*R + 1/s^2*s*gamma3*omega_n*1/s^2*s*omega_n*1/s^2*s*b */
-    out[5] = t52;
-    const double t53 = p[1]*x[4]; /* R*omega3 */
-    const double t54 = JLT_FMA(2.0, t49, t53); /* 2*omega_n*1/s^2*s*b + R*omega3 */
-    out[8] = t54;
+    const double t12 = t8*x[3]; /* s*1/s^2*omega_n */
+    const double t13 = t8*t12; /* s*1/s^2*s*1/s^2*omega_n */
+    const double t14 = x[0]*t13; /* gamma3*s*1/s^2*s*1/s^2*omega_n */
+    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t16 = t12*t15; /* s*1/s^2*omega_n*b */
+    const double t17 = t14*t16; /* gamma3*s*1/s^2*s*1/s^2*omega_n*s*1/s^2*omega_n*b */
+    const double t18 = x[3]*p[1]; /* omega_n*R */
+    out[9] = t18;
+    const double t19 = JLT_FMA(t12, t18, t17); /* s*1/s^2*omega_n*omega_n*R + gamma3*s*1/s^2*s*1/s^2*omega_n*s*1/s^2*omega_n*b */
+    out[5] = t19;
+    const double t20 = p[1]*x[4]; /* R*omega3 */
+    const double t21 = JLT_FMA(t16, 2.0, t20); /* s*1/s^2*omega_n*b*2 + R*omega3 */
+    out[8] = t21;
+    const double t22 = t2*t6; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t23 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t24 = t22*t23; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t25 = t3*t24; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t26 = t25 - t9; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2 */
+    const double t27 = JLT_FMA(x[0], t26, t3); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) + s */
+    const double t28 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t29 = x[2]*t28; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t30 = t27*t29; /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) + s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t31 = x[0]*t12; /* gamma3*s*1/s^2*omega_n */
+    out[17] = t31;
+    const double t32 = x[3]*t24; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t33 = JLT_FNMA(t12, t13, t30); /* t30 - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n */
+    const double t34 = JLT_FNMA(t31, t32, t33); /* t30 - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n - gamma3*s*1/s^2*omega_n*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t35 = JLT_FNMA(t26, p[7], t34); /* t34 - (s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2)*m*g*a3/I1 */
+    const double t36 = t22*t35; /* 1/(D/I1)*t35 */
+    out[10] = t36;
+    const double t37 = x[2]*t25; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[12] = t37;
+    const double t38 = t22*(-2.0); /* 1/(D/I1)*(-2) */
+    const double t39 = t31*t38; /* gamma3*s*1/s^2*omega_n*1/(D/I1)*(-2) */
+    out[13] = t39;
+    const double t40 = x[2]*t8; /* omega_tau*s*1/s^2 */
+    const double t41 = t13*t40; /* s*1/s^2*s*1/s^2*omega_n*omega_tau*s*1/s^2 */
+    out[15] = t41;
+    const double t42 = x[4]*t40; /* omega3*omega_tau*s*1/s^2 */
+    const double t43 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t44 = JLT_FMA(x[2], t43, x[1]); /* V = omega_tau*e + v_nu */
+    const double t45 = p[10]*t44; /* 2/R*V */
+    const double t46 = JLT_FNMA(t14, t45, t42); /* omega3*omega_tau*s*1/s^2 - gamma3*s*1/s^2*s*1/s^2*omega_n*2/R*V */
+    const double t47 = t7*t46; /* 1/s^2*t46 */
+    const double t48 = x[2]*p[11]; /* omega_tau*a3/R */
+    const double t49 = JLT_FNMA(t13, t48, t47); /* 1/s^2*t46 - s*1/s^2*s*1/s^2*omega_n*omega_tau*a3/R */
+    out[20] = t49;
+    const double t50 = t13*p[8]; /* s*1/s^2*s*1/s^2*omega_n*1/R */
+    const double t51 = -t50; /* -s*1/s^2*s*1/s^2*omega_n*1/R */
+    out[21] = t51;
+    const double t52 = t43*t50; /* e*s*1/s^2*s*1/s^2*omega_n*1/R */
+    const double t53 = JLT_FMS(t9, x[4], t52); /* gamma3*s*1/s^2*omega3 - e*s*1/s^2*s*1/s^2*omega_n*1/R */
+    out[22] = t53;
+    const double t54 = t44*p[12]; /* V*(-1/R) */
+    const double t55 = t7*t54; /* 1/s^2*V*(-1/R) */
+    out[23] = t55;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -243,77 +247,77 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t8 = sqrt(t2); /* s = sqrt(s^2) */
     out[7] = t8;
     const double t9 = t6*t8; /* 1/s^2*s */
-    const double t10 = x[3]*t9; /* omega_n*1/s^2*s */
-    const double t11 = x[0]*t10; /* gamma3*omega_n*1/s^2*s */
-    out[22] = t11;
-    const double t12 = t7*t11; /* 1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    const double t13 = (-2.0)*t12; /* (-2)*1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    out[18] = t13;
-    const double t14 = x[3]*t12; /* omega_n*1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    const double t15 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t16 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t17 = x[2]*t8; /* omega_tau*s */
-    out[0] = t17;
-    const double t18 = t7*t8; /* 1/(D/I1)*s */
-    const double t19 = t15*t17; /* omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t20 = JLT_FNMA(t15, t16, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
-    const double t21 = JLT_FMA(t18, t20, t14); /* 1/(D/I1)*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) + omega_n*1/(D/I1)*gamma3*omega_n*1/s^2*s */
-    const double t22 = t9*t20; /* 1/s^2*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
-    const double t23 = JLT_FNMA(p[9], t21, t22); /* 1/s^2*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) - 2*m*a3^2/I1*t21 */
-    const double t24 = -t21; /* -t21 */
-    out[2] = t24;
-    const double t25 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t26 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t27 = t10*t26; /* omega_n*1/s^2*s*b */
-    const double t28 = JLT_FMA(x[2], t25, x[1]); /* V = omega_tau*e + v_nu */
-    const double t29 = t9*t10; /* 1/s^2*s*omega_n*1/s^2*s */
-    const double t30 = JLT_FNMA(t10, t29, t19); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
-    const double t31 = JLT_FMA(x[0], t23, t30); /* gamma3*t23 + t30 */
-    const double t32 = t7*t31; /* 1/(D/I1)*(gamma3*t23 + t30) */
-    out[15] = t32;
-    const double t33 = x[4]*t9; /* omega3*1/s^2*s */
-    const double t34 = x[2]*t6; /* omega_tau*1/s^2 */
-    const double t35 = t33*t34; /* omega3*1/s^2*s*omega_tau*1/s^2 */
-    const double t36 = t6*t28; /* 1/s^2*V */
-    const double t37 = p[12]*t36; /* (-1/R)*1/s^2*V */
-    out[28] = t37;
-    const double t38 = p[11]*t36; /* 2/R*1/s^2*V */
-    const double t39 = p[1]*x[4]; /* R*omega3 */
-    const double t40 = JLT_FMA(2.0, t27, t39); /* 2*omega_n*1/s^2*s*b + R*omega3 */
-    out[13] = t40;
-    const double t41 = t27 + t39; /* omega_n*1/s^2*s*b + R*omega3 */
-    const double t42 = x[3]*t41; /* omega_n*(omega_n*1/s^2*s*b + R*omega3) */
-    out[1] = t42;
-    const double t43 = p[8]*t29; /* 1/R*1/s^2*s*omega_n*1/s^2*s */
-    const double t44 = t28*t43; /* V*1/R*1/s^2*s*omega_n*1/s^2*s */
-    const double t45 = t25*t43; /* e*1/R*1/s^2*s*omega_n*1/s^2*s */
-    const double t46 = JLT_FMS(x[0], t33, t45); /* gamma3*omega3*1/s^2*s - e*1/R*1/s^2*s*omega_n*1/s^2*s */
-    out[27] = t46;
-    const double t47 = -t43; /* -1/R*1/s^2*s*omega_n*1/s^2*s */
-    out[26] = t47;
-    const double t48 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t48;
-    const double t49 = t10*t48; /* omega_n*1/s^2*s*omega_n*R */
-    const double t50 = x[2]*t29; /* omega_tau*1/s^2*s*omega_n*1/s^2*s */
-    const double t51 = x[0]*t29; /* gamma3*1/s^2*s*omega_n*1/s^2*s */
-    const double t52 = JLT_FMA(t27, t51, t49); /* omega_n*1/s^2*s*b*gamma3*1/s^2*s*omega_n*1/s^2*s + omega_n*1/s^2*s*omega_n*R */
-    out[10] = t52;
-    const double t53 = JLT_FNMA(p[10], t50, t35); /* omega3*1/s^2*s*omega_tau*1/s^2 - a3/R*omega_tau*1/s^2*s*omega_n*1/s^2*s */
-    const double t54 = JLT_FNMA(t38, t51, t53); /* t53 - 2/R*1/s^2*V*gamma3*1/s^2*s*omega_n*1/s^2*s */
-    out[25] = t54;
-    const double t55 = t9*t50; /* 1/s^2*s*omega_tau*1/s^2*s*omega_n*1/s^2*s */
-    out[20] = t55;
-    const double t56 = t9*t16; /* 1/s^2*s*omega_tau*gamma3 */
-    out[23] = t56;
-    out[29] = t56;
-    const double t57 = JLT_FMS(x[4], t56, t44); /* omega3*1/s^2*s*omega_tau*gamma3 - V*1/R*1/s^2*s*omega_n*1/s^2*s */
-    out[4] = t57;
-    const double t58 = p[9]*t16; /* 2*m*a3^2/I1*omega_tau*gamma3 */
-    const double t59 = t18*t58; /* 1/(D/I1)*s*2*m*a3^2/I1*omega_tau*gamma3 */
-    out[17] = t59;
-    const double t60 = x[3]*t56; /* omega_n*1/s^2*s*omega_tau*gamma3 */
+    const double t10 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t11 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t12 = JLT_FNMA(t10, t11, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t13 = t7*t12; /* 1/(D/I1)*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t14 = x[0]*t9; /* gamma3*1/s^2*s */
+    const double t15 = x[2]*t8; /* omega_tau*s */
+    out[0] = t15;
+    const double t16 = t8*t13; /* s*1/(D/I1)*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t17 = t10*t15; /* omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t18 = x[3]*t9; /* omega_n*1/s^2*s */
+    const double t19 = x[3]*t14; /* omega_n*gamma3*1/s^2*s */
+    out[22] = t19;
+    const double t20 = t7*t19; /* 1/(D/I1)*omega_n*gamma3*1/s^2*s */
+    const double t21 = JLT_FMA(x[3], t20, t16); /* omega_n*1/(D/I1)*omega_n*gamma3*1/s^2*s + t16 */
+    const double t22 = (-2.0)*t20; /* (-2)*1/(D/I1)*omega_n*gamma3*1/s^2*s */
+    out[18] = t22;
+    const double t23 = -t21; /* -(omega_n*1/(D/I1)*omega_n*gamma3*1/s^2*s + t16) */
+    out[2] = t23;
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t26 = t9*t18; /* 1/s^2*s*omega_n*1/s^2*s */
+    const double t27 = JLT_FNMA(t18, t26, t17); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
+    const double t28 = x[2]*t9; /* omega_tau*1/s^2*s */
+    const double t29 = t26*t28; /* 1/s^2*s*omega_n*1/s^2*s*omega_tau*1/s^2*s */
+    out[20] = t29;
+    const double t30 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t31 = t18*t30; /* omega_n*1/s^2*s*b */
+    const double t32 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t33 = JLT_FNMA(t21, t32, t27); /* t27 - (omega_n*1/(D/I1)*omega_n*gamma3*1/s^2*s + t16)*gamma3*2*m*a3^2/I1 */
+    const double t34 = t15*t32; /* omega_tau*s*gamma3*2*m*a3^2/I1 */
+    const double t35 = t7*t34; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
+    out[17] = t35;
+    const double t36 = t7*t33; /* 1/(D/I1)*t33 */
+    const double t37 = JLT_FMA(t13, t14, t36); /* 1/(D/I1)*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*gamma3*1/s^2*s + 1/(D/I1)*t33 */
+    out[15] = t37;
+    const double t38 = x[2]*p[13]; /* omega_tau*1/2*a3 */
+    const double t39 = t6*t25; /* 1/s^2*V */
+    const double t40 = x[4]*t6; /* omega3*1/s^2 */
+    const double t41 = t28*t40; /* omega_tau*1/s^2*s*omega3*1/s^2 */
+    const double t42 = JLT_FMA(x[0], t39, t38); /* gamma3*1/s^2*V + omega_tau*1/2*a3 */
+    const double t43 = p[12]*t39; /* (-1/R)*1/s^2*V */
+    out[28] = t43;
+    const double t44 = p[10]*t42; /* 2/R*(gamma3*1/s^2*V + omega_tau*1/2*a3) */
+    const double t45 = JLT_FNMA(t26, t44, t41); /* omega_tau*1/s^2*s*omega3*1/s^2 - 1/s^2*s*omega_n*1/s^2*s*2/R*(gamma3*1/s^2*V + omega_tau*1/2*a3) */
+    out[25] = t45;
+    const double t46 = p[8]*t26; /* 1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t47 = t25*t46; /* V*1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t48 = t24*t46; /* e*1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t49 = -t46; /* -1/R*1/s^2*s*omega_n*1/s^2*s */
+    out[26] = t49;
+    const double t50 = JLT_FMS(x[4], t14, t48); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*s*omega_n*1/s^2*s */
+    out[27] = t50;
+    const double t51 = p[1]*x[4]; /* R*omega3 */
+    const double t52 = JLT_FMA(2.0, t31, t51); /* 2*omega_n*1/s^2*s*b + R*omega3 */
+    out[13] = t52;
+    const double t53 = t31 + t51; /* omega_n*1/s^2*s*b + R*omega3 */
+    const double t54 = x[3]*t53; /* omega_n*(omega_n*1/s^2*s*b + R*omega3) */
+    out[1] = t54;
+    const double t55 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t55;
+    const double t56 = JLT_FMA(t14, t31, t55); /* gamma3*1/s^2*s*omega_n*1/s^2*s*b + omega_n*R */
+    const double t57 = t18*t56; /* omega_n*1/s^2*s*(gamma3*1/s^2*s*omega_n*1/s^2*s*b + omega_n*R) */
+    out[10] = t57;
+    const double t58 = x[2]*t14; /* omega_tau*gamma3*1/s^2*s */
+    out[23] = t58;
+    out[29] = t58;
+    const double t59 = JLT_FMS(x[4], t58, t47); /* omega3*omega_tau*gamma3*1/s^2*s - V*1/R*1/s^2*s*omega_n*1/s^2*s */
+    out[4] = t59;
+    const double t60 = x[3]*t58; /* omega_n*omega_tau*gamma3*1/s^2*s */
     out[3] = t60;
-    const double t61 = -t56; /* -1/s^2*s*omega_tau*gamma3 */
+    const double t61 = -t58; /* -omega_tau*gamma3*1/s^2*s */
     out[5] = t61;
 }
 
@@ -323,9 +327,9 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(t2, p[13], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t4 = JLT_FMA(t2, p[14], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*D */
-    const double t6 = JLT_FMA(t2, p[14], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D */
+    const double t6 = JLT_FMA(t2, p[15], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D */
     const double t7 = x[0]*x[2]; /* gamma3*omega_tau */
     const double t8 = t6*t7; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D)*gamma3*omega_tau */
     const double t9 = t8/t5; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D)*gamma3*omega_tau/(s*D) */
@@ -348,14 +352,14 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t11 = JLT_FMA(t6, t10, t4); /* v_tau = s*R*omega3 + omega_n*b */
     const double t12 = x[1]*x[1]; /* v_nu*v_nu */
     const double t13 = JLT_FMA(t11, t11, t12); /* v_tau*v_tau + v_nu*v_nu */
-    const double t14 = p[17]*t13; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t14 = p[18]*t13; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[2] = t14;
-    const double t15 = p[15]*x[0]; /* m*g*a3*gamma3 */
-    const double t16 = JLT_FMA(p[16], t9, t15); /* 1/2*I1*(omega_n*omega_n + D/I1*omega_tau*omega_tau) + m*g*a3*gamma3 */
+    const double t15 = p[16]*x[0]; /* m*g*a3*gamma3 */
+    const double t16 = JLT_FMA(p[17], t9, t15); /* 1/2*I1*(omega_n*omega_n + D/I1*omega_tau*omega_tau) + m*g*a3*gamma3 */
     out[3] = t16;
     const double t17 = t14 + t16; /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t16 */
     out[0] = t17;
-    const double t18 = x[3]*p[18]; /* omega_n*R*I1 */
+    const double t18 = x[3]*p[19]; /* omega_n*R*I1 */
     const double t19 = t6*t18; /* s*omega_n*R*I1 */
     out[1] = t19;
 }
@@ -376,11 +380,11 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t5 = sqrt(t3); /* s = sqrt(s^2) */
-    const double t6 = p[18]*t5; /* R*I1*s */
+    const double t6 = p[19]*t5; /* R*I1*s */
     out[8] = t6;
     const double t7 = x[0]/t3; /* gamma3/s^2 */
     const double t8 = t5*t7; /* s*gamma3/s^2 */
-    const double t9 = JLT_FMA(p[13], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t9 = JLT_FMA(p[14], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t10 = x[2]*t9; /* omega_tau*D */
     out[2] = t10;
     out[17] = t10;
@@ -390,13 +394,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t14 = JLT_FMA(t5, t13, t11); /* v_tau = s*omega3*R + omega_n*b */
     const double t15 = t12*t14; /* m*b*v_tau */
     out[13] = t15;
-    const double t16 = p[19]*t14; /* m*R*v_tau */
+    const double t16 = p[20]*t14; /* m*R*v_tau */
     const double t17 = t5*t16; /* s*m*R*v_tau */
     out[4] = t17;
     out[14] = t17;
-    const double t18 = p[13]*x[0]; /* m*a3^2*gamma3 */
+    const double t18 = p[14]*x[0]; /* m*a3^2*gamma3 */
     const double t19 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t20 = JLT_FNMA(t18, t19, p[15]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t20 = JLT_FNMA(t18, t19, p[16]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     out[15] = t20;
     const double t21 = JLT_FNMA(x[4], t8, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
     const double t22 = t16*t21; /* m*R*v_tau*d(v_tau)/d(gamma3)/R */
@@ -407,7 +411,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[18] = t24;
     const double t25 = t15 + t24; /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
     out[3] = t25;
-    const double t26 = x[3]*p[20]; /* omega_n*(-R*I1) */
+    const double t26 = x[3]*p[21]; /* omega_n*(-R*I1) */
     const double t27 = t8*t26; /* s*gamma3/s^2*omega_n*(-R*I1) */
     out[5] = t27;
 }
@@ -418,7 +422,7 @@ static void measure_values(const double *restrict x, const double *restrict p, d
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(t2, p[13], p[4]); /* (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t4 = JLT_FMA(t2, p[14], p[4]); /* (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*((1 - gamma3)*(1 + gamma3)*m*a3^2 + I1) */
     out[0] = t5;
 }
@@ -482,32 +486,32 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
         t18[k] = jlt_jet_product(t15, t17, k);
         t19[k] = jlt_jet_product(t14, t17, k);
-        t20[k] = jlt_jet_product(x2, t14, k);
-        t21[k] = x2[k]*p[6];
-        t22[k] = jlt_jet_product(t20, t21, k);
-        t23[k] = jlt_jet_product(x3, t18, k);
-        t24[k] = t22[k] - jlt_jet_product(x3, t23, k);
+        t20[k] = jlt_jet_product(x3, t18, k);
+        t21[k] = jlt_jet_product(x2, t14, k);
+        t22[k] = jlt_jet_product(x3, t20, k);
+        t23[k] = x2[k]*p[6];
+        t24[k] = jlt_jet_product(t21, t23, k) - t22[k];
         t25[k] = jlt_jet_product(x0, t24, k);
         t26[k] = t25[k] - p[7]*t14[k];
         t27[k] = jlt_jet_product(t19, t26, k);
         t28[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
         t29[k] = jlt_jet_product(x2, t28, k) + x1[k];
         t30[k] = p[8]*t29[k];
-        t31[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t32[k] = jlt_jet_product(t23, t31, k);
-        t33[k] = p[1]*x4[k] + t32[k];
-        t34[k] = jlt_jet_product(x3, t33, k);
-        t35[k] = jlt_jet_product(x2, x0, k);
-        t36[k] = jlt_jet_product(t23, t35, k);
-        t37[k] = jlt_jet_product(x4, t35, k);
-        t38[k] = t37[k] - jlt_jet_product(t23, t30, k);
-        t39[k] = jlt_jet_product(t18, t38, k);
+        t31[k] = jlt_jet_product(x2, x0, k);
+        t32[k] = jlt_jet_product(t20, t31, k);
+        t33[k] = jlt_jet_product(x4, t31, k);
+        t34[k] = t33[k] - jlt_jet_product(t20, t30, k);
+        t35[k] = jlt_jet_product(t18, t34, k);
+        t36[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
+        t37[k] = jlt_jet_product(t22, t36, k);
+        t38[k] = p[1]*x3[k];
+        t39[k] = jlt_jet_product(x4, t38, k) + t37[k];
         double *restrict next = coefficients + (k + 1)*5;
-        next[0] = x0[k + 1] = t20[k]/(k + 1);
-        next[1] = x1[k + 1] = t34[k]/(k + 1);
+        next[0] = x0[k + 1] = t21[k]/(k + 1);
+        next[1] = x1[k + 1] = t39[k]/(k + 1);
         next[2] = x2[k + 1] = t27[k]/(k + 1);
-        next[3] = x3[k + 1] = t36[k]/(k + 1);
-        next[4] = x4[k + 1] = t39[k]/(k + 1);
+        next[3] = x3[k + 1] = t32[k]/(k + 1);
+        next[4] = x4[k + 1] = t35[k]/(k + 1);
     }
 }
 
@@ -575,9 +579,9 @@ static const jlt_named measures[] = {
     { "rho", "I3 = 0" },
 };
 
-static const signed char signs_8[] = { 1, -1, -1, 1, 1 };
+static const signed char signs_7[] = { 1, -1, -1, 1, 1 };
 static const jlt_reversor reversors[] = {
-    { signs_8, 8 },
+    { signs_7, 7 },
 };
 
 const jlt_descriptor jlt_kernels_spherical_top_rod = {
@@ -587,20 +591,20 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a",
+    .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 22,
+    .state_count = 5, .param_count = 6, .block_count = 23,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 18, 8, 1, 1, 0, 11, 6 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, b = gamma3*R + a3, R*omega3 + omega_n*((1)/s^2*D/I1)*D/I1*s*b, omega3*omega_tau*gamma3 - omega_n*((1)/s^2*D/I1)*D/I1*s*(1/R)*V" },
-    .jacobian = { jacobian, 25, { 5, 35, 13, 1, 1, 0, 14, 11 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*1/s^2*s - s*1/(D/I1)*gamma3*(2*m*a3^2/I1), gamma3*(gamma3*1/s^2*s - s*1/(D/I1)*gamma3*(2*m*a3^2/I1)) - s, a part of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, d(d(omega_tau)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), V = omega_tau*e + v_nu, omega3*1/s^2 - (a3/R)*omega_n*1/s^2*s, d(d(omega3)/dt)/d(gamma3), b = gamma3*R + a3, d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 6, 39, 15, 1, 1, 0, 15, 13 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, b = gamma3*R + a3, V = omega_tau*e + v_nu, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), omega_n*1/s^2*s*b + R*omega3, d(d(omega3)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), d(omega3)/dt" },
+    .rhs = { rhs, 5, { 2, 18, 8, 1, 1, 0, 12, 8 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega3*omega_tau*gamma3 - omega_n*((1)/s^2*D/I1)*D/I1*s*(1/R)*V, b = gamma3*R + a3, d(v_nu)/dt" },
+    .jacobian = { jacobian, 25, { 5, 36, 13, 1, 1, 0, 15, 13 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), s*1/(D/I1)*gamma3*(2*m*a3^2/I1) - gamma3*s*1/s^2, gamma3*(s*1/(D/I1)*gamma3*(2*m*a3^2/I1) - gamma3*s*1/s^2) + s, a part of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega3*omega_tau*s*1/s^2 - gamma3*s*1/s^2*s*1/s^2*omega_n*(2/R)*V, d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 6, 39, 15, 1, 1, 0, 14, 15 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, b = gamma3*R + a3, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), gamma3*1/s^2*V + omega_tau*(1/2*a3), d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n), omega_n*1/s^2*s*b + R*omega3, gamma3*1/s^2*s*omega_n*1/s^2*s*b + omega_n*R, d(omega3)/dt" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 4, { 3, 10, 6, 0, 1, 0, 7, 5 }, { 11, 42, 0, 0, 1, 0, 11, 6 },

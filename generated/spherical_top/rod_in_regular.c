@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    8    1    0    0      7    7   (49)
  *  jacobian            5   35    9    1    0    0      9    9   (130)
- *  rhs_jacobian        5   41   13    1    0    0     12   13   (168)
+ *  rhs_jacobian        6   41   12    1    0    0     11    9   (168)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     1   10    6    0    0    0      6    5   (51)
  *  integral_gradients  3   16    3    0    0    0      6    5   (60)
@@ -17,10 +17,10 @@
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), d(omega_tau)/dtau,
- *      a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, b = R*gamma3 + a3, V = omega_tau*e + v_nu,
- *      d(omega3)/dtau, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n),
- *      d(v_nu)/dtau, d(d(omega_tau)/dtau)/d(s)
+ *    digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n,
+ *      d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n),
+ *      omega_n*b + s*R*omega3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s,
+ *      d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau, d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -154,22 +154,22 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    const double t3 = x[3]*p[1]; /* omega_n*R */
+    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
     out[6] = t4;
     const double t5 = p[10] + x[0]; /* b/R = a3/R + gamma3 */
     const double t6 = x[3]*p[9]; /* omega_n*2*R */
     const double t7 = t5*t6; /* b/R*omega_n*2*R */
-    const double t8 = p[1]*x[4]; /* R*omega3 */
-    const double t9 = JLT_FMA(x[5], t8, t7); /* s*R*omega3 + b/R*omega_n*2*R */
+    const double t8 = x[5]*p[1]; /* s*R */
+    const double t9 = JLT_FMA(x[4], t8, t7); /* omega3*s*R + b/R*omega_n*2*R */
     out[9] = t9;
-    const double t10 = x[5]*p[1]; /* s*R */
-    const double t11 = x[3]*t10; /* omega_n*s*R */
-    out[10] = t11;
-    const double t12 = x[3]*t8; /* omega_n*R*omega3 */
-    out[11] = t12;
-    const double t13 = t1*p[6]; /* s*omega_tau*m*a3^2/I1 */
-    const double t14 = JLT_FMS(t1, t13, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t10 = x[5]*t3; /* s*omega_n*R */
+    out[10] = t10;
+    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
+    out[11] = t11;
+    const double t12 = t1*p[6]; /* s*omega_tau*m*a3^2/I1 */
+    const double t13 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t14 = JLT_FMS(t1, t12, t13); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
     const double t15 = JLT_FMA(t0, p[6], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
     const double t16 = x[5]*t15; /* s*D/I1 */
     const double t17 = 1.0/t16; /* 1/(s*D/I1) */
@@ -186,7 +186,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t25 = (-2.0)*t24; /* (-2)*omega_n*gamma3 */
     const double t26 = t18*t25; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
     out[15] = t26;
-    const double t27 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t27 = JLT_FMA(x[2], x[2], t13); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t28 = t22*t27; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t29 = x[5]*p[12]; /* s*2*m*g*a3/I1 */
     const double t30 = JLT_FNMA(t18, t29, t28); /* t28 - 1/(D/I1)*s*2*m*g*a3/I1 */
@@ -256,74 +256,74 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[11] = t10;
     const double t11 = -t8; /* -s*omega_tau */
     out[36] = t11;
-    const double t12 = t7*t8; /* 1/(D/I1)*s*omega_tau */
-    const double t13 = p[6]*t8; /* m*a3^2/I1*s*omega_tau */
-    const double t14 = t12*t13; /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t15 = p[11]*t12; /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau */
-    const double t16 = x[0]*t8; /* gamma3*s*omega_tau */
-    const double t17 = -t16; /* -gamma3*s*omega_tau */
-    out[5] = t17;
-    const double t18 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t19 = JLT_FNMA(t7, t18, t14); /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau - 1/(D/I1)*omega_n*omega_n */
-    out[18] = t19;
-    const double t20 = x[0]*t19; /* gamma3*t19 */
-    const double t21 = JLT_FNMA(t3, t7, t20); /* gamma3*t19 - m*g*a3/I1*s*s*1/(D/I1) */
-    out[2] = t21;
-    const double t22 = JLT_FMA(p[11], t21, p[12]); /* 2*m*a3^2/I1*(gamma3*t19 - m*g*a3/I1*s*s*1/(D/I1)) + 2*m*g*a3/I1 */
-    const double t23 = p[1]*t18; /* R*omega_n*omega_n */
-    out[12] = t23;
-    const double t24 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t25 = x[3]*t6; /* omega_n*1/s */
-    const double t26 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t27 = t18*t26; /* omega_n*omega_n*b */
-    const double t28 = p[1]*x[4]; /* R*omega3 */
-    const double t29 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[27] = t29;
-    out[34] = t29;
-    const double t30 = x[3]*t29; /* omega_n*omega_tau*gamma3 */
-    out[3] = t30;
-    const double t31 = -t29; /* -omega_tau*gamma3 */
-    out[41] = t31;
-    const double t32 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = t6*t32; /* 1/s*V */
-    const double t34 = p[13]*t33; /* (-1/R)*1/s*V */
-    out[33] = t34;
-    const double t35 = p[8]*t25; /* 1/R*omega_n*1/s */
-    const double t36 = t33*t35; /* 1/s*V*1/R*omega_n*1/s */
-    out[35] = t36;
-    const double t37 = t32*t35; /* V*1/R*omega_n*1/s */
-    const double t38 = JLT_FMS(x[4], t29, t37); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
-    out[4] = t38;
-    const double t39 = t15*t29; /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau*omega_tau*gamma3 */
-    const double t40 = JLT_FNMA(p[10], t25, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t41 = x[2]*t40; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[30] = t41;
-    const double t42 = t24*t35; /* e*1/R*omega_n*1/s */
-    const double t43 = -t35; /* -1/R*omega_n*1/s */
-    out[31] = t43;
-    const double t44 = JLT_FMS(x[0], x[4], t42); /* gamma3*omega3 - e*1/R*omega_n*1/s */
-    out[32] = t44;
-    const double t45 = x[3]*2.0; /* omega_n*2 */
-    const double t46 = t26*t45; /* b*omega_n*2 */
-    const double t47 = JLT_FMA(x[5], t28, t46); /* s*R*omega3 + b*omega_n*2 */
-    out[15] = t47;
-    const double t48 = x[3]*t28; /* omega_n*R*omega3 */
-    out[17] = t48;
-    const double t49 = JLT_FMA(x[5], t48, t27); /* s*omega_n*R*omega3 + omega_n*omega_n*b */
-    out[1] = t49;
-    const double t50 = x[0]*x[3]; /* gamma3*omega_n */
-    out[26] = t50;
-    const double t51 = (-2.0)*t50; /* (-2)*gamma3*omega_n */
-    const double t52 = t7*t51; /* 1/(D/I1)*(-2)*gamma3*omega_n */
-    out[21] = t52;
-    const double t53 = x[5]*t7; /* s*1/(D/I1) */
-    const double t54 = JLT_FNMA(t22, t53, t39); /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau*omega_tau*gamma3 - t22*s*1/(D/I1) */
-    out[23] = t54;
+    const double t12 = p[6]*t8; /* m*a3^2/I1*s*omega_tau */
+    const double t13 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t14 = JLT_FMS(t8, t12, t13); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t15 = p[1]*t13; /* R*omega_n*omega_n */
+    out[12] = t15;
+    const double t16 = t7*t14; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[18] = t16;
+    const double t17 = x[0]*t16; /* gamma3*t16 */
+    const double t18 = JLT_FNMA(t3, t7, t17); /* gamma3*t16 - m*g*a3/I1*s*s*1/(D/I1) */
+    out[2] = t18;
+    const double t19 = JLT_FMA(p[11], t18, p[12]); /* 2*m*a3^2/I1*(gamma3*t16 - m*g*a3/I1*s*s*1/(D/I1)) + 2*m*g*a3/I1 */
+    const double t20 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t21 = x[3]*t20; /* omega_n*b */
+    const double t22 = p[1]*x[4]; /* R*omega3 */
+    const double t23 = x[3]*t22; /* omega_n*R*omega3 */
+    out[17] = t23;
+    const double t24 = x[5]*t22; /* s*R*omega3 */
+    const double t25 = JLT_FMA(2.0, t21, t24); /* 2*omega_n*b + s*R*omega3 */
+    out[15] = t25;
+    const double t26 = t21 + t24; /* omega_n*b + s*R*omega3 */
+    const double t27 = x[3]*t26; /* omega_n*(omega_n*b + s*R*omega3) */
+    out[1] = t27;
+    const double t28 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t29 = x[3]*t6; /* omega_n*1/s */
+    const double t30 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = t6*t30; /* 1/s*V */
+    const double t32 = p[13]*t31; /* (-1/R)*1/s*V */
+    out[33] = t32;
+    const double t33 = p[8]*t29; /* 1/R*omega_n*1/s */
+    const double t34 = t31*t33; /* 1/s*V*1/R*omega_n*1/s */
+    out[35] = t34;
+    const double t35 = t30*t33; /* V*1/R*omega_n*1/s */
+    const double t36 = JLT_FNMA(p[10], t29, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t37 = x[2]*t36; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[30] = t37;
+    const double t38 = t28*t33; /* e*1/R*omega_n*1/s */
+    const double t39 = -t33; /* -1/R*omega_n*1/s */
+    out[31] = t39;
+    const double t40 = JLT_FMS(x[0], x[4], t38); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[32] = t40;
+    const double t41 = p[11]*t8; /* 2*m*a3^2/I1*s*omega_tau */
+    const double t42 = x[0]*t8; /* gamma3*s*omega_tau */
+    const double t43 = -t42; /* -gamma3*s*omega_tau */
+    out[5] = t43;
+    const double t44 = t7*t41; /* 1/(D/I1)*2*m*a3^2/I1*s*omega_tau */
+    const double t45 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[26] = t45;
+    const double t46 = (-2.0)*t45; /* (-2)*omega_n*gamma3 */
+    const double t47 = t7*t46; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[21] = t47;
+    const double t48 = x[5]*t7; /* s*1/(D/I1) */
+    const double t49 = t19*t48; /* t19*s*1/(D/I1) */
+    const double t50 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[27] = t50;
+    out[34] = t50;
+    const double t51 = JLT_FMS(x[4], t50, t35); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
+    out[4] = t51;
+    const double t52 = JLT_FMS(t44, t50, t49); /* 1/(D/I1)*2*m*a3^2/I1*s*omega_tau*omega_tau*gamma3 - t19*s*1/(D/I1) */
+    out[23] = t52;
+    const double t53 = x[3]*t50; /* omega_n*omega_tau*gamma3 */
+    out[3] = t53;
+    const double t54 = -t50; /* -omega_tau*gamma3 */
+    out[41] = t54;
     const double t55 = x[5]*p[1]; /* s*R */
     const double t56 = x[3]*t55; /* omega_n*s*R */
     out[16] = t56;
     const double t57 = x[5]*x[0]; /* s*gamma3 */
-    const double t58 = t15*t57; /* 2*m*a3^2/I1*1/(D/I1)*s*omega_tau*s*gamma3 */
+    const double t58 = t44*t57; /* 1/(D/I1)*2*m*a3^2/I1*s*omega_tau*s*gamma3 */
     out[20] = t58;
     const double t59 = -t57; /* -s*gamma3 */
     out[38] = t59;
@@ -543,6 +543,44 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[5] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    out[3] = x[3];
+    out[4] = x[4];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[5] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[5]*x[5]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    const double t1 = 2.0*x[5]; /* 2*s */
+    out[5] = t1;
+}
+
 static const jlt_quantity states[] = {
     { "gamma3", "1", "cosine of the tilt of the symmetry axis, (gamma, e3)", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu, the direction of free slipping", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -575,7 +613,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a",
+    .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 21,
@@ -587,8 +625,8 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(v_nu)/dtau, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau" },
     .jacobian = { jacobian, 36, { 5, 35, 9, 1, 0, 0, 9, 9 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), s*omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), omega3 - (a3/R)*omega_n*1/s, e = gamma3*a3 + R, d(d(omega3)/dtau)/d(omega_tau), V = omega_tau*e + v_nu" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 5, 41, 13, 1, 0, 0, 12, 13 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, b = R*gamma3 + a3, V = omega_tau*e + v_nu, d(omega3)/dtau, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), d(v_nu)/dtau, d(d(omega_tau)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 6, 41, 12, 1, 0, 0, 11, 9 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + s*R*omega3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau, d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 1, 10, 6, 0, 0, 0, 6, 5 }, { 10, 41, 0, 0, 0, 0, 9, 5 },
@@ -602,6 +640,8 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .lifted = lifted,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

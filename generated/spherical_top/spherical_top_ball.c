@@ -1,7 +1,7 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top, SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a
+ *  Table:      spherical_top, SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
@@ -767,7 +767,7 @@ const jlt_ball_table jlt_balls_spherical_top_general = {
     .traces = general_traces,
 };
 
-static void general_on_level_G_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega_n_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(88);
     (void)x;
@@ -857,7 +857,7 @@ static void general_on_level_G_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params,
     _arb_vec_clear(t, 88);
 }
 
-static void general_on_level_G_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega_n_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(243);
     (void)x;
@@ -1114,7 +1114,7 @@ static void general_on_level_G_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr pa
     _arb_vec_clear(t, 243);
 }
 
-static void general_on_level_G_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega_n_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(61);
     (void)x;
@@ -1177,9 +1177,9 @@ static void general_on_level_G_divergence(arb_ptr out, arb_srcptr x, arb_srcptr 
     _arb_vec_clear(t, 61);
 }
 
-static const char *const general_on_level_G_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
+static const char *const general_on_level_omega_n_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
 
-static void general_on_level_G_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega_n_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(79);
     (void)x;
@@ -1261,7 +1261,7 @@ static void general_on_level_G_integral_values(arb_ptr out, arb_srcptr x, arb_sr
     _arb_vec_clear(t, 79);
 }
 
-static void general_on_level_G_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega_n_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(104);
     (void)x;
@@ -1383,20 +1383,20 @@ static void general_on_level_G_integral_gradients(arb_ptr out, arb_srcptr x, arb
     _arb_vec_clear(t, 104);
 }
 
-extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G;
-const jlt_ball_table jlt_balls_spherical_top_general_on_level_G = {
-    .model = "spherical_top", .time = "", .elimination = "level_G",
+extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_omega_n;
+const jlt_ball_table jlt_balls_spherical_top_general_on_level_omega_n = {
+    .model = "spherical_top", .time = "", .elimination = "level_omega_n",
     .state_count = 4, .param_count = 7,
-    .rhs = general_on_level_G_rhs,
-    .jacobian = general_on_level_G_jacobian,
-    .divergence = general_on_level_G_divergence,
+    .rhs = general_on_level_omega_n_rhs,
+    .jacobian = general_on_level_omega_n_jacobian,
+    .divergence = general_on_level_omega_n_divergence,
     .integral_count = 5,
-    .integral = general_on_level_G_integral,
-    .integral_values = general_on_level_G_integral_values,
-    .integral_gradients = general_on_level_G_integral_gradients,
+    .integral = general_on_level_omega_n_integral,
+    .integral_values = general_on_level_omega_n_integral_values,
+    .integral_gradients = general_on_level_omega_n_integral_gradients,
 };
 
-static void general_on_level_G_omega3_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega3_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(89);
     (void)x;
@@ -1487,7 +1487,7 @@ static void general_on_level_G_omega3_rhs(arb_ptr out, arb_srcptr x, arb_srcptr 
     _arb_vec_clear(t, 89);
 }
 
-static void general_on_level_G_omega3_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega3_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(247);
     (void)x;
@@ -1748,7 +1748,7 @@ static void general_on_level_G_omega3_jacobian(arb_ptr out, arb_srcptr x, arb_sr
     _arb_vec_clear(t, 247);
 }
 
-static void general_on_level_G_omega3_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega3_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(56);
     (void)x;
@@ -1806,9 +1806,9 @@ static void general_on_level_G_omega3_divergence(arb_ptr out, arb_srcptr x, arb_
     _arb_vec_clear(t, 56);
 }
 
-static const char *const general_on_level_G_omega3_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
+static const char *const general_on_level_omega3_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
 
-static void general_on_level_G_omega3_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega3_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(79);
     (void)x;
@@ -1890,7 +1890,7 @@ static void general_on_level_G_omega3_integral_values(arb_ptr out, arb_srcptr x,
     _arb_vec_clear(t, 79);
 }
 
-static void general_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_on_level_omega3_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(118);
     (void)x;
@@ -2026,17 +2026,17 @@ static void general_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr
     _arb_vec_clear(t, 118);
 }
 
-extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G_omega3;
-const jlt_ball_table jlt_balls_spherical_top_general_on_level_G_omega3 = {
-    .model = "spherical_top", .time = "", .elimination = "level_G_omega3",
+extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_omega3;
+const jlt_ball_table jlt_balls_spherical_top_general_on_level_omega3 = {
+    .model = "spherical_top", .time = "", .elimination = "level_omega3",
     .state_count = 4, .param_count = 7,
-    .rhs = general_on_level_G_omega3_rhs,
-    .jacobian = general_on_level_G_omega3_jacobian,
-    .divergence = general_on_level_G_omega3_divergence,
+    .rhs = general_on_level_omega3_rhs,
+    .jacobian = general_on_level_omega3_jacobian,
+    .divergence = general_on_level_omega3_divergence,
     .integral_count = 5,
-    .integral = general_on_level_G_omega3_integral,
-    .integral_values = general_on_level_G_omega3_integral_values,
-    .integral_gradients = general_on_level_G_omega3_integral_gradients,
+    .integral = general_on_level_omega3_integral,
+    .integral_values = general_on_level_omega3_integral_values,
+    .integral_gradients = general_on_level_omega3_integral_gradients,
 };
 
 static void general_in_regular_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
@@ -2783,7 +2783,7 @@ const jlt_ball_table jlt_balls_spherical_top_general_in_regular = {
     .integral_gradients = general_in_regular_integral_gradients,
 };
 
-static void general_in_regular_on_level_G_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega_n_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(89);
     (void)x;
@@ -2874,7 +2874,7 @@ static void general_in_regular_on_level_G_rhs(arb_ptr out, arb_srcptr x, arb_src
     _arb_vec_clear(t, 89);
 }
 
-static void general_in_regular_on_level_G_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega_n_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(303);
     (void)x;
@@ -3199,7 +3199,7 @@ static void general_in_regular_on_level_G_jacobian(arb_ptr out, arb_srcptr x, ar
     _arb_vec_clear(t, 303);
 }
 
-static void general_in_regular_on_level_G_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega_n_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(56);
     (void)x;
@@ -3256,9 +3256,9 @@ static void general_in_regular_on_level_G_divergence(arb_ptr out, arb_srcptr x, 
     _arb_vec_clear(t, 56);
 }
 
-static const char *const general_in_regular_on_level_G_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
+static const char *const general_in_regular_on_level_omega_n_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
 
-static void general_in_regular_on_level_G_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega_n_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(76);
     (void)x;
@@ -3336,7 +3336,7 @@ static void general_in_regular_on_level_G_integral_values(arb_ptr out, arb_srcpt
     _arb_vec_clear(t, 76);
 }
 
-static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega_n_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(103);
     (void)x;
@@ -3461,20 +3461,20 @@ static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_sr
     _arb_vec_clear(t, 103);
 }
 
-extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G;
-const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G = {
-    .model = "spherical_top", .time = "regular", .elimination = "level_G",
+extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_omega_n;
+const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_omega_n = {
+    .model = "spherical_top", .time = "regular", .elimination = "level_omega_n",
     .state_count = 5, .param_count = 7,
-    .rhs = general_in_regular_on_level_G_rhs,
-    .jacobian = general_in_regular_on_level_G_jacobian,
-    .divergence = general_in_regular_on_level_G_divergence,
+    .rhs = general_in_regular_on_level_omega_n_rhs,
+    .jacobian = general_in_regular_on_level_omega_n_jacobian,
+    .divergence = general_in_regular_on_level_omega_n_divergence,
     .integral_count = 5,
-    .integral = general_in_regular_on_level_G_integral,
-    .integral_values = general_in_regular_on_level_G_integral_values,
-    .integral_gradients = general_in_regular_on_level_G_integral_gradients,
+    .integral = general_in_regular_on_level_omega_n_integral,
+    .integral_values = general_in_regular_on_level_omega_n_integral_values,
+    .integral_gradients = general_in_regular_on_level_omega_n_integral_gradients,
 };
 
-static void general_in_regular_on_level_G_omega3_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega3_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(88);
     (void)x;
@@ -3564,7 +3564,7 @@ static void general_in_regular_on_level_G_omega3_rhs(arb_ptr out, arb_srcptr x, 
     _arb_vec_clear(t, 88);
 }
 
-static void general_in_regular_on_level_G_omega3_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega3_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(295);
     (void)x;
@@ -3881,7 +3881,7 @@ static void general_in_regular_on_level_G_omega3_jacobian(arb_ptr out, arb_srcpt
     _arb_vec_clear(t, 295);
 }
 
-static void general_in_regular_on_level_G_omega3_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega3_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(52);
     (void)x;
@@ -3934,9 +3934,9 @@ static void general_in_regular_on_level_G_omega3_divergence(arb_ptr out, arb_src
     _arb_vec_clear(t, 52);
 }
 
-static const char *const general_in_regular_on_level_G_omega3_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
+static const char *const general_in_regular_on_level_omega3_integral[] = { "E", "F0", "F_linear", "E1", "E2" };
 
-static void general_in_regular_on_level_G_omega3_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega3_integral_values(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(76);
     (void)x;
@@ -4014,7 +4014,7 @@ static void general_in_regular_on_level_G_omega3_integral_values(arb_ptr out, ar
     _arb_vec_clear(t, 76);
 }
 
-static void general_in_regular_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+static void general_in_regular_on_level_omega3_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
 {
     arb_ptr t = _arb_vec_init(121);
     (void)x;
@@ -4157,16 +4157,16 @@ static void general_in_regular_on_level_G_omega3_integral_gradients(arb_ptr out,
     _arb_vec_clear(t, 121);
 }
 
-extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G_omega3;
-const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G_omega3 = {
-    .model = "spherical_top", .time = "regular", .elimination = "level_G_omega3",
+extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_omega3;
+const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_omega3 = {
+    .model = "spherical_top", .time = "regular", .elimination = "level_omega3",
     .state_count = 5, .param_count = 7,
-    .rhs = general_in_regular_on_level_G_omega3_rhs,
-    .jacobian = general_in_regular_on_level_G_omega3_jacobian,
-    .divergence = general_in_regular_on_level_G_omega3_divergence,
+    .rhs = general_in_regular_on_level_omega3_rhs,
+    .jacobian = general_in_regular_on_level_omega3_jacobian,
+    .divergence = general_in_regular_on_level_omega3_divergence,
     .integral_count = 5,
-    .integral = general_in_regular_on_level_G_omega3_integral,
-    .integral_values = general_in_regular_on_level_G_omega3_integral_values,
-    .integral_gradients = general_in_regular_on_level_G_omega3_integral_gradients,
+    .integral = general_in_regular_on_level_omega3_integral,
+    .integral_values = general_in_regular_on_level_omega3_integral_values,
+    .integral_gradients = general_in_regular_on_level_omega3_integral_gradients,
 };
 

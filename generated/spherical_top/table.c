@@ -1,4 +1,4 @@
-/* spherical_top: its table byte for byte (SHA-256 ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top: its table byte for byte (SHA-256 87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top[];
@@ -72,8 +72,8 @@ const char jlt_table_spherical_top[] = {
     't','i','m','e',' ','r','e','g','u','l','a','r',' ',':',' ','s',' ','l','i','f','t','i','n','g',' ','s','\n',
     '\n',
     '#',' ','B','o','t','h',' ','c','h','a','r','t','s',' ','o','f',' ','a',' ','l','e','v','e','l',' ','o','f',' ','J','e','l','l','e','t','t','\'','s',' ','i','n','t','e','g','r','a','l',':',' ','t','h','e',' ','f','i','r','s','t',' ','l','o','s','e','s',' ','d','i','g','i','t','s',' ','n','e','a','r',' ','t','h','e',' ','p','o','l','e','s',',',' ','t','h','e',' ','s','e','c','o','n','d',' ','n','e','a','r',' ','b',' ','=',' ','0','.','\n',
-    'e','l','i','m','i','n','a','t','e',' ','l','e','v','e','l','_','G',' ',':',' ','o','m','e','g','a','_','n',' ','b','y',' ','G',' ','=',' ','G','_','l','e','v','e','l','\n',
-    'e','l','i','m','i','n','a','t','e',' ','l','e','v','e','l','_','G','_','o','m','e','g','a','3',' ',':',' ','o','m','e','g','a','3',' ','b','y',' ','G',' ','=',' ','G','_','l','e','v','e','l','\n',
+    'e','l','i','m','i','n','a','t','e',' ','l','e','v','e','l','_','o','m','e','g','a','_','n',' ',':',' ','o','m','e','g','a','_','n',' ','b','y',' ','G',' ','=',' ','G','_','l','e','v','e','l','\n',
+    'e','l','i','m','i','n','a','t','e',' ','l','e','v','e','l','_','o','m','e','g','a','3',' ',':',' ','o','m','e','g','a','3',' ','b','y',' ','G',' ','=',' ','G','_','l','e','v','e','l','\n',
     '\n',
     '#',' ','I','n','t','e','g','r','a','l','s',' ','(','3','.','3',')','\n',
     'l','e','t',' ','e','n','e','r','g','y',' ','=',' ','m','*','v','_','n','u','^','2','/','2',' ','+',' ','D','*','o','m','e','g','a','_','t','a','u','^','2','/','2',' ','+',' ','I','1','*','o','m','e','g','a','_','n','^','2','/','2',' ','+',' ','I','3','*','o','m','e','g','a','3','^','2','/','2',' ','+',' ','m','*','v','_','t','a','u','^','2','/','2',' ','+',' ','m','*','g','*','a','3','*','g','a','m','m','a','3','\n',
@@ -88,10 +88,6 @@ const char jlt_table_spherical_top[] = {
     'i','n','t','e','g','r','a','l',' ','E','1',' ','=',' ','m','*','v','_','n','u','^','2','/','2',' ','+',' ','m','*','v','_','t','a','u','^','2','/','2',' ','w','h','e','n',' ','I','3',' ','=',' ','0','\n',
     'i','n','t','e','g','r','a','l',' ','E','2',' ','=',' ','I','1','*','o','m','e','g','a','_','n','^','2','/','2',' ','+',' ','D','*','o','m','e','g','a','_','t','a','u','^','2','/','2',' ','+',' ','m','*','g','*','a','3','*','g','a','m','m','a','3',' ','w','h','e','n',' ','I','3',' ','=',' ','0','\n',
     'm','e','a','s','u','r','e',' ','r','h','o',' ','=',' ','s','*','(','I','1',' ','+',' ','m','*','a','3','^','2','*','s','^','2',')',' ','w','h','e','n',' ','I','3',' ','=',' ','0','\n',
-    '\n',
-    '#',' ','O','n',' ','a',' ','l','e','v','e','l',' ','o','f',' ','G',',',' ','i','n',' ','c','o','o','r','d','i','n','a','t','e','s',' ','t','h','a','t',' ','a','r','e',' ','w','e','l','l',' ','c','o','n','d','i','t','i','o','n','e','d',' ','e','v','e','r','y','w','h','e','r','e','\n',
-    'r','e','d','u','c','t','i','o','n',' ','o','n','_','l','e','v','e','l',' ',':',' ','o','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','l','e','v','e','l','.','t','t',' ','w','i','t','h','\n',
-    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','v','_','t','a','u',' ','=',' ','v','_','t','a','u',',',' ','G',' ','=',' ','G','\n',
     '\n',
     'r','e','v','e','r','s','o','r',' ','v','_','n','u',' ','-','>',' ','-','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','-','>',' ','-','o','m','e','g','a','_','t','a','u','\n',
     '\n',
@@ -140,6 +136,26 @@ const char jlt_table_spherical_top[] = {
     ' ',' ',' ',' ','m','*','v','_','n','u','^','2','/','2',' ','+',' ','T','h','e','t','a','*','(','T','h','e','t','a',' ','-',' ','I','1','*','I','3',')','*','(','o','m','e','g','a','3',' ','+',' ','m','*','G','_','l','e','v','e','l','*','b','/','(','T','h','e','t','a',' ','-',' ','I','1','*','I','3',')',')','^','2','/','(','2','*','m','*','I','1','^','2','*','R','^','2','*','s','^','2',')','\n',
     ' ',' ',' ',' ','+',' ','m','*','G','_','l','e','v','e','l','^','2','/','(','2','*','(','T','h','e','t','a',' ','-',' ','I','1','*','I','3',')',')','\n',
     ' ',' ',' ',' ','w','h','e','n',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','0',',',' ','o','m','e','g','a','_','n',' ','=',' ','(','G','_','l','e','v','e','l',' ','+',' ','I','3','*','b','*','o','m','e','g','a','3',')','/','(','I','1','*','R','*','s',')','\n',
+    '\n',
+    '#',' ','T','a','b','l','e','s',' ','t','h','a','t',' ','s','e','r','v','e',' ','i','n',' ','p','l','a','c','e',' ','o','f',' ','t','h','i','s',' ','o','n','e',':',' ','s','m','a','l','l','e','r',' ','o','n','e','s',' ','o','n',' ','l','e','v','e','l','s',' ','o','f',' ','i','n','t','e','g','r','a','l','s',',',' ','l','a','r','g','e','r',' ','o','n','e','s',' ','t','h','a','t',' ','f','o','l','l','o','w',' ','m','o','r','e',' ','o','f',' ','t','h','e',' ','m','o','t','i','o','n','.','\n',
+    't','i','e','r',' ','f','i','v','e',' ','"','t','h','e',' ','r','e','d','u','c','e','d',' ','s','y','s','t','e','m',' ','(','3','.','2',')','"','\n',
+    'r','e','d','u','c','t','i','o','n',' ','l','e','v','e','l',' ',':',' ','b','y',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','l','e','v','e','l','.','t','t',' ','w','i','t','h','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','v','_','t','a','u',' ','=',' ','v','_','t','a','u',',',' ','G',' ','=',' ','G','\n',
+    '#',' ','T','h','e',' ','h','o','r','i','z','o','n','t','a','l',' ','m','o','m','e','n','t','u','m',' ','a','b','o','u','t',' ','t','h','e',' ','c','o','n','t','a','c','t',' ','p','o','i','n','t',' ','i','s',' ','M',',',' ','i','n',' ','t','h','e',' ','d','i','r','e','c','t','i','o','n',' ','p','s','i','.',' ','W','h','e','r','e',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','3',' ','=',' ','0',' ','t','h','e',' ','m','o','t','i','o','n',' ','i','s',' ','p','l','a','n','a','r',' ','a','n','d','\n',
+    '#',' ','r','u','n','s',' ','i','n','t','o',' ','t','h','e',' ','p','o','l','e','s',',',' ','w','h','i','c','h',' ','p','s','i',' ','d','o','e','s',' ','n','o','t',' ','h','o','l','d',' ','t','o',' ','t','h','e',' ','l','a','s','t',' ','d','i','g','i','t',';',' ','w','h','e','r','e',' ','I','3',' ','=',' ','G',' ','=',' ','0',' ','t','h','e',' ','l','e','v','e','l','s',' ','d','o',' ','n','o','t',' ','t','e','l','l',' ','t','h','e',' ','v','e','l','o','c','i','t','i','e','s',' ','t','h','e','r','e','.','\n',
+    'r','e','d','u','c','t','i','o','n',' ','m','o','m','e','n','t','u','m',' ',':',' ','b','y',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','b','a','l','a','n','c','e','d','.','t','t',' ','w','i','t','h','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','s','l','i','p',' ','=',' ','v','_','n','u',' ','+',' ','R','*','o','m','e','g','a','_','t','a','u',',','\n',
+    ' ',' ',' ',' ','p','s','i',' ','=',' ','a','t','a','n','2','(','m','*','R','*','v','_','n','u',' ','-',' ','I','1','*','o','m','e','g','a','_','t','a','u',',',' ','g','a','m','m','a','3','*','(','I','1',' ','+',' ','m','*','R','^','2',')','*','o','m','e','g','a','_','n',' ','+',' ','s','*','(','I','3',' ','+',' ','m','*','R','^','2',')','*','o','m','e','g','a','3',')',',','\n',
+    ' ',' ',' ',' ','M',' ','=',' ','s','q','r','t','(','(','m','*','R','*','v','_','n','u',' ','-',' ','I','1','*','o','m','e','g','a','_','t','a','u',')','^','2',' ','+',' ','(','g','a','m','m','a','3','*','(','I','1',' ','+',' ','m','*','R','^','2',')','*','o','m','e','g','a','_','n',' ','+',' ','s','*','(','I','3',' ','+',' ','m','*','R','^','2',')','*','o','m','e','g','a','3',')','^','2',')',',',' ','G',' ','=',' ','G','\n',
+    ' ',' ',' ',' ','w','h','e','n',' ','a','3',' ','=',' ','0',' ','w','h','e','r','e',' ','o','m','e','g','a','_','n','^','2',' ','+',' ','o','m','e','g','a','3','^','2',' ','>',' ','0',',',' ','I','3',' ','+',' ','(','I','1','*','R','*','s','*','o','m','e','g','a','_','n',' ','-',' ','I','3','*','b','*','o','m','e','g','a','3',')','^','2',' ','>',' ','0','\n',
+    'l','i','f','t',' ','t','r','a','c','k',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','t','r','a','c','k','.','t','t',' ','w','i','t','h','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','c','h','i',' ','=',' ','0',',',' ','s','p','i','n',' ','=',' ','0',',',' ','x',' ','=',' ','a','3','*','s',',',' ','y',' ','=',' ','0',',',' ','s',' ','=',' ','s','\n',
+    '#',' ','T','h','e',' ','a','x','i','s',' ','l','e','a','n','s',' ','t','o','w','a','r','d','s',' ','-','g','a','m','m','a','2',':',' ','t','h','e','r','e',' ','(','t','a','u',',',' ','n',',',' ','e','3',')',' ','a','r','e',' ','t','h','e',' ','a','x','e','s',' ','o','f',' ','t','h','e',' ','b','o','d','y','.','\n',
+    'l','i','f','t',' ','f','u','l','l',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','f','u','l','l','.','t','t',' ','w','i','t','h','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','1',' ','=',' ','0',',',' ','g','a','m','m','a','2',' ','=',' ','-','s',',',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','1',' ','=',' ','v','_','t','a','u',',',' ','v','2',' ','=',' ','g','a','m','m','a','3','*','v','_','n','u',' ','-',' ','a','3','*','s','^','2','*','o','m','e','g','a','_','t','a','u',',',' ','v','3',' ','=',' ','s','*','v','_','n','u',' ','+',' ','a','3','*','s','*','g','a','m','m','a','3','*','o','m','e','g','a','_','t','a','u',',','\n',
+    ' ',' ',' ',' ','o','m','e','g','a','1',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','2',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','a','l','p','h','a','1',' ','=',' ','0',',',' ','a','l','p','h','a','2',' ','=',' ','g','a','m','m','a','3',',',' ','a','l','p','h','a','3',' ','=',' ','s',',',' ','b','e','t','a','1',' ','=',' ','-','1',',',' ','b','e','t','a','2',' ','=',' ','0',',',' ','b','e','t','a','3',' ','=',' ','0',',','\n',
+    ' ',' ',' ',' ','x',' ','=',' ','a','3','*','s',',',' ','y',' ','=',' ','0',',',' ','s',' ','=',' ','s','\n',
+    ' ',' ',' ',' ','w','h','e','r','e',' ','I','3',' ','>',' ','0','\n',
     '\0'
 };
 
@@ -151,7 +167,6 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "E2", "I3 = 0", JLT_PROVED, "", NULL },
     { "measure", "rho", "I3 = 0", JLT_PROVED, "", NULL },
-    { "reduction", "on_level", "", JLT_PROVED, "", "58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319" },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
     { "equilibria", "spin", "a3 = 0", JLT_PROVED, "", NULL },
     { "matrix", "spin", "", JLT_PROVED, "", NULL },
@@ -170,62 +185,66 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "leftnull", "precession", "", JLT_PROVED, "", NULL },
     { "equal", "section_energy", "omega_tau = 0, omega_n = (G_level + I3*omega3*b)/(R*I1*s)", JLT_PROVED, "", NULL },
     { "equal", "section_ellipse", "omega_tau = 0, omega_n = (G_level + I3*omega3*b)/(R*I1*s)", JLT_PROVED, "", NULL },
+    { "reduction", "level", "", JLT_PROVED, "", "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d" },
+    { "reduction", "momentum", "a3 = 0", JLT_PROVED, "", "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33" },
+    { "lift", "track", "", JLT_PROVED, "", "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228" },
+    { "lift", "full", "", JLT_PROVED, "", "8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445" },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },
     { "variant", "rod", "", JLT_PROVED, "", NULL },
     { "variant", "balanced_equal", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },
-    { "eliminate", "level_G", "", JLT_PROVED, "", NULL },
-    { "eliminate", "level_G_omega3", "", JLT_PROVED, "", NULL },
+    { "eliminate", "level_omega_n", "", JLT_PROVED, "", NULL },
+    { "eliminate", "level_omega3", "", JLT_PROVED, "", NULL },
     { "pole", "gamma3", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_spherical_top_general;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_rod;
-extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_omega_n;
 extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_omega_n;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_omega3;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G;
-extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega_n;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega3;
 
 const jlt_descriptor *const jlt_family_spherical_top[] = {
     &jlt_kernels_spherical_top_general,
-    &jlt_kernels_spherical_top_general_on_level_G,
-    &jlt_kernels_spherical_top_general_on_level_G_omega3,
+    &jlt_kernels_spherical_top_general_on_level_omega_n,
+    &jlt_kernels_spherical_top_general_on_level_omega3,
     &jlt_kernels_spherical_top_general_in_regular,
-    &jlt_kernels_spherical_top_general_in_regular_on_level_G,
-    &jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_omega_n,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_omega3,
     &jlt_kernels_spherical_top_balanced,
-    &jlt_kernels_spherical_top_balanced_on_level_G,
-    &jlt_kernels_spherical_top_balanced_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_on_level_omega3,
     &jlt_kernels_spherical_top_balanced_in_regular,
-    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G,
-    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_omega3,
     &jlt_kernels_spherical_top_rod,
-    &jlt_kernels_spherical_top_rod_on_level_G,
+    &jlt_kernels_spherical_top_rod_on_level_omega_n,
     &jlt_kernels_spherical_top_rod_in_regular,
-    &jlt_kernels_spherical_top_rod_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_rod_in_regular_on_level_omega_n,
     &jlt_kernels_spherical_top_balanced_equal,
-    &jlt_kernels_spherical_top_balanced_equal_on_level_G,
-    &jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_omega3,
     &jlt_kernels_spherical_top_balanced_equal_in_regular,
-    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G,
-    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega_n,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_omega3,
     NULL
 };

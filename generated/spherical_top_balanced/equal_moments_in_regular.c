@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Variant:    equal_moments: I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_balanced, SHA-256 a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c
+ *  Table:      spherical_top_balanced, SHA-256 24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -346,6 +346,40 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[3] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[3] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[3]*x[3]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    const double t1 = 2.0*x[3]; /* 2*s */
+    out[3] = t1;
+}
+
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -373,7 +407,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c",
+    .sha256 = "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 4, .param_count = 6, .block_count = 21,
@@ -400,6 +434,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .lifted = lifted,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

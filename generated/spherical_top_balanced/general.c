@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Table:      spherical_top_balanced, SHA-256 a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c
+ *  Table:      spherical_top_balanced, SHA-256 24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -470,6 +470,128 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[2] = (v_omega_n/v_s);
 }
 
+/* The reduction half, to the table spherical_top_plane, SHA-256
+ * ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6. */
+static void way0_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = 1.0;
+    out[3] = 1.0;
+    out[2] = x[2];
+}
+
+static void way0_params(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    const double t0 = params[2]*params[2]; /* I1*I1 */
+    const double t1 = params[0]*t0; /* m*I1*I1 */
+    const double t2 = x[1]*x[1]; /* v_slip*v_slip */
+    const double t3 = t1*t2; /* m*I1*I1*v_slip*v_slip */
+    const double t4 = params[2]*params[3]; /* I1*I3 */
+    const double t5 = params[1]*params[1]; /* R*R */
+    const double t6 = params[0]*t5; /* m*R*R */
+    const double t7 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t8 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t9 = t7*t8; /* (1 - gamma3)*(1 + gamma3) */
+    const double t10 = sqrt(t9); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t11 = t10*t10; /* s*s */
+    const double t12 = params[2]*t11; /* I1*s*s */
+    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t14 = params[3]*t13; /* I3*gamma3*gamma3 */
+    const double t15 = t12 + t14; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t16 = t6*t15; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t17 = t4 + t16; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t18 = params[2]*params[5]; /* I1*M */
+    const double t19 = t10*t18; /* s*I1*M */
+    const double t20 = cos(x[2]); /* C = cos(psi) */
+    const double t21 = t19*t20; /* s*I1*M*C */
+    const double t22 = params[4]*x[0]; /* G*gamma3 */
+    const double t23 = params[2] + t6; /* J1 = I1 + m*R*R */
+    const double t24 = t22*t23; /* G*gamma3*J1 */
+    const double t25 = t24/params[1]; /* G*gamma3*J1/R */
+    const double t26 = t21 - t25; /* s*I1*M*C - G*gamma3*J1/R */
+    const double t27 = t26*t26; /* (s*I1*M*C - G*gamma3*J1/R)*(s*I1*M*C - G*gamma3*J1/R) */
+    const double t28 = params[2] - params[3]; /* I1 - I3 */
+    const double t29 = t27*t28; /* (s*I1*M*C - G*gamma3*J1/R)*(s*I1*M*C - G*gamma3*J1/R)*(I1 - I3) */
+    const double t30 = t29/t17; /* t29/Theta */
+    const double t31 = t3 + t30; /* m*I1*I1*v_slip*v_slip + t29/Theta */
+    out[6] = t31;
+}
+
+static const jlt_way_condition way0_conditions[] = {
+    { "v_slip > 0", 0 },
+};
+
+static void way0_condition_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[1];
+}
+
+static void way0_back(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    const double t0 = params[2]*params[2]; /* I1*I1 */
+    const double t1 = params[0]*t0; /* m*I1*I1 */
+    const double t2 = params[2]*params[3]; /* I1*I3 */
+    const double t3 = params[1]*params[1]; /* R*R */
+    const double t4 = params[0]*t3; /* m*R*R */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t9 = t8*t8; /* s*s */
+    const double t10 = params[2]*t9; /* I1*s*s */
+    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t12 = params[3]*t11; /* I3*gamma3*gamma3 */
+    const double t13 = t10 + t12; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t14 = t4*t13; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t15 = t2 + t14; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t16 = params[2]*params[5]; /* I1*M */
+    const double t17 = t8*t16; /* s*I1*M */
+    out[2] = x[1];
+    const double t18 = cos(x[1]); /* C = cos(psi) */
+    const double t19 = t17*t18; /* s*I1*M*C */
+    const double t20 = x[0]*params[4]; /* gamma3*G */
+    const double t21 = params[2] + t4; /* J1 = I1 + m*R*R */
+    const double t22 = t20*t21; /* gamma3*G*J1 */
+    const double t23 = t22/params[1]; /* gamma3*G*J1/R */
+    const double t24 = t19 - t23; /* s*I1*M*C - gamma3*G*J1/R */
+    const double t25 = t24*t24; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t26 = params[2] - params[3]; /* I1 - I3 */
+    const double t27 = t25*t26; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R)*(I1 - I3) */
+    const double t28 = t27/t15; /* t27/Theta */
+    const double t29 = params[6] - t28; /* F0 - t27/Theta */
+    const double t30 = t29/t1; /* (F0 - t27/Theta)/(m*I1*I1) */
+    const double t31 = sqrt(t30); /* v_slip = sqrt((F0 - t27/Theta)/(m*I1*I1)) */
+    out[1] = t31;
+}
+
+static const unsigned char way0_is_angle[] = { 0, 0 };
+
+static const unsigned char way0_is_root[] = { 0, 0, 0, 0, 0, 0, 0 };
+
+static const jlt_way ways[] = {
+    { .name = "half", .kind = "reduction", .model = "spherical_top_plane", .file = "spherical_top_plane.tt",
+      .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
+      .time = "", .claim = 7,
+      .state_count = 2, .param_count = 7, .coordinate_count = 2,
+      .is_angle = way0_is_angle,
+      .coordinates = way0_coordinates,
+      .back = way0_back,
+      .is_root = way0_is_root,
+      .params = way0_params,
+      .condition_count = 1, .conditions = way0_conditions,
+      .condition_values = way0_condition_values,
+    },
+};
+
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -505,7 +627,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c",
+    .sha256 = "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 3, .param_count = 6, .block_count = 32,
@@ -532,6 +654,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .valid_values = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .pole_count = 1, .poles = poles,
+    .tier = "balanced", .tier_meaning = "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum",
+    .way_count = 1, .ways = ways,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

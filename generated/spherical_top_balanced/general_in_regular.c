@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_balanced, SHA-256 a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c
+ *  Table:      spherical_top_balanced, SHA-256 24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -516,6 +516,155 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[3] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[3] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[3]*x[3]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    const double t1 = 2.0*x[3]; /* 2*s */
+    out[3] = t1;
+}
+
+/* The reduction half, to the table spherical_top_plane, SHA-256
+ * ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6. */
+static void way0_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = 1.0;
+    out[3] = 1.0;
+    out[2] = x[2];
+}
+
+static void way0_params(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    const double t0 = params[2]*params[2]; /* I1*I1 */
+    const double t1 = params[0]*t0; /* m*I1*I1 */
+    const double t2 = x[1]*x[1]; /* v_slip*v_slip */
+    const double t3 = t1*t2; /* m*I1*I1*v_slip*v_slip */
+    const double t4 = params[2]*params[3]; /* I1*I3 */
+    const double t5 = params[1]*params[1]; /* R*R */
+    const double t6 = params[0]*t5; /* m*R*R */
+    const double t7 = x[3]*x[3]; /* s*s */
+    const double t8 = params[2]*t7; /* I1*s*s */
+    const double t9 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t10 = params[3]*t9; /* I3*gamma3*gamma3 */
+    const double t11 = t8 + t10; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t12 = t6*t11; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t13 = t4 + t12; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t14 = params[2]*params[5]; /* I1*M */
+    const double t15 = x[3]*t14; /* s*I1*M */
+    const double t16 = cos(x[2]); /* C = cos(psi) */
+    const double t17 = t15*t16; /* s*I1*M*C */
+    const double t18 = params[4]*x[0]; /* G*gamma3 */
+    const double t19 = params[2] + t6; /* J1 = I1 + m*R*R */
+    const double t20 = t18*t19; /* G*gamma3*J1 */
+    const double t21 = t20/params[1]; /* G*gamma3*J1/R */
+    const double t22 = t17 - t21; /* s*I1*M*C - G*gamma3*J1/R */
+    const double t23 = t22*t22; /* (s*I1*M*C - G*gamma3*J1/R)*(s*I1*M*C - G*gamma3*J1/R) */
+    const double t24 = params[2] - params[3]; /* I1 - I3 */
+    const double t25 = t23*t24; /* (s*I1*M*C - G*gamma3*J1/R)*(s*I1*M*C - G*gamma3*J1/R)*(I1 - I3) */
+    const double t26 = t25/t13; /* t25/Theta */
+    const double t27 = t3 + t26; /* m*I1*I1*v_slip*v_slip + t25/Theta */
+    out[6] = t27;
+}
+
+static const jlt_way_condition way0_conditions[] = {
+    { "v_slip > 0", 0 },
+};
+
+static void way0_condition_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[1];
+}
+
+static void way0_back(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = x[0];
+    const double t0 = params[2]*params[2]; /* I1*I1 */
+    const double t1 = params[0]*t0; /* m*I1*I1 */
+    const double t2 = params[2]*params[3]; /* I1*I3 */
+    const double t3 = params[1]*params[1]; /* R*R */
+    const double t4 = params[0]*t3; /* m*R*R */
+    out[3] = x[2];
+    const double t5 = x[2]*x[2]; /* s*s */
+    const double t6 = params[2]*t5; /* I1*s*s */
+    const double t7 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t8 = params[3]*t7; /* I3*gamma3*gamma3 */
+    const double t9 = t6 + t8; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t10 = t4*t9; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t11 = t2 + t10; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t12 = params[2]*params[5]; /* I1*M */
+    const double t13 = x[2]*t12; /* s*I1*M */
+    out[2] = x[1];
+    const double t14 = cos(x[1]); /* C = cos(psi) */
+    const double t15 = t13*t14; /* s*I1*M*C */
+    const double t16 = x[0]*params[4]; /* gamma3*G */
+    const double t17 = params[2] + t4; /* J1 = I1 + m*R*R */
+    const double t18 = t16*t17; /* gamma3*G*J1 */
+    const double t19 = t18/params[1]; /* gamma3*G*J1/R */
+    const double t20 = t15 - t19; /* s*I1*M*C - gamma3*G*J1/R */
+    const double t21 = t20*t20; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t22 = params[2] - params[3]; /* I1 - I3 */
+    const double t23 = t21*t22; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R)*(I1 - I3) */
+    const double t24 = t23/t11; /* t23/Theta */
+    const double t25 = params[6] - t24; /* F0 - t23/Theta */
+    const double t26 = t25/t1; /* (F0 - t23/Theta)/(m*I1*I1) */
+    const double t27 = sqrt(t26); /* v_slip = sqrt((F0 - t23/Theta)/(m*I1*I1)) */
+    out[1] = t27;
+}
+
+static const unsigned char way0_is_angle[] = { 0, 0 };
+
+static const unsigned char way0_is_root[] = { 0, 0, 0, 0, 0, 0, 0 };
+
+static const jlt_way ways[] = {
+    { .name = "half", .kind = "reduction", .model = "spherical_top_plane", .file = "spherical_top_plane.tt",
+      .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
+      .time = "regular", .claim = 7,
+      .state_count = 3, .param_count = 7, .coordinate_count = 2,
+      .is_angle = way0_is_angle,
+      .coordinates = way0_coordinates,
+      .back = way0_back,
+      .is_root = way0_is_root,
+      .params = way0_params,
+      .condition_count = 1, .conditions = way0_conditions,
+      .condition_values = way0_condition_values,
+    },
+};
+
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -547,7 +696,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c",
+    .sha256 = "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 4, .param_count = 6, .block_count = 38,
@@ -574,6 +723,10 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
     .pole_count = 1, .poles = poles,
+    .lifted = lifted,
+    .tier = "balanced", .tier_meaning = "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum",
+    .way_count = 1, .ways = ways,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

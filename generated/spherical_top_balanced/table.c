@@ -1,4 +1,4 @@
-/* spherical_top_balanced: its table byte for byte (SHA-256 a89c46d66620ce3131d6a1e6d587e6b12e6c3d279fa61b665e74a2575279294c), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_balanced: its table byte for byte (SHA-256 24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_balanced[];
@@ -66,9 +66,13 @@ const char jlt_table_spherical_top_balanced[] = {
     'r','e','v','e','r','s','o','r',' ','v','_','s','l','i','p',' ','-','>',' ','-','v','_','s','l','i','p',',',' ','p','s','i',' ','-','>',' ','-','p','s','i','\n',
     '\n',
     'e','m','b','e','d','d','i','n','g',' ','r','e','d','u','c','e','d',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
-    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','a','3',' ','=',' ','0',',',' ','g',' ','=',' ','0','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','s',' ','=',' ','s',',',' ','a','3',' ','=',' ','0',',',' ','g',' ','=',' ','0','\n',
     '\n',
     'p','e','r','i','o','d','i','c',' ','p','s','i',' ','=',' ','2','*','p','i','\n',
+    '\n',
+    't','i','e','r',' ','b','a','l','a','n','c','e','d',' ','"','a','3',' ','=',' ','0',':',' ','M','^','2',' ','w','h','o','l','e',',',' ','i','n',' ','t','h','r','e','e',' ','s','t','a','t','e','s',' ','o','n',' ','l','e','v','e','l','s',' ','o','f',' ','G',' ','a','n','d',' ','o','f',' ','t','h','e',' ','h','o','r','i','z','o','n','t','a','l',' ','m','o','m','e','n','t','u','m','"','\n',
+    '#',' ','H','a','l','f',' ','o','f',' ','M','^','2',';',' ','t','h','e',' ','o','t','h','e','r',' ','i','s',' ','i','t','s',' ','i','m','a','g','e',' ','u','n','d','e','r',' ','t','h','e',' ','r','e','v','e','r','s','o','r','.','\n',
+    'r','e','d','u','c','t','i','o','n',' ','h','a','l','f',' ',':',' ','b','y',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','p','l','a','n','e','.','t','t',' ','w','i','t','h',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','p','s','i',' ','=',' ','p','s','i',',',' ','F','0',' ','=',' ','F','0',' ','w','h','e','r','e',' ','v','_','s','l','i','p',' ','>',' ','0','\n',
     '\0'
 };
 
@@ -78,8 +82,9 @@ const jlt_claim jlt_claims_spherical_top_balanced[] = {
     { "equal", "jellett", "", JLT_PROVED, "", NULL },
     { "equal", "horizontal_momentum", "", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
-    { "embedding", "reduced", "", JLT_PROVED, "", "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a" },
+    { "embedding", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501" },
     { "periodic", "psi", "", JLT_PROVED, "", NULL },
+    { "reduction", "half", "", JLT_PROVED, "", "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6" },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
     { "time", "regular", "", JLT_PROVED, "", NULL },

@@ -1,7 +1,7 @@
 /* Spherical top on a plane with one nonholonomic constraint, full system with multipliers: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_full, SHA-256 dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2
+ *  Table:      spherical_top_full, SHA-256 8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445
  *  Command:    ttc generate --effort full --out DIR spherical_top_full.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -1,4 +1,4 @@
-/* spherical_top_full: its table byte for byte (SHA-256 dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_full: its table byte for byte (SHA-256 8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_full[];
@@ -174,6 +174,9 @@ const char jlt_table_spherical_top_full[] = {
     '#',' ','C','o','n','s','t','r','a','i','n','t',' ','v','a','l','u','e','s',':',' ','w','h','a','t',' ','t','h','e',' ','t','w','o',' ','c','o','n','s','t','r','a','i','n','t','s',' ','s','a','y',' ','o','f',' ','v',' ','i','n',' ','t','h','e',' ','r','e','d','u','c','e','d',' ','v','a','r','i','a','b','l','e','s','\n',
     'e','q','u','a','l',' ','v','_','g','a','m','m','a',' ',':',' ','v','1','*','g','a','m','m','a','1',' ','+',' ','v','2','*','g','a','m','m','a','2',' ','+',' ','v','3','*','g','a','m','m','a','3',' ','=',' ','a','3','*','s','*','o','m','e','g','a','_','t','a','u',' ','m','o','d','u','l','o',' ','f','1','\n',
     'e','q','u','a','l',' ','v','_','t','a','u',' ',':',' ','(','v','2','*','g','a','m','m','a','1',' ','-',' ','v','1','*','g','a','m','m','a','2',')','/','s',' ','=',' ','b','*','o','m','e','g','a','_','n',' ','+',' ','R','*','s','*','o','m','e','g','a','3',' ','m','o','d','u','l','o',' ','f','2','\n',
+    '\n',
+    '#',' ','C','l','o','s','e',' ','t','o',' ','a',' ','p','o','l','e',' ','s',' ','i','s',' ','n','o','t',' ','t','o','l','d',' ','f','r','o','m',' ','z','e','r','o',':',' ','o','n','e',' ','o','v','e','r',' ','i','t',' ','n','o',' ','l','o','n','g','e','r',' ','h','a','s',' ','a',' ','c','o','r','r','e','c','t',' ','d','i','g','i','t','.','\n',
+    't','i','e','r',' ','f','u','l','l',' ','w','h','i','l','e',' ','g','a','m','m','a','1','^','2',' ','+',' ','g','a','m','m','a','2','^','2',' ','-',' ','1','/','2','^','3','6',' ','>',' ','0',' ','"','t','h','e',' ','f','u','l','l',' ','s','y','s','t','e','m',' ','(','2','.','7',')',' ','w','i','t','h',' ','(','2','.','1',')',':',' ','e','v','e','r','y',' ','v','e','c','t','o','r',' ','b','y',' ','i','t','s',' ','c','o','m','p','o','n','e','n','t','s','"','\n',
     '\0'
 };
 
@@ -193,7 +196,7 @@ const jlt_claim jlt_claims_spherical_top_full[] = {
     { "rate", "transport1", "", JLT_PROVED, "", NULL },
     { "rate", "transport2", "", JLT_PROVED, "", NULL },
     { "rate", "transport3", "", JLT_PROVED, "", NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a" },
+    { "reduction", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501" },
     { "equal", "normal_reaction", "", JLT_PROVED, "", NULL },
     { "equal", "constraint_force", "", JLT_PROVED, "", NULL },
     { "equal", "v_gamma", "", JLT_PROVED, "", NULL },

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319
+ *  Table:      spherical_top_level, SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -441,6 +441,42 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[4] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    out[3] = x[3];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[4] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[4]*x[4]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    const double t1 = 2.0*x[4]; /* 2*s */
+    out[4] = t1;
+}
+
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the angle between the symmetry axis and the vertical", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -471,7 +507,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319",
+    .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .state_count = 5, .param_count = 7, .block_count = 21,
@@ -498,6 +534,8 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .lifted = lifted,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -1,4 +1,4 @@
-/* spherical_top_level: its table byte for byte (SHA-256 58b5ca82f473527a724747566880a0dcff47aa76c504f7f3c718235e9d4cb319), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_level: its table byte for byte (SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_chart_spherical_top_level_turning[];
@@ -81,6 +81,10 @@ const char jlt_table_spherical_top_level[] = {
     ' ',' ','t','r','a','c','e',' ','s','p','i','n','n','i','n','g',' ','=',' ','-','m','*','R','*','I','3','*','g','a','m','m','a','3','*','v','_','n','u','/','(','s','*','T','h','e','t','a',')','\n',
     ' ',' ','o','b','s','t','r','u','c','t','s',' ','s','p','i','n','n','i','n','g','\n',
     ' ',' ','l','e','f','t','n','u','l','l',' ','s','p','i','n','n','i','n','g',' ',':',' ','E',',',' ','F','0','\n',
+    '\n',
+    't','i','e','r',' ','l','e','v','e','l',' ','"','f','o','u','r',' ','s','t','a','t','e','s',' ','o','n',' ','a',' ','l','e','v','e','l',' ','o','f',' ','G',',',' ','i','n',' ','c','o','o','r','d','i','n','a','t','e','s',' ','t','h','a','t',' ','d','i','v','i','d','e',' ','b','y',' ','n','o','t','h','i','n','g',' ','s','m','a','l','l','"','\n',
+    'e','m','b','e','d','d','i','n','g',' ','r','e','d','u','c','e','d',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','s',' ','=',' ','s','\n',
     '\0'
 };
 
@@ -139,6 +143,7 @@ const jlt_claim jlt_claims_spherical_top_level[] = {
     { "trace", "spinning", "", JLT_PROVED, "", NULL },
     { "obstructs", "spinning", "", JLT_PROVED, "", NULL },
     { "leftnull", "spinning", "", JLT_PROVED, "", NULL },
+    { "embedding", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501" },
     { "root", "s", "", JLT_PROVED, "", NULL },
     { "root", "stretch", "", JLT_PROVED, "", NULL },
     { "variant", "balanced", "", JLT_PROVED, "", NULL },

@@ -1,13 +1,13 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Table:      spherical_top_plane, SHA-256 b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6
+ *  Table:      spherical_top_plane, SHA-256 ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    6    1    2    2     14    6   (52)
- *  jacobian            2   31   13    2    2    2     15   12   (157)
- *  rhs_jacobian        2   32   13    2    2    2     18   12   (172)
+ *  jacobian            2   32   13    2    2    2     15   12   (157)
+ *  rhs_jacobian        2   33   13    2    2    2     18   12   (172)
  *  divergence          2   17    9    2    2    2     15    8   (93)
  *
  *  Accuracy
@@ -18,9 +18,9 @@
  *    takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R),
  *      a part of d(gamma3)/dt and of d(d(gamma3)/dt)/d(gamma3) and of d(d(gamma3)/dt)/d(psi), v_slip - (M/(m*R))*S,
- *      a part of d(d(gamma3)/dt)/d(gamma3), gamma3*(I3*M)*C + (G*J3/R)*s, a part of d(d(gamma3)/dt)/d(gamma3),
- *      (2*m*R^2*(I1 - I3))*1/Theta + 1/s^2, a part of d(d(psi)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3),
- *      d(d(gamma3)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(psi)
+ *      gamma3*(I3*M)*C + (G*J3/R)*s, a part of d(d(gamma3)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(gamma3),
+ *      d(d(gamma3)/dt)/d(gamma3), G*J3/R - ((1)/s^2*Theta)*Theta*s*(gamma3*(I3*M)*C + (G*J3/R)*s),
+ *      a part of d(d(psi)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(psi)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -79,50 +79,47 @@ static void prepare(const double *restrict params, double *restrict out)
     out[16] = t18;
     const double t19 = params[3]*params[5]; /* I3*M */
     out[17] = t19;
-    const double t20 = -t4; /* -m*R/J1 */
-    out[18] = t20;
-    const double t21 = t3*t5; /* J1*I1*I1 */
-    const double t22 = params[1]*t8; /* R*(I1 - I3) */
-    const double t23 = t22/t21; /* R*(I1 - I3)/(J1*I1*I1) */
-    out[33] = t23;
-    const double t24 = -t23; /* -R*(I1 - I3)/(J1*I1*I1) */
-    out[19] = t24;
-    const double t25 = t2*t8; /* m*R*R*(I1 - I3) */
-    out[20] = t25;
-    const double t26 = 1.0/t3; /* 1/J1 */
-    out[21] = t26;
-    const double t27 = params[1]*params[5]; /* R*M */
-    const double t28 = t8*t27; /* (I1 - I3)*R*M */
-    const double t29 = t28/params[2]; /* (I1 - I3)*R*M/I1 */
-    out[22] = t29;
-    const double t30 = params[0]*2.0; /* m*2 */
-    const double t31 = t1*t30; /* R*R*m*2 */
-    const double t32 = t8*t31; /* (I1 - I3)*R*R*m*2 */
-    out[23] = t32;
-    const double t33 = -t19; /* -I3*M */
-    out[24] = t33;
-    const double t34 = params[2]*t3; /* I1*J1 */
-    const double t35 = t28/t34; /* (I1 - I3)*R*M/(I1*J1) */
-    out[25] = t35;
-    const double t36 = params[1]*t1; /* R*R*R */
-    const double t37 = params[0]*t36; /* m*R*R*R */
-    const double t38 = t8*t8; /* (I1 - I3)*(I1 - I3) */
-    const double t39 = t37*t38; /* m*R*R*R*(I1 - I3)*(I1 - I3) */
-    const double t40 = t39/t21; /* m*R*R*R*(I1 - I3)*(I1 - I3)/(J1*I1*I1) */
-    out[26] = t40;
-    const double t41 = t8*params[4]; /* (I1 - I3)*G */
-    const double t42 = t41/t5; /* (I1 - I3)*G/(I1*I1) */
-    out[27] = t42;
+    const double t20 = params[1]*params[5]; /* R*M */
+    const double t21 = params[2]*t3; /* I1*J1 */
+    const double t22 = t20/t21; /* R*M/(I1*J1) */
+    out[18] = t22;
+    const double t23 = params[4]/t5; /* G/(I1*I1) */
+    out[19] = t23;
+    const double t24 = params[1]*t1; /* R*R*R */
+    const double t25 = params[0]*t24; /* m*R*R*R */
+    const double t26 = t3*t5; /* J1*I1*I1 */
+    const double t27 = t8*t25; /* (I1 - I3)*m*R*R*R */
+    const double t28 = t27/t26; /* (I1 - I3)*m*R*R*R/(J1*I1*I1) */
+    out[20] = t28;
+    const double t29 = 1.0/t3; /* 1/J1 */
+    out[21] = t29;
+    const double t30 = t8*t20; /* (I1 - I3)*R*M */
+    const double t31 = t30/params[2]; /* (I1 - I3)*R*M/I1 */
+    out[22] = t31;
+    const double t32 = params[0]*2.0; /* m*2 */
+    const double t33 = t1*t32; /* R*R*m*2 */
+    const double t34 = t8*t33; /* (I1 - I3)*R*R*m*2 */
+    out[23] = t34;
+    const double t35 = -t19; /* -I3*M */
+    out[24] = t35;
+    const double t36 = t30/t21; /* (I1 - I3)*R*M/(I1*J1) */
+    out[25] = t36;
+    const double t37 = t8*t8; /* (I1 - I3)*(I1 - I3) */
+    const double t38 = t25*t37; /* m*R*R*R*(I1 - I3)*(I1 - I3) */
+    const double t39 = t38/t26; /* m*R*R*R*(I1 - I3)*(I1 - I3)/(J1*I1*I1) */
+    out[26] = t39;
+    const double t40 = t8*params[4]; /* (I1 - I3)*G */
+    const double t41 = t40/t5; /* (I1 - I3)*G/(I1*I1) */
+    out[27] = t41;
+    const double t42 = t8/t2; /* (I1 - I3)/(m*R*R) */
+    out[28] = t42;
     const double t43 = t12/t2; /* I1*I3/(m*R*R) */
-    out[28] = t43;
-    const double t44 = t8/t2; /* (I1 - I3)/(m*R*R) */
-    out[29] = t44;
-    const double t45 = t19/t2; /* I3*M/(m*R*R) */
-    out[30] = t45;
-    const double t46 = t27/t34; /* R*M/(I1*J1) */
+    out[29] = t43;
+    const double t44 = t19/t2; /* I3*M/(m*R*R) */
+    out[30] = t44;
+    const double t45 = params[1]*t8; /* R*(I1 - I3) */
+    const double t46 = t45/t26; /* R*(I1 - I3)/(J1*I1*I1) */
     out[31] = t46;
-    const double t47 = params[4]/t5; /* G/(I1*I1) */
-    out[32] = t47;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -165,59 +162,60 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t3 = x[0]*p[14]; /* gamma3*I3/I1 */
-    const double t4 = JLT_FMA(x[0], t3, t2); /* gamma3*gamma3*I3/I1 + s^2 */
-    const double t5 = JLT_FMA(p[13], t4, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s^2) + I1*I3 */
-    const double t6 = t2*t5; /* s^2*Theta */
-    const double t7 = 1.0/t6; /* 1/(s^2*Theta) */
-    const double t8 = cos(x[1]); /* C = cos(psi) */
-    const double t9 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t10 = t2*t7; /* 1/Theta = s^2*1/(s^2*Theta) */
-    const double t11 = t5*t9; /* Theta*s */
-    const double t12 = t7*t11; /* 1/(s^2*Theta)*Theta*s */
-    const double t13 = p[10]*t8; /* I1*M*C */
-    const double t14 = t9*t13; /* s*I1*M*C */
-    const double t15 = JLT_FNMA(x[0], p[11], t14); /* s*I1*M*C - gamma3*G*J1/R */
-    const double t16 = t10*t15; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t17 = p[9]*t15; /* (I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t18 = JLT_FNMA(t16, t17, p[6]); /* F0 - 1/Theta*(s*I1*M*C - gamma3*G*J1/R)*(I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t19 = p[8]*t18; /* v_slip^2 = 1/(m*I1^2)*t18 */
-    const double t20 = t9*t16; /* s*1/Theta*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t21 = t20/t19; /* s*1/Theta*(s*I1*M*C - gamma3*G*J1/R)/v_slip^2 */
-    const double t22 = sqrt(t19); /* v_slip = sqrt(v_slip^2) */
-    const double t23 = t21*t22; /* s*1/Theta*(s*I1*M*C - gamma3*G*J1/R)/v_slip^2*v_slip */
-    const double t24 = sin(x[1]); /* S = sin(psi) */
-    const double t25 = JLT_FNMA(p[15], t24, t22); /* v_slip - M/(m*R)*S */
-    const double t26 = x[0]*t12; /* gamma3*1/(s^2*Theta)*Theta*s */
-    const double t27 = JLT_FMA(t13, t26, p[11]); /* I1*M*C*gamma3*1/(s^2*Theta)*Theta*s + G*J1/R */
-    const double t28 = x[0]*p[23]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t29 = t10*t28; /* 1/Theta*gamma3*2*m*R^2*(I1 - I3) */
-    const double t30 = JLT_FMA(t12, t26, t29); /* 1/(s^2*Theta)*Theta*s*gamma3*1/(s^2*Theta)*Theta*s + 1/Theta*gamma3*2*m*R^2*(I1 - I3) */
-    const double t31 = t10*t12; /* 1/Theta*1/(s^2*Theta)*Theta*s */
-    const double t32 = p[24]*t10; /* (-I3*M)*1/Theta */
-    const double t33 = t26*t32; /* gamma3*1/(s^2*Theta)*Theta*s*(-I3*M)*1/Theta */
-    const double t34 = t24*t33; /* S*gamma3*1/(s^2*Theta)*Theta*s*(-I3*M)*1/Theta */
-    out[3] = t34;
-    const double t35 = p[22]*t24; /* R*M*(I1 - I3)/I1*S */
-    const double t36 = t23*t35; /* s*1/Theta*(s*I1*M*C - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/I1*S */
-    const double t37 = JLT_FNMA(p[5], t8, t36); /* t36 - M*C */
-    const double t38 = p[17]*t8; /* I3*M*C */
-    const double t39 = x[0]*p[20]; /* gamma3*m*R^2*(I1 - I3) */
-    const double t40 = JLT_FMS(t16, t39, t27); /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R)*gamma3*m*R^2*(I1 - I3) - (I1*M*C*gamma3*1/(s^2*Theta)*Theta*s + G*J1/R) */
-    const double t41 = p[19]*t40; /* (-R*(I1 - I3)/(I1^2*J1))*t40 */
-    const double t42 = p[16]*t9; /* G*J3/R*s */
-    const double t43 = JLT_FMA(x[0], t38, t42); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t44 = JLT_FNMA(p[16], t26, t38); /* I3*M*C - G*J3/R*gamma3*1/(s^2*Theta)*Theta*s */
-    const double t45 = JLT_FMA(t30, t43, t44); /* t30*(gamma3*I3*M*C + G*J3/R*s) + I3*M*C - G*J3/R*gamma3*1/(s^2*Theta)*Theta*s */
-    const double t46 = t31*t45; /* 1/Theta*1/(s^2*Theta)*Theta*s*t45 */
-    out[2] = t46;
-    const double t47 = p[18]*t26; /* (-m*R/J1)*gamma3*1/(s^2*Theta)*Theta*s */
-    const double t48 = t25*t47; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/(s^2*Theta)*Theta*s */
-    const double t49 = JLT_FMA(t23, t41, t48); /* s*1/Theta*(s*I1*M*C - gamma3*G*J1/R)/v_slip^2*v_slip*(-R*(I1 - I3)/(I1^2*J1))*t40 + (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/(s^2*Theta)*Theta*s */
-    out[0] = t49;
-    const double t50 = p[21]*t9; /* 1/J1*s */
-    const double t51 = t37*t50; /* (t36 - M*C)*1/J1*s */
-    out[1] = t51;
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t4 = cos(x[1]); /* C = cos(psi) */
+    const double t5 = p[10]*t3; /* I1*M*s */
+    const double t6 = t4*t5; /* C*I1*M*s */
+    const double t7 = JLT_FNMA(x[0], p[11], t6); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t8 = x[0]*p[14]; /* gamma3*I3/I1 */
+    const double t9 = JLT_FMA(x[0], t8, t2); /* gamma3*gamma3*I3/I1 + s^2 */
+    const double t10 = JLT_FMA(p[13], t9, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s^2) + I1*I3 */
+    const double t11 = t2*t10; /* s^2*Theta */
+    const double t12 = 1.0/t11; /* 1/(s^2*Theta) */
+    const double t13 = t2*t12; /* 1/Theta = s^2*1/(s^2*Theta) */
+    const double t14 = t7*t13; /* (C*I1*M*s - gamma3*G*J1/R)*1/Theta */
+    const double t15 = p[9]*t7; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t16 = JLT_FNMA(t14, t15, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*1/Theta*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t17 = p[8]*t16; /* v_slip^2 = 1/(m*I1^2)*t16 */
+    const double t18 = sqrt(t17); /* v_slip = sqrt(v_slip^2) */
+    const double t19 = sin(x[1]); /* S = sin(psi) */
+    const double t20 = JLT_FNMA(p[15], t19, t18); /* v_slip - M/(m*R)*S */
+    const double t21 = t3*t10; /* s*Theta */
+    const double t22 = t12*t21; /* 1/(s^2*Theta)*s*Theta */
+    const double t23 = x[0]*t22; /* gamma3*1/(s^2*Theta)*s*Theta */
+    const double t24 = p[7]*t23; /* m*R/J1*gamma3*1/(s^2*Theta)*s*Theta */
+    const double t25 = t20*t24; /* (v_slip - M/(m*R)*S)*m*R/J1*gamma3*1/(s^2*Theta)*s*Theta */
+    const double t26 = t23*p[18]; /* gamma3*1/(s^2*Theta)*s*Theta*R*M/(I1*J1) */
+    const double t27 = x[0]*p[20]; /* gamma3*m*R^3*(I1 - I3)/(I1^2*J1) */
+    const double t28 = JLT_FMA(t4, t26, p[19]); /* C*gamma3*1/(s^2*Theta)*s*Theta*R*M/(I1*J1) + G/I1^2 */
+    const double t29 = JLT_FNMA(t14, t27, t28); /* C*gamma3*1/(s^2*Theta)*s*Theta*R*M/(I1*J1) + G/I1^2 - (C*I1*M*s - gamma3*G*J1/R)*1/Theta*gamma3*m*R^3*(I1 - I3)/(I1^2*J1) */
+    const double t30 = t3*t14; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
+    const double t31 = t30/t17; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip^2 */
+    const double t32 = t18*t31; /* v_slip*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip^2 */
+    const double t33 = p[9]*t29; /* (I1 - I3)*t29 */
+    const double t34 = JLT_FMS(t32, t33, t25); /* v_slip*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip^2*(I1 - I3)*t29 - (v_slip - M/(m*R)*S)*m*R/J1*gamma3*1/(s^2*Theta)*s*Theta */
+    out[0] = t34;
+    const double t35 = t19*p[22]; /* S*R*M*(I1 - I3)/I1 */
+    const double t36 = t32*t35; /* v_slip*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip^2*S*R*M*(I1 - I3)/I1 */
+    const double t37 = JLT_FNMA(t4, p[5], t36); /* t36 - C*M */
+    const double t38 = t3*p[21]; /* s*1/J1 */
+    const double t39 = t37*t38; /* (t36 - C*M)*s*1/J1 */
+    out[1] = t39;
+    const double t40 = t13*t22; /* 1/Theta*1/(s^2*Theta)*s*Theta */
+    const double t41 = x[0]*t40; /* gamma3*1/Theta*1/(s^2*Theta)*s*Theta */
+    const double t42 = t3*p[16]; /* s*G*J3/R */
+    const double t43 = t4*p[17]; /* C*I3*M */
+    const double t44 = JLT_FMA(x[0], t43, t42); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t45 = JLT_FNMA(t22, t44, p[16]); /* G*J3/R - 1/(s^2*Theta)*s*Theta*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t46 = t22*t45; /* 1/(s^2*Theta)*s*Theta*(G*J3/R - 1/(s^2*Theta)*s*Theta*(gamma3*C*I3*M + s*G*J3/R)) */
+    const double t47 = t13*p[23]; /* 1/Theta*2*m*R^2*(I1 - I3) */
+    const double t48 = JLT_FNMA(t44, t47, t46); /* t46 - (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*(I1 - I3) */
+    const double t49 = t41*t48; /* gamma3*1/Theta*1/(s^2*Theta)*s*Theta*(t46 - (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*(I1 - I3)) */
+    const double t50 = JLT_FMS(t40, t43, t49); /* 1/Theta*1/(s^2*Theta)*s*Theta*C*I3*M - t49 */
+    out[2] = t50;
+    const double t51 = t41*p[24]; /* gamma3*1/Theta*1/(s^2*Theta)*s*Theta*(-I3*M) */
+    const double t52 = t19*t51; /* S*gamma3*1/Theta*1/(s^2*Theta)*s*Theta*(-I3*M) */
+    out[3] = t52;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -230,68 +228,69 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t5 = JLT_FMA(p[13], t4, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s^2) + I1*I3 */
     const double t6 = t2*t5; /* s^2*Theta */
     const double t7 = 1.0/t6; /* 1/(s^2*Theta) */
-    const double t8 = t5*t7; /* 1/s^2 = Theta*1/(s^2*Theta) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
     const double t9 = t2*t7; /* 1/Theta = s^2*1/(s^2*Theta) */
-    const double t10 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t11 = cos(x[1]); /* C = cos(psi) */
-    const double t12 = p[10]*t10; /* I1*M*s */
-    const double t13 = t11*t12; /* C*I1*M*s */
-    const double t14 = JLT_FNMA(x[0], p[11], t13); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t15 = t9*t14; /* 1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t16 = p[9]*t14; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t17 = JLT_FNMA(t15, t16, p[6]); /* F0 - 1/Theta*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t18 = p[8]*t17; /* v_slip^2 = 1/(m*I1^2)*t17 */
-    const double t19 = t10*t15; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t20 = t19/t18; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2 */
-    const double t21 = sqrt(t18); /* v_slip = sqrt(v_slip^2) */
-    const double t22 = t20*t21; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip */
-    const double t23 = p[26]*t15; /* m*R^3*(I1 - I3)^2/(I1^2*J1)*1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t24 = sin(x[1]); /* S = sin(psi) */
-    const double t25 = JLT_FNMA(p[15], t24, t21); /* v_slip - M/(m*R)*S */
-    const double t26 = p[7]*t25; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t27 = t10*t26; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t27;
-    const double t28 = p[25]*t11; /* R*M*(I1 - I3)/(I1*J1)*C */
-    const double t29 = JLT_FMS(t22, t28, t26); /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/(I1*J1)*C - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t30 = p[16]*t10; /* G*J3/R*s */
-    const double t31 = p[17]*t11; /* I3*M*C */
-    const double t32 = JLT_FMA(x[0], t31, t30); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t33 = t8*t10; /* 1/s^2*s */
-    const double t34 = t29*t33; /* t29*1/s^2*s */
-    const double t35 = JLT_FNMA(t22, t23, t34); /* t29*1/s^2*s - s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*t23 */
-    const double t36 = JLT_FMA(p[23], t9, t8); /* 2*m*R^2*(I1 - I3)*1/Theta + 1/s^2 */
-    const double t37 = t9*t33; /* 1/Theta*1/s^2*s */
-    const double t38 = p[16]*t33; /* G*J3/R*1/s^2*s */
-    const double t39 = JLT_FNMA(t32, t36, t38); /* G*J3/R*1/s^2*s - (gamma3*I3*M*C + G*J3/R*s)*(2*m*R^2*(I1 - I3)*1/Theta + 1/s^2) */
-    const double t40 = JLT_FNMA(x[0], t39, t31); /* I3*M*C - gamma3*t39 */
-    const double t41 = t32*t37; /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/s^2*s */
-    out[1] = t41;
-    const double t42 = t37*t40; /* 1/Theta*1/s^2*s*(I3*M*C - gamma3*t39) */
-    out[4] = t42;
-    const double t43 = x[0]*t35; /* gamma3*t35 */
-    const double t44 = JLT_FMA(p[27], t22, t43); /* G*(I1 - I3)/I1^2*s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip + gamma3*t35 */
-    out[2] = t44;
-    const double t45 = p[21]*t10; /* 1/J1*s */
-    const double t46 = p[22]*t24; /* R*M*(I1 - I3)/I1*S */
-    const double t47 = t22*t46; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/I1*S */
-    const double t48 = JLT_FNMA(p[5], t11, t47); /* t47 - M*C */
-    const double t49 = t45*t48; /* 1/J1*s*(t47 - M*C) */
-    out[3] = t49;
-    const double t50 = x[0]*p[24]; /* gamma3*(-I3*M) */
-    const double t51 = t37*t50; /* 1/Theta*1/s^2*s*gamma3*(-I3*M) */
-    const double t52 = t24*t51; /* S*1/Theta*1/s^2*s*gamma3*(-I3*M) */
-    out[5] = t52;
+    const double t10 = t5*t8; /* Theta*s */
+    const double t11 = t7*t10; /* 1/(s^2*Theta)*Theta*s */
+    const double t12 = cos(x[1]); /* C = cos(psi) */
+    const double t13 = p[10]*t8; /* I1*M*s */
+    const double t14 = t12*t13; /* C*I1*M*s */
+    const double t15 = JLT_FNMA(x[0], p[11], t14); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t16 = t9*t15; /* 1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t17 = p[9]*t15; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t18 = JLT_FNMA(t16, t17, p[6]); /* F0 - 1/Theta*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t19 = p[8]*t18; /* v_slip^2 = 1/(m*I1^2)*t18 */
+    const double t20 = t8*t16; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t21 = t20/t19; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2 */
+    const double t22 = sqrt(t19); /* v_slip = sqrt(v_slip^2) */
+    const double t23 = t21*t22; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip */
+    const double t24 = p[26]*t16; /* m*R^3*(I1 - I3)^2/(I1^2*J1)*1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t25 = sin(x[1]); /* S = sin(psi) */
+    const double t26 = JLT_FNMA(p[15], t25, t22); /* v_slip - M/(m*R)*S */
+    const double t27 = p[7]*t26; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t28 = t8*t27; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t28;
+    const double t29 = p[16]*t8; /* G*J3/R*s */
+    const double t30 = p[21]*t8; /* 1/J1*s */
+    const double t31 = p[17]*t12; /* I3*M*C */
+    const double t32 = JLT_FMA(x[0], t31, t29); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t33 = p[25]*t12; /* R*M*(I1 - I3)/(I1*J1)*C */
+    const double t34 = JLT_FMS(t23, t33, t27); /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/(I1*J1)*C - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t35 = t11*t34; /* 1/(s^2*Theta)*Theta*s*t34 */
+    const double t36 = JLT_FNMA(t23, t24, t35); /* 1/(s^2*Theta)*Theta*s*t34 - s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*t24 */
+    const double t37 = x[0]*t36; /* gamma3*t36 */
+    const double t38 = JLT_FMA(p[27], t23, t37); /* G*(I1 - I3)/I1^2*s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip + gamma3*t36 */
+    out[2] = t38;
+    const double t39 = p[23]*t9; /* 2*m*R^2*(I1 - I3)*1/Theta */
+    const double t40 = t32*t39; /* (gamma3*I3*M*C + G*J3/R*s)*2*m*R^2*(I1 - I3)*1/Theta */
+    const double t41 = t9*t11; /* 1/Theta*1/(s^2*Theta)*Theta*s */
+    const double t42 = t32*t41; /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/(s^2*Theta)*Theta*s */
+    out[1] = t42;
+    const double t43 = JLT_FNMA(t11, t32, p[16]); /* G*J3/R - 1/(s^2*Theta)*Theta*s*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t44 = JLT_FNMA(t11, t43, t40); /* (gamma3*I3*M*C + G*J3/R*s)*2*m*R^2*(I1 - I3)*1/Theta - 1/(s^2*Theta)*Theta*s*(G*J3/R - 1/(s^2*Theta)*Theta*s*(gamma3*I3*M*C + G*J3/R*s)) */
+    const double t45 = JLT_FMA(x[0], t44, t31); /* gamma3*t44 + I3*M*C */
+    const double t46 = t41*t45; /* 1/Theta*1/(s^2*Theta)*Theta*s*(gamma3*t44 + I3*M*C) */
+    out[4] = t46;
+    const double t47 = p[22]*t25; /* R*M*(I1 - I3)/I1*S */
+    const double t48 = t23*t47; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/I1*S */
+    const double t49 = JLT_FNMA(p[5], t12, t48); /* t48 - M*C */
+    const double t50 = t30*t49; /* 1/J1*s*(t48 - M*C) */
+    out[3] = t50;
+    const double t51 = x[0]*p[24]; /* gamma3*(-I3*M) */
+    const double t52 = t41*t51; /* 1/Theta*1/(s^2*Theta)*Theta*s*gamma3*(-I3*M) */
+    const double t53 = t25*t52; /* S*1/Theta*1/(s^2*Theta)*Theta*s*gamma3*(-I3*M) */
+    out[5] = t53;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0]*p[3]; /* gamma3*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[28]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = JLT_FMA(x[0], t3, p[29]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t7 = t5*t6; /* Theta/(m*R^2)*s */
     const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2)*s) */
     const double t9 = x[0]*t5; /* gamma3*Theta/(m*R^2) */
@@ -303,14 +302,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t15 = JLT_FNMA(x[0], p[11], t14); /* C*I1*M*s - gamma3*G*J1/R */
     const double t16 = t11*t15; /* 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
     const double t17 = p[30]*t11; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t18 = p[29]*t16; /* (I1 - I3)/(m*R^2)*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t18 = p[28]*t16; /* (I1 - I3)/(m*R^2)*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
     const double t19 = JLT_FNMA(t15, t18, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*t18 */
     const double t20 = t6*t18; /* s*t18 */
     const double t21 = p[8]*t19; /* 1/(m*I1^2)*(F0 - (C*I1*M*s - gamma3*G*J1/R)*t18) */
     const double t22 = sqrt(t21); /* v_slip = sqrt(1/(m*I1^2)*(F0 - (C*I1*M*s - gamma3*G*J1/R)*t18)) */
-    const double t23 = p[31]*t10; /* R*M/(I1*J1)*1/(Theta/(m*R^2)*s)*gamma3*Theta/(m*R^2) */
-    const double t24 = JLT_FMA(t12, t23, p[32]); /* C*R*M/(I1*J1)*1/(Theta/(m*R^2)*s)*gamma3*Theta/(m*R^2) + G/I1^2 */
-    const double t25 = x[0]*p[33]; /* gamma3*R*(I1 - I3)/(I1^2*J1) */
+    const double t23 = p[18]*t10; /* R*M/(I1*J1)*1/(Theta/(m*R^2)*s)*gamma3*Theta/(m*R^2) */
+    const double t24 = JLT_FMA(t12, t23, p[19]); /* C*R*M/(I1*J1)*1/(Theta/(m*R^2)*s)*gamma3*Theta/(m*R^2) + G/I1^2 */
+    const double t25 = x[0]*p[31]; /* gamma3*R*(I1 - I3)/(I1^2*J1) */
     const double t26 = JLT_FNMA(t16, t25, t24); /* t24 - 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)*gamma3*R*(I1 - I3)/(I1^2*J1) */
     const double t27 = t20*t26; /* s*t18*t26 */
     const double t28 = t27/t22; /* s*t18*t26/v_slip */
@@ -422,6 +421,54 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[1] = (v_omega_n/v_s);
 }
 
+static void tier_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = params[2]*params[2]; /* I1*I1 */
+    const double t1 = params[0]*t0; /* m*I1*I1 */
+    const double t2 = params[2]*params[3]; /* I1*I3 */
+    const double t3 = params[1]*params[1]; /* R*R */
+    const double t4 = params[0]*t3; /* m*R*R */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t9 = t8*t8; /* s*s */
+    const double t10 = params[2]*t9; /* I1*s*s */
+    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t12 = params[3]*t11; /* I3*gamma3*gamma3 */
+    const double t13 = t10 + t12; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t14 = t4*t13; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t15 = t2 + t14; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t16 = params[2]*params[5]; /* I1*M */
+    const double t17 = t8*t16; /* s*I1*M */
+    const double t18 = cos(x[1]); /* C = cos(psi) */
+    const double t19 = t17*t18; /* s*I1*M*C */
+    const double t20 = x[0]*params[4]; /* gamma3*G */
+    const double t21 = params[2] + t4; /* J1 = I1 + m*R*R */
+    const double t22 = t20*t21; /* gamma3*G*J1 */
+    const double t23 = t22/params[1]; /* gamma3*G*J1/R */
+    const double t24 = t19 - t23; /* s*I1*M*C - gamma3*G*J1/R */
+    const double t25 = t24*t24; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t26 = params[2] - params[3]; /* I1 - I3 */
+    const double t27 = t25*t26; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R)*(I1 - I3) */
+    const double t28 = t27/t15; /* t27/Theta */
+    const double t29 = params[6] - t28; /* F0 - t27/Theta */
+    const double t30 = t29/t1; /* (F0 - t27/Theta)/(m*I1*I1) */
+    const double t31 = sqrt(t30); /* v_slip = sqrt((F0 - t27/Theta)/(m*I1*I1)) */
+    const double t32 = t31*t31; /* v_slip*v_slip */
+    const double t33 = t1*t32; /* m*I1*I1*v_slip*v_slip */
+    const double t34 = t33*50.0; /* m*I1*I1*v_slip*v_slip*50 */
+    const double t35 = t34 - params[6]; /* m*I1*I1*v_slip*v_slip*50 - F0 */
+    out[0] = t35;
+    const double t36 = params[6] + t34; /* F0 + m*I1*I1*v_slip*v_slip*50 */
+    out[1] = t36;
+}
+
+static const jlt_way_condition tier_conditions[] = {
+    { "50*m*I1^2*v_slip^2 - F0 > 0", 0 },
+    { "50*m*I1^2*v_slip^2 + F0 > 0", 0 },
+};
+
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
@@ -448,19 +495,19 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6",
+    .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
-    .state_count = 2, .param_count = 7, .block_count = 34,
+    .state_count = 2, .param_count = 7, .block_count = 32,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 16, 6, 1, 2, 2, 14, 6 }, { 10, 32, 0, 6, 2, 2, 16, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of d(gamma3)/dt, v_slip - (M/(m*R))*S, C*gamma3*(I3*M) + (G*J3/R)*s" },
-    .jacobian = { jacobian, 4, { 2, 31, 13, 2, 2, 2, 15, 12 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in s*(I1*M)*C - gamma3*(G*J1/R), a part of d(d(gamma3)/dt)/d(gamma3) and of d(d(gamma3)/dt)/d(psi), v_slip - (M/(m*R))*S, a part of d(d(psi)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(psi), a part of d(d(gamma3)/dt)/d(gamma3), gamma3*(I3*M)*C + (G*J3/R)*s, a part of d(d(psi)/dt)/d(gamma3), d(d(gamma3)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 6, { 2, 32, 13, 2, 2, 2, 18, 12 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of d(gamma3)/dt and of d(d(gamma3)/dt)/d(gamma3) and of d(d(gamma3)/dt)/d(psi), v_slip - (M/(m*R))*S, a part of d(d(gamma3)/dt)/d(gamma3), gamma3*(I3*M)*C + (G*J3/R)*s, a part of d(d(gamma3)/dt)/d(gamma3), (2*m*R^2*(I1 - I3))*1/Theta + 1/s^2, a part of d(d(psi)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3), d(d(gamma3)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(psi)" },
+    .jacobian = { jacobian, 4, { 2, 32, 13, 2, 2, 2, 15, 12 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of d(d(gamma3)/dt)/d(gamma3) and of d(d(gamma3)/dt)/d(psi), v_slip - (M/(m*R))*S, a part of d(d(gamma3)/dt)/d(gamma3), d(d(gamma3)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(psi), gamma3*C*(I3*M) + s*(G*J3/R), G*J3/R - ((1)/s^2*Theta)*s*Theta*(gamma3*C*(I3*M) + s*(G*J3/R)), a part of d(d(psi)/dt)/d(gamma3), d(d(psi)/dt)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 6, { 2, 33, 13, 2, 2, 2, 18, 12 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of d(gamma3)/dt and of d(d(gamma3)/dt)/d(gamma3) and of d(d(gamma3)/dt)/d(psi), v_slip - (M/(m*R))*S, gamma3*(I3*M)*C + (G*J3/R)*s, a part of d(d(gamma3)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(gamma3), d(d(gamma3)/dt)/d(gamma3), G*J3/R - ((1)/s^2*Theta)*Theta*s*(gamma3*(I3*M)*C + (G*J3/R)*s), a part of d(d(psi)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3), a part of d(d(gamma3)/dt)/d(psi)" },
     .divergence = { divergence, 1, { 2, 17, 9, 2, 2, 2, 15, 8 }, { 18, 59, 0, 12, 2, 2, 19, 13 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of the divergence, a part of the divergence, v_slip - (M/(m*R))*S, (I3*M/(m*R^2))*1/(Theta/(m*R^2))*S + (m*R/J1)*(v_slip - (M/(m*R))*S), the divergence" },
     .integral_values = { .loses_digits = "" },
@@ -472,6 +519,9 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
     .pole_count = 1, .poles = poles,
+    .tier = "plane", .tier_meaning = "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed",
+    .tier_condition_count = 2, .tier_conditions = tier_conditions,
+    .tier_values = tier_values,
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
 #ifndef JLT_WITHOUT_BALLS
     .balls = &jlt_balls_spherical_top_plane_general,

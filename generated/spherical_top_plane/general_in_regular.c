@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_plane, SHA-256 b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6
+ *  Table:      spherical_top_plane, SHA-256 ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -461,6 +461,82 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[2] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[2]*x[2]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    const double t1 = 2.0*x[2]; /* 2*s */
+    out[2] = t1;
+}
+
+static void tier_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = params[2]*params[2]; /* I1*I1 */
+    const double t1 = params[0]*t0; /* m*I1*I1 */
+    const double t2 = params[2]*params[3]; /* I1*I3 */
+    const double t3 = params[1]*params[1]; /* R*R */
+    const double t4 = params[0]*t3; /* m*R*R */
+    const double t5 = x[2]*x[2]; /* s*s */
+    const double t6 = params[2]*t5; /* I1*s*s */
+    const double t7 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t8 = params[3]*t7; /* I3*gamma3*gamma3 */
+    const double t9 = t6 + t8; /* I1*s*s + I3*gamma3*gamma3 */
+    const double t10 = t4*t9; /* m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t11 = t2 + t10; /* Theta = I1*I3 + m*R*R*(I1*s*s + I3*gamma3*gamma3) */
+    const double t12 = params[2]*params[5]; /* I1*M */
+    const double t13 = x[2]*t12; /* s*I1*M */
+    const double t14 = cos(x[1]); /* C = cos(psi) */
+    const double t15 = t13*t14; /* s*I1*M*C */
+    const double t16 = x[0]*params[4]; /* gamma3*G */
+    const double t17 = params[2] + t4; /* J1 = I1 + m*R*R */
+    const double t18 = t16*t17; /* gamma3*G*J1 */
+    const double t19 = t18/params[1]; /* gamma3*G*J1/R */
+    const double t20 = t15 - t19; /* s*I1*M*C - gamma3*G*J1/R */
+    const double t21 = t20*t20; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t22 = params[2] - params[3]; /* I1 - I3 */
+    const double t23 = t21*t22; /* (s*I1*M*C - gamma3*G*J1/R)*(s*I1*M*C - gamma3*G*J1/R)*(I1 - I3) */
+    const double t24 = t23/t11; /* t23/Theta */
+    const double t25 = params[6] - t24; /* F0 - t23/Theta */
+    const double t26 = t25/t1; /* (F0 - t23/Theta)/(m*I1*I1) */
+    const double t27 = sqrt(t26); /* v_slip = sqrt((F0 - t23/Theta)/(m*I1*I1)) */
+    const double t28 = t27*t27; /* v_slip*v_slip */
+    const double t29 = t1*t28; /* m*I1*I1*v_slip*v_slip */
+    const double t30 = t29*50.0; /* m*I1*I1*v_slip*v_slip*50 */
+    const double t31 = t30 - params[6]; /* m*I1*I1*v_slip*v_slip*50 - F0 */
+    out[0] = t31;
+    const double t32 = params[6] + t30; /* F0 + m*I1*I1*v_slip*v_slip*50 */
+    out[1] = t32;
+}
+
+static const jlt_way_condition tier_conditions[] = {
+    { "50*m*I1^2*v_slip^2 - F0 > 0", 0 },
+    { "50*m*I1^2*v_slip^2 + F0 > 0", 0 },
+};
+
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 2.0*0x1.921fb54442d18p+1 },
@@ -488,7 +564,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "b1ff9890862468345c9762950c82b8922ec2b034439b90677af1977fd9803dd6",
+    .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
     .state_count = 3, .param_count = 7, .block_count = 37,
@@ -513,6 +589,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
     .pole_count = 1, .poles = poles,
+    .lifted = lifted,
+    .tier = "plane", .tier_meaning = "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed",
+    .tier_condition_count = 2, .tier_conditions = tier_conditions,
+    .tier_values = tier_values,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
 #ifndef JLT_WITHOUT_BALLS
     .balls = &jlt_balls_spherical_top_plane_general_in_regular,

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40
+ *  Table:      spherical_top_track, SHA-256 e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -820,6 +820,52 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[9] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
 }
 
+static void lifted(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = x[2];
+    out[3] = x[3];
+    out[4] = x[4];
+    out[5] = x[5];
+    out[6] = x[6];
+    out[7] = x[7];
+    out[8] = x[8];
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[9] = t3;
+}
+
+static void root_relations(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t1 = (-1.0) + t0; /* -1 + gamma3*gamma3 */
+    const double t2 = x[9]*x[9]; /* s*s */
+    const double t3 = t1 + t2; /* -1 + gamma3*gamma3 + s*s */
+    out[0] = t3;
+}
+
+static void root_relation_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    const double t0 = 2.0*x[0]; /* 2*gamma3 */
+    out[0] = t0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = 0.0;
+    const double t1 = 2.0*x[9]; /* 2*s */
+    out[9] = t1;
+}
+
 static const jlt_quantity states[] = {
     { "gamma3", "1", "cosine of the tilt of the symmetry axis, (gamma, e3)", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu, the direction of free slipping", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -856,7 +902,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40",
+    .sha256 = "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .block_count = 20,
@@ -883,6 +929,8 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .lifted = lifted,
+    .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint: reduced system, attitude and track: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_track, SHA-256 4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40
+ *  Table:      spherical_top_track, SHA-256 e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

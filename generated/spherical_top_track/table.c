@@ -1,4 +1,4 @@
-/* spherical_top_track: its table byte for byte (SHA-256 4f85e6e6b3d0fda070e03dc687c9fd2c0b3b0fc8ff873322e85f8f219981fd40), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_track: its table byte for byte (SHA-256 e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top_track[];
@@ -101,10 +101,12 @@ const char jlt_table_spherical_top_track[] = {
     'r','e','v','e','r','s','o','r',' ','v','_','n','u',' ','-','>',' ','-','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','-','>',' ','-','o','m','e','g','a','_','t','a','u',',',' ','y',' ','-','>',' ','-','y',',',' ','c','h','i',' ','-','>',' ','-','c','h','i',',',' ','s','p','i','n',' ','-','>',' ','-','s','p','i','n','\n',
     '\n',
     'r','e','d','u','c','t','i','o','n',' ','r','e','d','u','c','e','d',' ',':',' ','o','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
-    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3','\n',
+    ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','s',' ','=',' ','s','\n',
     '\n',
     'p','e','r','i','o','d','i','c',' ','c','h','i',' ','=',' ','2','*','p','i','\n',
     'p','e','r','i','o','d','i','c',' ','s','p','i','n',' ','=',' ','2','*','p','i','\n',
+    '\n',
+    't','i','e','r',' ','t','r','a','c','k',' ','"','t','h','e',' ','r','e','d','u','c','e','d',' ','s','y','s','t','e','m',' ','w','i','t','h',' ','a','t','t','i','t','u','d','e',' ','a','n','d',' ','t','r','a','c','k',' ','b','y',' ','q','u','a','d','r','a','t','u','r','e','s','"','\n',
     '\0'
 };
 
@@ -119,7 +121,7 @@ const jlt_claim jlt_claims_spherical_top_track[] = {
     { "integral", "v_x", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "ac3caf3baf66336ef897cff1a23d6027f177d09e6646ad1a9a7f776485e5d28a" },
+    { "reduction", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501" },
     { "periodic", "chi", "", JLT_PROVED, "", NULL },
     { "periodic", "spin", "", JLT_PROVED, "", NULL },
     { "root", "s", "", JLT_PROVED, "", NULL },

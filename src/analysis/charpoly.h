@@ -20,17 +20,21 @@ enum { JLT_CHARPOLY_SIZE_MAX = 32 };
 JLT_CHECKED jlt_status jlt_charpoly_faddeev_leverrier(double *coefficients, double *scale, const double *a,
                                                       const double *majorant, size_t n);
 
-/** The monic polynomial with these roots (pairs must be conjugate to rounding; imaginary parts are dropped).
- *  Out: coefficients, shape (n + 1,), highest power first; scale likewise, of the roots' magnitudes, or NULL. */
+/** The monic polynomial with the roots re[i] + i im[i], shape (n,) each; those that are not real come in conjugate pairs, to
+ *  rounding: what is left of imaginary parts in the coefficients is dropped.
+ *  Out: coefficients, shape (n + 1,), highest power first; scale, shape (n + 1,), or NULL: what they are if nothing
+ *       cancels, the coefficients of the polynomial with roots -|re + i im|.
+ *  Errors: ARG, n > JLT_CHARPOLY_SIZE_MAX; NONFINITE, a root. */
 JLT_CHECKED jlt_status jlt_charpoly_from_roots(double *coefficients, double *scale, const double *re, const double *im,
                                                size_t n);
 
-/** |adj(z E - A)|, the Frobenius norm of the adjugate at z = re + i im: divided by the product of the distances from z
- *  to the other eigenvalues it is the condition number of a simple eigenvalue z. Also, when not NULL, the adjugate itself:
- *  re and im parts, shape (2, n, n). No scaling: the caller keeps |a| near one. */
+/** Returns |adj(z E - A)|, the Frobenius norm of the adjugate at z = re + i im: divided by the product of the distances from z
+ *  to the other eigenvalues it is the condition number of a simple eigenvalue z.
+ *  Out: adjugate, shape (2, n, n), or NULL: its real parts, then its imaginary parts. In: a, shape (n, n), row-major; n <=
+ *  JLT_CHARPOLY_SIZE_MAX, which is not checked. Nothing is scaled, so that sizes of a far from one may overflow. */
 double jlt_charpoly_adjugate(double *adjugate, const double *a, size_t n, double re, double im);
 
-/** The power of two k with 2^(k-1) <= the largest |entry| < 2^k; 0 for a zero matrix. */
+/** The k with 2^(k-1) <= the largest |entry| of a, shape (count,), < 2^k; 0 where all are zero. */
 int jlt_charpoly_exponent(const double *a, size_t count);
 
 #endif

@@ -1,7 +1,9 @@
-/** The density of an invariant measure, computed from the field's divergence alone.  * For a density rho that depends on one
- *  state q alone, div(rho f) = 0 reads  d ln rho / dq = -div f / f_q,  so the right-hand side must depend on q alone. If it
- *  does, a quadrature gives rho (the theorem of Euler and Jacobi). The defect measures how much it varies with the other
- *  states; where it is not zero there is no such density. Source: Kilin, Ivanova 2023, section 4.2. */
+/** The density of an invariant measure, computed from the field's divergence alone.
+ *
+ *  For a density rho that depends on one state q alone, div(rho f) = 0 reads  d ln rho / dq = -div f / f_q,  so the
+ *  right-hand side must depend on q alone. If it does, a quadrature gives rho (the theorem of Euler and Jacobi). The defect
+ *  measures how much it varies with the other states; where it is not zero there is no such density. Source: Kilin, Ivanova
+ *  2023, section 4.2. */
 #ifndef JLT_ANALYSIS_DENSITY_H
 #define JLT_ANALYSIS_DENSITY_H
 

@@ -21,7 +21,8 @@ const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibri
     return NULL;
 }
 
-void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
+/* Put the oracle on a family: conditions and dependent states stand for their expressions, the rest has these values. */
+static void place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
 {
     ttc_ball *ball = run->oracle->ball;
 
@@ -101,7 +102,7 @@ jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run, const jlt
     jlt_oracle *o = run->oracle;
     jlt_status st;
 
-    jlt_verify_place(run, subject->claim, sample->params, sample->x);
+    place(run, subject->claim, sample->params, sample->x);
     JLT_TRY(jlt_oracle_enclose(o, sample->jacobian, o->jacobian, n * n));
     JLT_TRY(jlt_oracle_enclose(o, &sample->trace, &o->trace, 1));
     JLT_TRY(jlt_oracle_enclose(o, sample->gradient, subject->gradients, subject->family->left_null_count * n));

@@ -83,9 +83,6 @@ JLT_CHECKED jlt_status jlt_verify_densities(jlt_verify_run *run);
 /* The claim of the table that a family comes from. */
 const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibria *family);
 
-/* Put the oracle on a family: conditions and dependent states stand for their expressions, the rest has these values. */
-void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x);
-
 /* Random parameters that satisfy the table's conditions: moderate, extreme, or the defaults. Shape (params,). */
 void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jlt_random *random, unsigned kind);
 

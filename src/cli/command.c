@@ -4,7 +4,6 @@
 #include "kernel/descriptor.h"
 #include "report/file.h"
 #include "scene/plan.h"
-#include "top/tier.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -35,19 +34,12 @@ static void warn_of(const jlt_descriptor *of)
 
 void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
 {
-    const jlt_tier *tier, *other;
+    jlt_tier tiers[JLT_TIERS_MAX];
+    const unsigned count = jlt_tier_list(tiers, descriptor, NULL);
 
     warn_of(descriptor);
-    if (!jlt_tier_has(descriptor)) return;
-    /* The smaller models that may answer in its place, each once. */
-    for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL; i++) {
-        bool is_new = tier->model != NULL && strcmp(tier->model, descriptor->model) != 0;
-        for (size_t k = 0; k < i && is_new; k++) {
-            other = jlt_tier_at(k);
-            is_new = other->model == NULL || strcmp(other->model, tier->model) != 0;
-        }
-        if (is_new) warn_of(jlt_descriptor_find(tier->model, NULL, NULL, NULL));
-    }
+    for (unsigned i = 0; i < count; i++) /* the tables that may answer in its place, each once */
+        if (tiers[i].table != NULL && tiers[i].table != descriptor && !tiers[i].by_name) warn_of(tiers[i].table);
 }
 
 jlt_exit jlt_command_no_memory(void)

@@ -1,4 +1,4 @@
-/** Commands of the program: one file each, all in the table of main.c. */
+/** Commands of the program: one file each, all in the table of command_table.c. */
 #ifndef JLT_CLI_COMMAND_H
 #define JLT_CLI_COMMAND_H
 
@@ -24,6 +24,7 @@ typedef struct {
     const char *arguments; /* as shown in the list of commands */
     const char *summary;   /* one line, no full stop */
     jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME" */
+    const struct argp *parser; /* whose options are the keys of a scene's entry; NULL: no scene asks for it */
 } jlt_command;
 
 extern const jlt_command
@@ -32,7 +33,10 @@ extern const jlt_command
     jlt_command_fates, jlt_command_manifolds, jlt_command_lyapunov, jlt_command_continue, jlt_command_separation,
     jlt_command_drift, jlt_command_bench;
 
-/* By name, from the table of main.c; NULL when there is none. */
+/* Number `index` of the table, in the order of --help; NULL beyond the last. */
+const jlt_command *jlt_command_at(size_t index);
+
+/* By name; NULL when there is none. */
 const jlt_command *jlt_command_find(const char *name);
 
 /* "jellett: " message, on standard error; returns `code`. */

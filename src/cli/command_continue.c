@@ -18,7 +18,7 @@ typedef struct {
 enum { ALONG = 2000, STEP, DOWN, FOLLOW, GENERATIONS };
 
 static const struct argp_option option_table[] = {
-    { "along", ALONG, "NAME=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
+    { "along", ALONG, "PARAM|LEVEL=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
     { "start", 'a', "NAME=VALUE,...", 0, "Near the orbit, by all coordinates of the section; of the spherical top the saddle of Figure 3 by default", 1 },
     { "period", 'n', "N", 0, "Returns of the orbit; default 1", 1 },
     { "step", STEP, "VALUE", 0, "First arc length between points, in the coordinates and the value; at most 5 of them later; default 0.01", 1 },
@@ -59,7 +59,7 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: folds, period doublings, branch "
     "points and, on a section of two coordinates, tori."
-    "\vColumns: branch, the running value, arc, period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
+    "\vColumns: branch, the running value (along_arc of one called arc), arc, period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
     "symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the "
     "values at the nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to "
     "converge there. How many bifurcations are listed whose branches are not followed is said at the end.\n\n"
@@ -155,14 +155,14 @@ static jlt_exit choose_axes(unsigned shown[2], const options *o, const jlt_syste
 }
 
 /* A bifurcation is an end of the stable line and of the unstable one. */
-static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const table *to, const char *points)
+static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const table *to)
 {
     char label[JLT_LOOK_LABEL_MAX];
     jlt_plot plot;
 
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
     FILE *const stream = plot.stream;
-    jlt_plot_block(&plot, "POINTS", points);
+    jlt_plot_block(&plot, "POINTS", o->motion.common.drawn);
     jlt_plot_words(&plot, "First points of periodic orbits\n");
     jlt_motion_caption(&plot, system, name);
     jlt_look_label(label, name, "");
@@ -239,17 +239,26 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
 
+/* A parameter may have the name of a column. */
+static bool is_column(const char *name)
+{
+    static const char *const columns[] = { "branch", "arc", "period", "T", "trace", "det", "mu1_re", "mu1_im", "mu2_re", "mu2_im",
+                                           "symmetric", "type", "residual", "bifurcation", "low", "high" };
+
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+        if (strcmp(columns[i], name) == 0) return true;
+    return false;
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
     jlt_motion_family family = { .surface = NULL };
     table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
-    jlt_stream stream = { 0 };
+    jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
     jlt_continuation_point first;
-    char *points = NULL;
-    size_t size;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
@@ -257,6 +266,8 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.motion.flow.max_steps = 20000;
+    o.motion.begins.starts = &o.start;
+    o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
     if (code == JLT_EXIT_DONE) code = choose_axes(to.shown, &o, system, &axis);
@@ -268,32 +279,28 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     code = find_first(&first, &family, &axis, &o, system);
     if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* there is nowhere else to go */
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
-    to.file = stream.file;
-    if (o.motion.common.plot != NULL) to.points = open_memstream(&points, &size);
+    to.file = common->table.file;
+    to.points = common->points;
     o.motion.swept = &axis;
     o.motion.swept_count = 1;
-    jlt_motion_header(stream.file, &o.motion, system);
-    fprintf(stream.file, "branch,%s,arc,", axis.name);
-    jlt_orbit_columns_names(stream.file, system->flow.chart);
-    fputs(",bifurcation,low,high\n", stream.file);
+    jlt_motion_header(to.file, &o.motion, system);
+    fprintf(to.file, "branch,%s%s,arc,", is_column(axis.name) ? "along_" : "", axis.name);
+    jlt_orbit_columns_names(to.file, system->flow.chart);
+    fputs(",bifurcation,low,high\n", to.file);
     code = run_all(&to, &family, &axis, &first, &o, system);
-    if (to.points != NULL) fclose(to.points);
-    if (code != JLT_EXIT_DONE) goto done;
-    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
-        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, stream.path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, &to, points);
+        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, common->table.path);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, axis.name, &to);
 done:
-    jlt_stream_discard(&stream);
     jlt_motion_family_clear(&family);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
-    free(points);
     return code;
 }
 
 const jlt_command jlt_command_continue = {
-    "continue", "[MODEL] --along NAME=LOW:HIGH [OPTION...]", "Follow a periodic orbit in a parameter or level, with its bifurcations", run
+    "continue", "[MODEL] --along PARAM|LEVEL=LOW:HIGH [OPTION...]", "Follow a periodic orbit in a parameter or level, with its bifurcations", run, &parser
 };

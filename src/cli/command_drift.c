@@ -3,7 +3,7 @@
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/symbol.h"
-#include "top/drift_top.h"
+#include "scene/drift_whole.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ typedef struct {
 /* What is followed, and where it is told. */
 typedef struct {
     jlt_drift drift;
-    jlt_drift_top five;                    /* of the spherical top: all states, in which what levels fix are integrals */
+    jlt_drift_whole whole;                 /* all states of the asked model, in which what levels fix are integrals */
     const char *names[JLT_INVARIANTS_MAX]; /* of the integrals that are watched */
     FILE *file, *points;                   /* points: the same for a picture, or NULL */
     jlt_progress progress;
@@ -123,8 +123,8 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
         r->row_count = 0;
         if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
         jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = r->five.instance == NULL ? jlt_drift_section(&r->drift, &end, method)
-                                                       : jlt_drift_top_follow(&r->drift, &end, method, &r->five, o->project);
+        const jlt_status st = r->whole.instance == NULL ? jlt_drift_section(&r->drift, &end, method)
+                                                       : jlt_drift_whole_follow(&r->drift, &end, method, &r->whole, o->project);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
         if (r->row_count > 0) *drawn |= 1u << m;
@@ -140,7 +140,7 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
     return code;
 }
 
-static jlt_exit draw(const report *r, const options *o, unsigned drawn, const char *points)
+static jlt_exit draw(const report *r, const options *o, unsigned drawn)
 {
     static const char *const dashes[] = { "solid", "dashed", "dotted" };
     const jlt_chart *chart = r->drift.system->flow.chart;
@@ -150,7 +150,7 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn, const ch
 
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
     stream = plot.stream;
-    fputs(points, stream);
+    fputs(o->motion.common.drawn, stream);
     jlt_plot_words(&plot, "Drift of the integrals from ");
     for (unsigned k = 0; k < chart->dim; k++) jlt_plot_value(&plot, chart->names[k], r->drift.q[k]);
     jlt_plot_words(&plot, "\n");
@@ -209,10 +209,10 @@ static jlt_exit open_integrals(report *r, options *o)
     code = jlt_motion_default_start(&o->start, &o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->drift.q, r->drift.system, o->start);
     if (code != JLT_EXIT_DONE) return code;
-    const jlt_status st = surface != NULL ? jlt_drift_top_open(&r->five, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
+    const jlt_status st = surface != NULL ? jlt_drift_whole_open(&r->whole, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
     if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
     r->drift.count = surface->count - surface->params;
-    for (unsigned k = 0; k < r->drift.count; k++) r->drift.watched[k] = k, r->names[k] = surface->names[surface->params + k];
+    for (unsigned k = 0; k < r->drift.count; k++) r->drift.watched[k] = r->whole.watched[k], r->names[k] = surface->names[surface->params + k];
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->drift.system, o->start);
 }
 
@@ -221,10 +221,10 @@ static void write_header(const report *r, const options *o)
     const jlt_surface *surface = r->drift.system->surface;
     FILE *file = r->file;
 
-    if (r->five.instance != NULL) {
+    if (r->whole.instance != NULL) {
         const double *levels = r->drift.system->values + surface->params;
-        jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->five.instance->descriptor,
-                                                  .params = r->five.instance->params, .level_count = r->drift.count,
+        jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->whole.instance->descriptor,
+                                                  .params = r->whole.instance->params, .level_count = r->drift.count,
                                                   .level_names = r->names, .levels = levels });
         fputs("# levels", file);
         for (unsigned k = 0; k < r->drift.count; k++) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
@@ -242,44 +242,40 @@ static void write_header(const report *r, const options *o)
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 10000 };
-    jlt_stream stream = { 0 };
+    jlt_common *common = &o.motion.common;
     report r = { .row_count = 0 };
     unsigned drawn = 0;
     jlt_system *system = NULL;
-    char *points = NULL;
-    size_t size;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.method = NULL;
     o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.begins.starts = &o.start;
+    o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
     r.drift = (jlt_drift){ .system = system, .returns = o.returns, .tell = tell, .context = &r };
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
-    if (code == JLT_EXIT_DONE && o.project && r.five.instance == NULL) code = jlt_motion_project(system);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE && o.project && r.whole.instance == NULL) code = jlt_motion_project(system);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
-    r.file = stream.file;
-    if (o.motion.common.plot != NULL) r.points = open_memstream(&points, &size);
+    r.file = common->table.file;
+    r.points = common->points;
     write_header(&r, &o);
     code = run_all(&r, &o, &drawn);
-    if (r.points != NULL) fclose(r.points);
-    {
-        const jlt_exit closed = jlt_stream_close(&stream);
-        if (closed != JLT_EXIT_DONE) code = closed;
-        else if (jlt_motion_interrupted(&o.motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream.path);
-    }
-    if (code == JLT_EXIT_DONE && drawn != 0 && points != NULL) code = draw(&r, &o, drawn, points);
+    if (code != JLT_EXIT_DONE && drawn == 0) goto done; /* there is no row of any method */
+    const jlt_exit saved = jlt_common_save(common);
+    if (saved != JLT_EXIT_DONE) code = saved;
+    else if (jlt_motion_interrupted(&o.motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
+    if (code == JLT_EXIT_DONE && drawn != 0 && common->plot != NULL) code = draw(&r, &o, drawn);
 done:
-    jlt_stream_discard(&stream);
-    jlt_drift_top_close(&r.five);
+    jlt_drift_whole_close(&r.whole);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
-    free(points);
     return code;
 }
 
 const jlt_command jlt_command_drift = {
-    "drift", "[MODEL] [OPTION...]", "How far integrals drift along an orbit, by every method, with slopes", run
+    "drift", "[MODEL] [OPTION...]", "How far integrals drift along an orbit, by every method, with slopes", run, &parser
 };

@@ -7,9 +7,9 @@
 enum { KEY_FIND = 256, KEY_SWEEP };
 
 static const struct argp_option option_table[] = {
-    { "at", 'a', "NAME=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
+    { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
     { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
-    { "sweep", KEY_SWEEP, "NAME=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
     { 0 },
@@ -163,6 +163,6 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_eigen = {
-    "eigen", "[MODEL] --set NAME=VALUE,... --at NAME=VALUE,... [--find] [--sweep ...] [--json|--csv] [--plot FILE]",
-    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run
+    "eigen", "[MODEL] --set PARAM=VALUE,... --at STATE=VALUE,... [--find] [--sweep ...] [--json|--csv] [--plot FILE]",
+    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run, &parser
 };

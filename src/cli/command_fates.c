@@ -24,7 +24,7 @@ static const struct argp_option option_table[] = {
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; for the spherical top default 60x40 when there is no "
       "--start", 1 },
     { "returns", 'n', "N", 0, "Returns after which an orbit counts as alive; default 200", 1 },
-    { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT,...", 0,
+    { "sweep", SWEEP, "PARAM|LEVEL=LOW:HIGH:COUNT,...", 0,
       "Shares of the fates as parameters and levels run, the last one fastest, in place of a row for every start", 1 },
     { 0 },
 };
@@ -72,10 +72,12 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
+static const char default_grid[] = "60x40";
+
 /* NULL: none. */
 static const char *grid_of(const options *o, const jlt_system *system)
 {
-    return o->grid != NULL ? o->grid : o->start_count > 0 || system->surface == NULL ? NULL : "60x40";
+    return o->grid != NULL ? o->grid : o->start_count > 0 || system->surface == NULL ? NULL : default_grid;
 }
 
 /* All starts of one system; file NULL: only count. */
@@ -116,50 +118,46 @@ static jlt_exit follow_all(jlt_shares *sum, FILE *file, jlt_motion_map *map, con
     return code;
 }
 
-/* A grid as cells, single starts as points. */
 static jlt_exit draw_fates(const options *o, const jlt_system *system, jlt_motion_map *map, const jlt_shares *sum)
 {
-    char columns[64], colour[32], name[JLT_FATE_TEXT_MAX];
-    bool first = true;
+    char name[JLT_FATE_TEXT_MAX];
     jlt_plot plot;
 
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_words(&plot, "Fates of orbits by their start\n");
     jlt_motion_caption(&plot, system, NULL);
     jlt_motion_map_frame(map, &plot);
-    fputs("plot ", plot.stream);
+    jlt_look_steps(plot.stream, plot.look, (unsigned)JLT_FATE_COUNT);
+    jlt_motion_map_plot(map, &plot);
     for (unsigned fate = 0; fate < (unsigned)JLT_FATE_COUNT; fate++) {
         if (sum->all.by_fate[fate] == 0) continue;
         jlt_section_fate_text(name, system->observed, (jlt_fate)fate, JLT_OBSERVED_ANY);
-        snprintf(columns, sizeof columns, "($3==%u?$2:NaN)", fate);
-        snprintf(colour, sizeof colour, "rgb '%s'", jlt_look_colour(plot.look, fate));
-        if (!first) fputs(", ", plot.stream);
-        jlt_motion_map_plot(map, &plot, columns, colour);
-        fprintf(plot.stream, " title '%zu ", sum->all.by_fate[fate]);
+        fprintf(plot.stream, ", keyentry with boxes fill solid lc rgb '%s' title '%zu ", jlt_look_colour(plot.look, fate),
+                sum->all.by_fate[fate]);
         jlt_symbol_plain(plot.stream, name, strlen(name));
         fputc('\'', plot.stream);
-        first = false;
     }
     fputc('\n', plot.stream);
     return jlt_plot_draw(&plot);
 }
 
-static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system, jlt_motion_map *map)
+static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map *map)
 {
+    jlt_common *common = &o->motion.common;
     jlt_shares sum = { .empty = 0 };
     jlt_progress progress;
     jlt_exit code;
 
-    jlt_motion_header(stream->file, &o->motion, system);
-    jlt_fates_table_names(stream->file, &o->motion, system);
+    jlt_motion_header(common->table.file, &o->motion, system);
+    jlt_fates_table_names(common->table.file, &o->motion, system);
     jlt_progress_start(&progress, "starts");
-    code = follow_all(&sum, stream->file, map, o, system, &progress, 0, 0);
+    code = follow_all(&sum, common->table.file, map, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
     if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0)
         code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
-    if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE) {
-        if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
+        if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
         fputs("jellett: ", stderr);
         jlt_fates_table_summary(stderr, &o->motion, system, &sum);
         if (map->points != NULL) code = draw_fates(o, system, map, &sum);
@@ -169,14 +167,14 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
 }
 
 /* The last column of $SHARES is what is left when orbits that turn over in contact are counted; of other sections those alive. */
-static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt_grid_axis *axis, const char *points)
+static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt_grid_axis *axis)
 {
     const bool turns = jlt_shares_turn(system);
     char label[JLT_LOOK_LABEL_MAX];
     jlt_plot plot;
 
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
-    jlt_plot_block(&plot, "SHARES", points);
+    jlt_plot_block(&plot, "SHARES", o->motion.common.drawn);
     jlt_plot_words(&plot, "Share of orbits that %s\n", turns ? "turn over" : "go on");
     jlt_motion_caption(&plot, system, axis->name);
     jlt_look_label(label, axis->name, "");
@@ -200,22 +198,19 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
 
     if (code != JLT_EXIT_DONE) return code;
     if (*count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
-    *all = 1;
-    for (size_t k = 0; k < *count; k++)
-        if (__builtin_mul_overflow(*all, axes[k].count, all))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: '%s' has more points than can be counted", o->sweep);
+    if (jlt_grid_size(all, axes, *count, o->sweep, "--sweep") != JLT_EXIT_DONE) return JLT_EXIT_INPUT;
     if (o->motion.common.plot != NULL && *count != 1)
         return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
     return JLT_EXIT_DONE;
 }
 
-static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *base)
+static jlt_exit sweep(options *o, const jlt_system *base)
 {
+    jlt_common *common = &o->motion.common;
     jlt_motion_family family = { .surface = NULL };
     jlt_grid_axis axes[JLT_FAMILY_AXES_MAX];
     jlt_progress progress;
-    char *points = NULL;
-    size_t size, done = 0, failed = 0, starts = 0, all = 1, count = 0;
+    size_t done = 0, failed = 0, starts = 0, all = 1, count = 0;
     jlt_exit code = read_sweep(axes, &count, &all, o);
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, base, &o->motion, axes, count, "--sweep");
@@ -223,9 +218,8 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     jlt_motion_options motion = o->motion;
     motion.swept = axes;
     motion.swept_count = count;
-    FILE *copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
-    jlt_motion_header(stream->file, &motion, base);
-    jlt_fates_table_share_names(stream->file, base, axes, count);
+    jlt_motion_header(common->table.file, &motion, base);
+    jlt_fates_table_share_names(common->table.file, base, axes, count);
     jlt_progress_start(&progress, "starts");
     for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
         jlt_shares sum = { .empty = 0 };
@@ -241,26 +235,23 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
         done += sum.all.starts + sum.empty;
         starts += sum.all.starts;
         failed += jlt_shares_failed(&sum);
-        jlt_fates_table_shares(stream->file, copy, base, at, count, &sum);
+        jlt_fates_table_shares(common->table.file, common->points, base, at, count, &sum);
     }
     jlt_progress_end(&progress);
-    if (copy != NULL) fclose(copy);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
-        fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, &axes[0], points);
+        fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", common->table.path);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
     if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
     if (code == JLT_EXIT_DONE && starts == 0 && !jlt_motion_interrupted(&o->motion)) code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
 done:
     jlt_motion_family_clear(&family);
-    free(points);
     return code;
 }
 
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 200 };
-    jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_motion_map map = { .points = NULL };
@@ -270,16 +261,19 @@ static jlt_exit run(int argc, char **argv)
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.begins.starts = o.starts;
+    o.motion.begins.start_count = o.start_count;
+    o.motion.begins.grid = o.grid;
+    o.motion.begins.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && grid_of(&o, system) == NULL && o.start_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, grid_of(&o, system), "--grid");
     if (code == JLT_EXIT_DONE && o.sweep == NULL) code = jlt_motion_map_open(&map, &o.motion, system, grid_of(&o, system), axes);
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
-    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system, &map);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
+    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&o, system) : one_system(&o, system, &map);
     jlt_motion_map_close(&map);
-    jlt_stream_discard(&stream);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     free(o.starts);
@@ -287,5 +281,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_fates = {
-    "fates", "[MODEL] [OPTION...]", "How orbits end, when, or that they go on; the share that turns over", run
+    "fates", "[MODEL] [OPTION...]", "How orbits end, when, or that they go on; the share that turns over", run, &parser
 };

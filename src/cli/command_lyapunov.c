@@ -1,6 +1,8 @@
 #include "cli/motion_map.h"
 #include "cli/progress.h"
 #include "dynamics/lyapunov.h"
+#include "dynamics/map_batch.h"
+#include "kernel/batch_isa.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -10,17 +12,19 @@
 typedef struct {
     jlt_motion_options motion;
     const char *start, *grid;
-    size_t returns, skip;
+    size_t returns, skip, threads;
 } options;
 
-enum { SKIP = 2000 };
+/* Starts of a chart that go together, for each thread. */
+enum { SKIP = 2000, THREADS, BLOCK = 256 };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0,
       "Start of the orbit, every coordinate of the section; of the spherical top a chaotic one by default", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0, "A chart instead: finite-time exponents of a grid of starts, or of NAME=LOW:HIGH:COUNT,...", 1 },
     { "returns", 'n', "N", 0, "Returns; default 1000, or 10 for a chart", 1 },
-    { "skip", SKIP, "N", 0, "Returns left out before, so that the orbit is on its attractor; t counts from there", 1 },
+    { "skip", SKIP, "N|0", 0, "Returns left out before, so that the orbit is on its attractor; t counts from there", 1 },
+    { "threads", THREADS, "N", 0, "Of a chart: on so many threads; default: all processors. Rows do not depend on it", 1 },
     { 0 },
 };
 
@@ -37,8 +41,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     case SKIP: jlt_common_count(&o->skip, value, 0, 1000000000000, "--skip"); return 0;
+    case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case ARGP_KEY_END:
         if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
+        if (o->grid == NULL && o->threads > 0) argp_error(state, "--threads are of a chart: add --grid");
         if (o->grid == NULL && o->motion.common.axes != NULL) argp_error(state, "--axes are those of a chart: add --grid");
         if (o->grid == NULL) jlt_plot_check_log(&o->motion.common, "x", state);
         return 0;
@@ -54,7 +60,8 @@ static const struct argp parser = {
     "exponents over the section. The exponents of the flow's direction and across the levels are zero and not shown."
     "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
     "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: the coordinates, exponent, t; "
-    "orbits that end before N returns have an empty exponent.\n\n"
+    "orbits that end before N returns have an empty exponent. Starts go many at once, by a method chosen by --tol, or by --method one at a "
+    "time.\n\n"
     "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 \\\n"
     "    --plot history.svg\n"
     "  jellett lyapunov --grid 200x150 --returns 5 --plot chart.png > chart.csv",
@@ -100,13 +107,13 @@ static int observe(void *context, const jlt_lyapunov_state *state)
     return jlt_motion_interrupted(&self->o->motion);
 }
 
-static jlt_exit draw_history(const options *o, const jlt_system *system, const char *points)
+static jlt_exit draw_history(const options *o, const jlt_system *system)
 {
     double q[JLT_CHART_DIM_MAX];
     jlt_plot plot;
 
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
-    jlt_plot_block(&plot, "HISTORY", points);
+    jlt_plot_block(&plot, "HISTORY", o->motion.common.drawn);
     jlt_plot_words(&plot, "Lyapunov exponents from ");
     (void)jlt_motion_start(q, system, o->start);
     for (unsigned k = 0; k < system->flow.chart->dim; k++) jlt_plot_value(&plot, system->flow.chart->names[k], q[k]);
@@ -135,19 +142,18 @@ static jlt_status skip(jlt_map *map, double *q, const options *o)
     return st;
 }
 
-static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
+static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
-    history self = { .o = o, .dim = chart->dim, .next = 1, .file = stream->file };
+    history self = { .o = o, .dim = chart->dim, .next = 1, .file = o->motion.common.table.file,
+                     .points = o->motion.common.points };
     jlt_lyapunov_state state = { .returns = 0 };
     double q[JLT_CHART_DIM_MAX];
-    size_t size;
     jlt_status st;
     jlt_exit code = jlt_motion_start(q, system, o->start);
 
     if (code != JLT_EXIT_DONE) return code;
     if (o->returns == 0) o->returns = 1000;
-    if (o->motion.common.plot != NULL) self.points = open_memstream(points, &size);
     fputs("return,t", self.file);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(self.file, ",lambda%u", k + 1);
     fputs(",divergence\n", self.file);
@@ -155,9 +161,8 @@ static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, opt
     st = skip(map, q, o);
     if (st == JLT_OK) st = jlt_lyapunov_run(map, &state, q, o->returns, observe, &self);
     jlt_progress_end(&self.progress);
-    if (self.points != NULL) fclose(self.points);
     if (jlt_motion_interrupted(&o->motion)) {
-        fprintf(stderr, "jellett: interrupted after %zu returns; whole rows are saved in %s\n", state.returns, stream->path);
+        fprintf(stderr, "jellett: interrupted after %zu returns; whole rows are saved in %s\n", state.returns, o->motion.common.table.path);
         return JLT_EXIT_DONE;
     }
     if (st == JLT_ERR_DOMAIN && state.returns > 0) {
@@ -177,87 +182,122 @@ static jlt_exit draw_chart(const options *o, const jlt_system *system, jlt_motio
     jlt_motion_caption(&plot, system, NULL);
     jlt_motion_map_frame(map, &plot);
     jlt_motion_map_palette(map, &plot, "exponent [1/s]");
-    fputs("plot ", plot.stream);
-    jlt_motion_map_plot(map, &plot, "2", "palette");
-    fputs(" notitle\n", plot.stream);
+    jlt_motion_map_plot(map, &plot);
+    fputc('\n', plot.stream);
     return jlt_plot_draw(&plot);
 }
 
-static jlt_exit run_chart(jlt_stream *stream, jlt_motion_map *picture, jlt_map *map, options *o, const jlt_grid_axis *axes)
+/* Starts first .. first + count - 1: their points q, exponents and times, NaN where the orbit ends. */
+static jlt_status exponents(const options *o, jlt_map *map, jlt_map_batch *maps, const jlt_map_images *images, double *q, size_t count)
 {
+    const unsigned d = jlt_map_flow(map)->chart->dim;
+    jlt_status st = JLT_OK;
+
+    memcpy(images->q, q, count * d * sizeof *q);
+    for (size_t i = 0; i < count; i++)
+        if ((st = skip(map, images->q + i * d, o)) != JLT_OK)
+            for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* it has ended already */
+    return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns);
+}
+
+static jlt_exit run_chart(jlt_motion_map *picture, jlt_map *map, jlt_map_batch *maps, options *o, const jlt_grid_axis *axes)
+{
+    const jlt_stream *table = &o->motion.common.table;
     const jlt_system *system = picture->system;
     const jlt_chart *chart = system->flow.chart;
+    const unsigned d = chart->dim;
+    const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
+    double *q = malloc(block * d * sizeof *q);
+    jlt_map_images images = { 0 };
     jlt_progress progress;
-    double q[JLT_CHART_DIM_MAX], from[JLT_CHART_DIM_MAX], exponent, t;
-    const size_t all = jlt_motion_grid_size(axes, system);
-    jlt_exit code = JLT_EXIT_DONE;
+    jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
 
     if (o->returns == 0) o->returns = 10;
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%s,", chart->names[k]);
-    fputs("exponent,t\n", stream->file);
+    for (unsigned k = 0; k < d; k++) fprintf(table->file, "%s,", chart->names[k]);
+    fputs("exponent,t\n", table->file);
     jlt_progress_start(&progress, "starts");
-    for (size_t i = 0; i < all && !jlt_motion_interrupted(&o->motion); i++) {
-        jlt_status st;
-        jlt_motion_grid_point(q, axes, system, i);
-        memcpy(from, q, chart->dim * sizeof *q);
-        st = skip(map, from, o);
-        if (st == JLT_OK) st = jlt_lyapunov_finite(map, &exponent, &t, from, o->returns);
-        jlt_csv_values(stream->file, q, chart->dim);
-        fputc(',', stream->file);
-        jlt_csv_row(stream->file, (const double[]){ st == JLT_OK ? exponent : NAN, st == JLT_OK ? t : NAN }, 2);
-        jlt_motion_map_add(picture, q, st == JLT_OK ? exponent : NAN);
-        jlt_progress_show(&progress, i + 1, all);
-        if (st == JLT_ERR_NOMEM) code = jlt_motion_fail(st, system, "chart");
+    for (size_t first = 0; st == JLT_OK && first < all; first += block) {
+        const size_t count = all - first < block ? all - first : block;
+        for (size_t i = 0; i < count; i++) jlt_motion_grid_point(q + i * d, axes, system, first + i);
+        st = exponents(o, map, maps, &images, q, count);
+        if (jlt_motion_interrupted(&o->motion)) break;
+        for (size_t i = 0; st == JLT_OK && i < count; i++) {
+            const bool has_returned = images.status[i] == JLT_OK;
+            const double exponent = has_returned ? jlt_lyapunov_growth(images.slope + i * d * d, d) / images.T[i] : NAN;
+            jlt_csv_values(table->file, q + i * d, d);
+            fputc(',', table->file);
+            jlt_csv_row(table->file, (const double[]){ exponent, has_returned ? images.T[i] : NAN }, 2);
+            jlt_motion_map_add(picture, q + i * d, exponent);
+        }
+        jlt_progress_show(&progress, first + count, all);
     }
     jlt_progress_end(&progress);
-    if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
-    return code;
+    jlt_map_batch_images_clear(&images);
+    free(q);
+    if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
+}
+
+/* The maps of a chart: in lanes, unless a method was asked for. */
+static jlt_status open_maps(jlt_map_batch **out, options *o, const jlt_system *system, bool has_method)
+{
+    const jlt_kernel_batch *kernels = has_method ? NULL : jlt_batch_isa_best(system->instance->descriptor, 0);
+    jlt_status st;
+
+    if (o->threads == 0) o->threads = jlt_common_processors();
+    st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
+    if (st == JLT_OK) o->motion.common.lanes = jlt_map_batch_in_lanes(*out); /* says the header */
+    return st;
 }
 
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .start = NULL };
-    jlt_stream stream = { 0 };
+    jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     jlt_map *map = NULL;
+    jlt_map_batch *maps = NULL;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_motion_map picture = { .points = NULL };
-    char *points = NULL;
     jlt_exit code;
     jlt_status st;
 
     jlt_motion_begin(&o.motion, argc, argv);
-    o.motion.flow.method = jlt_map_method();
+    o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.begins.starts = &o.start;
+    o.motion.begins.start_count = o.start != NULL;
+    o.motion.begins.grid = o.grid;
+    const bool has_method = o.motion.flow.method != NULL;
+    if (!has_method) o.motion.flow.method = jlt_map_method();
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
     if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);
     if (code == JLT_EXIT_DONE && o.grid != NULL) code = jlt_motion_axes(axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE && o.grid != NULL) code = jlt_motion_map_open(&picture, &o.motion, system, o.grid, axes);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.grid != NULL) system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
+    if (st == JLT_OK && o.grid != NULL) st = open_maps(&maps, &o, system, has_method);
     if (st != JLT_OK) {
         code = jlt_motion_fail(st, system, "the map");
         goto done;
     }
-    jlt_motion_header(stream.file, &o.motion, system);
-    code = o.grid != NULL ? run_chart(&stream, &picture, map, &o, axes) : run_history(&stream, &points, map, &o, system);
-    if (code != JLT_EXIT_DONE) goto done;
-    code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && picture.points != NULL) code = draw_chart(&o, system, &picture);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw_history(&o, system, points);
+    jlt_motion_header(common->table.file, &o.motion, system);
+    code = o.grid != NULL ? run_chart(&picture, map, maps, &o, axes) : run_history(map, &o, system);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
+    if (code == JLT_EXIT_DONE && common->plot != NULL)
+        code = o.grid != NULL ? draw_chart(&o, system, &picture) : draw_history(&o, system);
 done:
-    jlt_stream_discard(&stream);
     jlt_map_destroy(map);
+    jlt_map_batch_destroy(maps);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     jlt_motion_map_close(&picture);
-    free(points);
     return code;
 }
 
 const jlt_command jlt_command_lyapunov = {
-    "lyapunov", "[MODEL] [OPTION...]", "Lyapunov exponents with their convergence, or a chart of finite-time exponents", run
+    "lyapunov", "[MODEL] [OPTION...]", "Lyapunov exponents with their convergence, or a chart of finite-time exponents", run, &parser
 };

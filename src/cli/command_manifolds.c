@@ -158,22 +158,22 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     return jlt_plot_draw(&plot);
 }
 
-static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o, const jlt_system *system,
+static jlt_exit save(jlt_stream *crossings, options *o, const jlt_system *system,
                      const jlt_separatrices *p, const jlt_periodic *saddle)
 {
-    jlt_exit code;
+    jlt_common *common = &o->motion.common;
 
-    jlt_motion_header(stream->file, &o->motion, system);
-    write_all(stream->file, p, saddle);
-    code = jlt_stream_close(stream);
+    jlt_motion_header(common->table.file, &o->motion, system);
+    write_all(common->table.file, p, saddle);
+    jlt_exit code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && o->points != NULL) {
         jlt_motion_header(crossings->file, &o->motion, system);
         write_crossings(crossings->file, p, "");
         code = jlt_stream_close(crossings);
     }
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
-        fprintf(stderr, "jellett: interrupted; the branches as far as they have grown are saved in %s\n", stream->path);
-    if (code == JLT_EXIT_DONE && o->motion.common.plot != NULL) code = draw(o, system, p, saddle);
+        fprintf(stderr, "jellett: interrupted; the branches as far as they have grown are saved in %s\n", common->table.path);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(o, system, p, saddle);
     return code;
 }
 
@@ -181,7 +181,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .seed = 1e-4 };
     jlt_separatrices p = { .count = { { 0 } } };
-    jlt_stream stream = { 0 }, crossings = { 0 };
+    jlt_stream crossings = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
     jlt_periodic saddle;
@@ -195,6 +195,8 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.begins.starts = &o.start;
+    o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.start);
@@ -203,7 +205,7 @@ static jlt_exit run(int argc, char **argv)
         code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
         goto done;
     }
-    code = jlt_stream_open(&stream, o.motion.common.output);
+    code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
     if (code != JLT_EXIT_DONE) goto done;
     st = jlt_map_create(&map, &system->flow);
@@ -226,9 +228,8 @@ static jlt_exit run(int argc, char **argv)
         st = jlt_separatrices_cross(&p);
         if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are there */
     }
-    code = st == JLT_OK ? save(&stream, &crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
+    code = st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
 done:
-    jlt_stream_discard(&stream);
     jlt_stream_discard(&crossings);
     jlt_separatrices_clear(&p);
     jlt_map_destroy(map);
@@ -238,5 +239,5 @@ done:
 }
 
 const jlt_command jlt_command_manifolds = {
-    "manifolds", "[MODEL] [OPTION...]", "Separatrices of a saddle, homoclinic points, angles, lobes", run
+    "manifolds", "[MODEL] [OPTION...]", "Separatrices of a saddle, homoclinic points, angles, lobes", run, &parser
 };

@@ -19,7 +19,7 @@ typedef struct {
 
 static const struct argp_option option_table[] = {
     { "points", KEY_POINTS, "N", 0, "Rows of the density's table (41)", 1 },
-    { "seed", KEY_SEED, "N", 0, "Seed of the random states (1)", 1 },
+    { "seed", KEY_SEED, "N|0", 0, "Seed of the random states (1)", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header", 1 },
     { 0 },
@@ -124,8 +124,6 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
     const jlt_descriptor *d = f->instance->descriptor;
     const jlt_measure_attempt *a = &f->attempt;
     json_t *measures = json_array(), *table = json_array();
-    char *text;
-    jlt_status st;
 
     for (unsigned i = 0; i < d->measure_count; i++)
         json_array_append_new(measures, json_pack("{s:s,s:o}", "name", d->measures[i].name, "residual",
@@ -134,18 +132,15 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
         json_array_append_new(table, json_pack("{s:o,s:o,s:o}", "at", jlt_json_number(a->points[i].at), "density",
                                                jlt_json_number(a->points[i].density), "closed_form",
                                                jlt_json_number(a->closed == NULL ? NAN : a->closed[i])));
-    st = jlt_json_text(&text, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
-                                        d->sha256, "variant", d->variant, "parameters",
-                                        jlt_json_named(d->params, f->instance->params, d->param_count), "measures", measures, "along",
-                                        along_name(f), "defect", jlt_json_number(a->defect), "defects",
-                                        jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
-                                        a->singular, "closed_form",
-                                        a->closed_form == NULL ? json_null() : json_string(a->closed_form), "difference",
-                                        jlt_json_number(a->closed_form == NULL ? NAN : a->difference), "table", table,
-                                        "obstruction", obstruction_json(f)));
-    if (st == JLT_OK) fputs(text, stream);
-    free(text);
-    return st;
+    return jlt_json_write(stream, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
+                                            d->sha256, "variant", d->variant, "parameters",
+                                            jlt_json_named(d->params, f->instance->params, d->param_count), "measures", measures, "along",
+                                            along_name(f), "defect", jlt_json_number(a->defect), "defects",
+                                            jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
+                                            a->singular, "closed_form",
+                                            jlt_json_string(a->closed_form), "difference",
+                                            jlt_json_number(a->closed_form == NULL ? NAN : a->difference), "table", table,
+                                            "obstruction", obstruction_json(f)));
 }
 
 static void write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
@@ -246,6 +241,6 @@ done:
 }
 
 const jlt_command jlt_command_measure = {
-    "measure", "[MODEL] --set NAME=VALUE,... [--points N] [--json|--csv] [--plot FILE]",
-    "The density of an invariant measure from the divergence alone, or what excludes one", run
+    "measure", "[MODEL] --set PARAM=VALUE,... [--points N] [--json|--csv] [--plot FILE]",
+    "The density of an invariant measure from the divergence alone, or what excludes one", run, &parser
 };

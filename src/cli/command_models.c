@@ -114,13 +114,27 @@ static json_t *sections_json(const jlt_descriptor *d)
     return array;
 }
 
+static json_t *ways_json(const jlt_descriptor *d)
+{
+    json_t *array = json_array();
+
+    for (unsigned i = 0; i < d->way_count; i++) {
+        const jlt_way *way = &d->ways[i];
+        json_t *conditions = json_array();
+        for (unsigned k = 0; k < way->condition_count; k++) json_array_append_new(conditions, json_string(way->conditions[k].text));
+        json_array_append_new(array, json_pack("{s:s,s:s,s:s,s:b,s:o}", "name", way->name, "kind", way->kind, "model", way->model, "proved",
+                                               d->claims[way->claim].verdict == JLT_PROVED, "conditions", conditions));
+    }
+    return array;
+}
+
 static json_t *descriptor_json(const jlt_descriptor *d)
 {
     entry kernels[KERNELS];
     json_t *object = json_pack("{s:s,s:s,s:s,s:s,s:s,s:s,s:s}", "model", d->model, "variant", d->variant, "time", d->time,
                                "elimination", d->elimination, "title", d->title, "sha256", d->sha256, "generator",
                                d->generator);
-    json_object_set_new(object, "unproved", d->unproved == NULL ? json_null() : json_string(d->unproved));
+    json_object_set_new(object, "unproved", jlt_json_string(d->unproved));
     json_t *counts = json_object();
 
     list_kernels(kernels, d);
@@ -137,6 +151,7 @@ static json_t *descriptor_json(const jlt_descriptor *d)
     json_object_set_new(object, "measures", names_json(d->measures, d->measure_count));
     json_object_set_new(object, "observes", quantities_json(d->observes, d->observe_count, false));
     json_object_set_new(object, "sections", sections_json(d));
+    json_object_set_new(object, "ways", ways_json(d));
     json_object_set_new(object, "kernels", counts);
     return object;
 }
@@ -161,6 +176,13 @@ static void print_section(FILE *stream, const jlt_descriptor *d, const jlt_secti
     fputs(d->claims[s->claim].verdict == JLT_PROVED ? "\n" : "  NOT PROVED\n", stream);
 }
 
+static void print_way(FILE *stream, const jlt_descriptor *d, const jlt_way *way)
+{
+    fprintf(stream, "    %-22s %s %s", way->name, strcmp(way->kind, "lift") == 0 ? "part of" : "reduced to", way->model);
+    for (unsigned i = 0; i < way->condition_count; i++) fprintf(stream, "%s %s", i == 0 ? " where" : ",", way->conditions[i].text);
+    fputs(d->claims[way->claim].verdict == JLT_PROVED ? "\n" : "  NOT PROVED\n", stream);
+}
+
 static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
 {
     char name[128];
@@ -174,6 +196,8 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
             fprintf(stream, "%s    %-20s %s\n", i == 0 ? "  valid where\n" : "", d->valids[i].name, d->valids[i].meaning);
         if (d->section_count > 0) fputs("  sections\n", stream);
         for (unsigned i = 0; i < d->section_count; i++) print_section(stream, d, &d->sections[i]);
+        if (d->way_count > 0) fputs("  served by\n", stream);
+        for (unsigned i = 0; i < d->way_count; i++) print_way(stream, d, &d->ways[i]);
         if (d->equilibria_count > 0) fputs("  equilibria\n", stream);
         for (unsigned i = 0; i < d->equilibria_count; i++)
             fprintf(stream, "    %-22s %s%s\n", d->equilibria[i].name, d->equilibria[i].condition,
@@ -226,18 +250,13 @@ static jlt_exit run(int argc, char **argv)
             show_family(output.stream, all, d);
         }
     }
-    if (o.json) {
-        char *text;
-        if (jlt_json_text(&text, all) != JLT_OK) {
-            jlt_command_discard(&output);
-            return jlt_command_no_memory();
-        }
-        fputs(text, output.stream);
-        free(text);
+    if (o.json && jlt_json_write(output.stream, all) != JLT_OK) {
+        jlt_command_discard(&output);
+        return jlt_command_no_memory();
     }
     return jlt_command_deliver(&output, NULL);
 }
 
 const jlt_command jlt_command_models = {
-    "models", "[MODEL] [--json]", "What is built in: models, variants, kernels, operation counts, hashes", run
+    "models", "[MODEL] [--json]", "What is built in: models, variants, kernels, operation counts, hashes", run, NULL
 };

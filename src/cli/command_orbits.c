@@ -2,6 +2,7 @@
 #include "cli/orbit_columns.h"
 #include "cli/progress.h"
 #include "dynamics/orbits.h"
+#include "kernel/batch_isa.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -10,26 +11,27 @@
 
 typedef struct {
     jlt_motion_options motion;
-    size_t period_max, samples, settle;
+    size_t period_max, samples, settle, threads;
     const char *grid, *line;
     const char *start; /* Newton from here alone */
     double near;
     const char *hold;
 } options;
 
-enum { NEAR = 2000, SETTLE, SAMPLES, LINE, HOLD };
+enum { NEAR = 2000, SETTLE, SAMPLES, LINE, HOLD, THREADS };
 
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "Periods up to N returns, at most 64; default 3", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "Starts of Newton's method over the whole section, or NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for none", 1 },
     { "near", NEAR, "DISTANCE", 0, "Newton is tried where an orbit comes back within this distance; default 0.6", 1 },
-    { "settle", SETTLE, "N", 0, "Try again after N returns of every start: finds what attracts; default 20", 1 },
-    { "samples", SAMPLES, "N", 0, "Points on each of the lines that the spherical top's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
+    { "settle", SETTLE, "N|0", 0, "Try again after N returns of every start: finds what attracts; default 20", 1 },
+    { "samples", SAMPLES, "N|0", 0, "Points on each of the lines that the spherical top's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
     { "start", 'a', "NAME=VALUE,...", 0, "Newton from this point alone, with exactly N returns", 1 },
     { "hold", HOLD, "NAME,...", 0, "Coordinates that keep the values of --start, where orbits come in families", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
       "Symmetric orbits of exactly N returns or less on the line through --start along this coordinate alone", 1 },
+    { "threads", THREADS, "N", 0, "Search the grid on so many threads; default: all processors. Orbits do not depend on it", 1 },
     { 0 },
 };
 
@@ -48,6 +50,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SETTLE: jlt_common_count(&o->settle, value, 0, 1000000000, "--settle"); return 0;
     case SAMPLES: jlt_common_count(&o->samples, value, 0, 1000000000, "--samples"); return 0;
     case LINE: o->line = value; return 0;
+    case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case HOLD: o->hold = value; return 0;
     case 'a': o->start = value; return 0;
     case ARGP_KEY_END:
@@ -170,12 +173,18 @@ static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *sys
     return 0;
 }
 
+static const char default_grid[] = "40x40";
+
+/* Of no point of a grid, but of symmetric orbits alone. */
+static bool searches_nowhere(const options *o) { return o->grid != NULL && strcmp(o->grid, "0x0") == 0; }
+
 static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
-    const bool no_grid = o->grid != NULL && strcmp(o->grid, "0x0") == 0;
+    const bool no_grid = searches_nowhere(o);
     jlt_symmetric_line lines[2] = { { .free = 1 }, { .free = 1 } };
-    jlt_orbits_options search = { .period_max = o->period_max, .near = o->near, .settle = o->settle, .lines = lines };
+    jlt_orbits_options search = { .period_max = o->period_max, .near = o->near, .settle = o->settle, .lines = lines,
+                                  .kernels = jlt_batch_isa_best(system->instance->descriptor, 0), .threads = (unsigned)o->threads };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
     jlt_status st;
@@ -183,7 +192,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
 
     if (system->surface == NULL && o->grid == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
-    code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : "40x40", "--grid");
+    code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid");
 
     if (code != JLT_EXIT_DONE) return code;
     for (unsigned k = 0; k < chart->dim; k++) {
@@ -244,8 +253,8 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period_max = 3, .samples = 1000, .near = 0.6, .settle = 20 };
-    jlt_stream stream = { 0 };
+    options o = { .period_max = 3, .samples = 1000, .near = 0.6, .settle = 20, .threads = jlt_common_processors() };
+    jlt_common *common = &o.motion.common;
     jlt_orbits list = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
@@ -257,27 +266,30 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.begins.starts = &o.start;
+    o.motion.begins.start_count = o.start != NULL;
+    if (!searches_nowhere(&o)) o.motion.begins.grid = o.grid;
+    if (!searches_nowhere(&o)) o.motion.begins.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_motion_shown(shown, &o.motion, system);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
     code = st != JLT_OK ? jlt_motion_fail(st, system, "the map") : o.start != NULL ? from_start(&list, map, &o, system)
                                                                                    : search_all(&list, map, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
-    jlt_motion_header(stream.file, &o.motion, system);
-    write_findings(stream.file, &list, system->flow.chart);
-    jlt_orbit_columns_names(stream.file, system->flow.chart);
-    fputc('\n', stream.file);
+    jlt_motion_header(common->table.file, &o.motion, system);
+    write_findings(common->table.file, &list, system->flow.chart);
+    jlt_orbit_columns_names(common->table.file, system->flow.chart);
+    fputc('\n', common->table.file);
     for (size_t i = 0; i < list.count; i++) {
-        jlt_orbit_columns_write(stream.file, system->flow.chart, &list.orbits[i]);
-        fputc('\n', stream.file);
+        jlt_orbit_columns_write(common->table.file, system->flow.chart, &list.orbits[i]);
+        fputc('\n', common->table.file);
     }
-    code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, &list, shown);
+    code = jlt_common_save(common);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, &list, shown);
 done:
-    jlt_stream_discard(&stream);
     jlt_orbits_clear(&list);
     jlt_map_destroy(map);
     jlt_system_destroy(system);
@@ -286,5 +298,5 @@ done:
 }
 
 const jlt_command jlt_command_orbits = {
-    "orbits", "[MODEL] [OPTION...]", "Periodic orbits of the map: multipliers, type, symmetry, residual", run
+    "orbits", "[MODEL] [OPTION...]", "Periodic orbits of the map: multipliers, type, symmetry, residual", run, &parser
 };

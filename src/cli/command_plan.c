@@ -7,7 +7,9 @@
 #include "cli/job.h"
 #include "cli/program.h"
 #include "cli/table.h"
-#include "top/tier.h"
+#include "kernel/descriptor.h"
+#include "scene/tier.h"
+#include "top/top.h"
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
@@ -25,8 +27,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     NULL, parse, "[SCENE]\nCOMMAND OPTION...",
     "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel for the "
-    "parameters and the operations of one call of its right-hand side; on a section, its levels and what is proved of them. Nothing is "
-    "computed, and starts, grids and what runs are not looked at. Without either: the tiers there are."
+    "parameters and the operations of one call of its right-hand side; on a section, its levels, what is proved of them, where "
+    "orbits start, and what follows them; a start that is refused is told. Nothing more is computed. Without either: the tiers there "
+    "are."
     "\v  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
     "  jellett plan tools/scenes/full.scene",
@@ -35,12 +38,13 @@ static const struct argp parser = {
 
 static void print_tiers(void)
 {
+    jlt_tier tiers[JLT_TIERS_MAX];
+    const unsigned count = jlt_tier_list(tiers, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL);
+
     printf("%-14s %5s  %s\n", "tier", "dim", "what");
-    for (size_t i = 0; jlt_tier_at(i) != NULL; i++) {
-        const jlt_tier *tier = jlt_tier_at(i);
-        printf("%-14s %5u  %s%s\n", tier->name, tier->dimension, tier->meaning,
-               tier->by_name ? " (a comparison: by name only)" : "");
-    }
+    for (unsigned i = 0; i < count; i++)
+        printf("%-14s %5u  %s%s\n", tiers[i].name, tiers[i].dimension, tiers[i].meaning,
+               tiers[i].by_name ? " (a comparison: by name only)" : "");
     printf("%-14s %5s  %s\n", "model", "-", "any model's own field, in t");
 }
 
@@ -107,7 +111,7 @@ static jlt_exit run(int argc, char **argv)
         print_tiers();
         return JLT_EXIT_DONE;
     }
-    st = jlt_scene_read(&scene, message, path, jlt_table_of);
+    st = jlt_scene_read(&scene, message, path, &jlt_job_program);
     if (st != JLT_OK) {
         if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         if (st == JLT_ERR_IO && strpbrk(path, "/.") == NULL) fprintf(stderr, "jellett: nor is there a command '%s'\n", path);
@@ -120,5 +124,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_plan = {
-    "plan", "[SCENE]|COMMAND OPTION...", "Which model a command gets, or each part of a scene, and why", run
+    "plan", "[SCENE]|COMMAND OPTION...", "Which model a command gets, or each part of a scene, and why", run, NULL
 };

@@ -55,7 +55,8 @@ static const struct argp parser = {
     "  accuracy = { tolerance = 1e-12; };\n"
     "  compute = ( { what = \"section\"; grid = \"24x16\"; returns = 300;\n"
     "                output = \"map.csv\"; plot = \"map.svg\"; } );\n\n"
-    "Keys of an entry are the options of its command. Whatever is unknown or of the wrong kind is an error with its line "
+    "Keys of an entry are the options of its command; parameters is --set there, levels --level, tolerance --tol, and all may "
+    "stand above for all entries. Whatever is unknown or of the wrong kind is an error with its line "
     "(status 3), before anything is run. The first command that fails ends the run with its status.",
     NULL, NULL, NULL,
 };
@@ -135,10 +136,7 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
         int argc = 0;
         char **argv = jlt_job_arguments(job, NULL, &argc);
         if (argv == NULL) return jlt_command_no_memory();
-        if (command == NULL)
-            code = jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: this program has no command '%s'", scene->file, job->line,
-                                    job->what);
-        else if (o->dry) show(command->name, argv, argc);
+        if (o->dry) show(command->name, argv, argc);
         else {
             if (isatty(STDERR_FILENO))
                 fprintf(stderr, "jellett: %s:%u: %s (%zu of %zu)\n", scene->file, job->line, job->what, k + 1, scene->count);
@@ -165,7 +163,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    st = jlt_scene_read(&scene, message, o.scene, jlt_table_of);
+    st = jlt_scene_read(&scene, message, o.scene, &jlt_job_program);
     if (st != JLT_OK) {
         if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
@@ -179,4 +177,4 @@ static jlt_exit run(int argc, char **argv)
     return code;
 }
 
-const jlt_command jlt_command_run = { "run", "SCENE [OPTION...]", "Do what a scene file asks for", run };
+const jlt_command jlt_command_run = { "run", "SCENE [OPTION...]", "Do what a scene file asks for", run, NULL };

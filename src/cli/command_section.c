@@ -1,11 +1,9 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
+#include "cli/section_many.h"
 #include "cli/section_picture.h"
 #include "cli/section_table.h"
 #include "cli/writer.h"
-#include "dynamics/section_batch.h"
-#include "integrate/batch_method.h"
-#include "kernel/batch_isa.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -39,7 +37,7 @@ static const struct argp_option option_table[] = {
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed "
       "over", 1 },
     { "returns", 'n', "N", 0, "Returns of every orbit; default 100", 1 },
-    { "skip", SKIP, "N", 0, "Returns left out before these, and the start with them; an end among them is shown", 1 },
+    { "skip", SKIP, "N|0", 0, "Returns left out before these, and the start with them; an end among them is shown", 1 },
     { "backward", BACKWARD, NULL, 0, "Go backwards in time", 1 },
     { "check", CHECK, NULL, 0,
       "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
@@ -116,7 +114,10 @@ static const struct argp parser = {
 };
 
 /* Counts for the closing words. */
-typedef struct { size_t orbits, empty, rows, invalid, failed; } totals;
+typedef struct {
+    size_t orbits, empty, rows, invalid, failed;
+    size_t lost[JLT_OBSERVED_CONDITIONS_MAX]; /* of the invalid: by condition, the one that is lost most */
+} totals;
 
 /* How orbits are followed: by the section, or many at once by the batch. */
 typedef struct {
@@ -201,34 +202,36 @@ static jlt_status run_orbit(follower *f, const double *q, size_t index)
         show_written(f, index, at.number);
     }
     jlt_section_picture_end(f->picture, at.fate);
-    if (at.least <= 0) sum->invalid++;
+    if (at.least <= 0) sum->lost[at.lost]++, sum->invalid++;
     if (jlt_section_failed(at.fate)) sum->failed++;
     sum->orbits++;
 done:
     return st;
 }
 
-static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
+static jlt_exit closing_words(const follower *f)
 {
+    char lost[512];
     const totals *sum = f->sum;
     const options *o = f->o;
     const bool interrupted = jlt_motion_interrupted(&o->motion);
 
     if (interrupted)
         fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu orbits are saved in %s\n", sum->rows, sum->orbits,
-                stream->path);
+                f->o->motion.common.table.path);
     if (sum->empty > 0)
         fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
+    jlt_section_table_lost(lost, sizeof lost, sum->lost, sum->invalid, f->table.system->observed);
     if (o->batch && sum->invalid > 0)
         fprintf(stderr,
                 "jellett: at least %zu of %zu orbits have returns where %s is lost and the model does not hold; they were followed all "
                 "the same, and --batch does not look between returns\n",
-                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed, JLT_OBSERVED_ANY));
+                sum->invalid, sum->orbits, lost);
     else if (sum->invalid > 0 && !o->motion.flow.end_where_invalid)
         fprintf(stderr,
                 "jellett: %zu of %zu orbits lose %s, and the model does not hold from there on; they were followed all the same "
                 "(--contact end stops them there)\n",
-                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed, JLT_OBSERVED_ANY));
+                sum->invalid, sum->orbits, lost);
     if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
@@ -238,7 +241,6 @@ static jlt_exit open_follower(follower *f)
 {
     const options *o = f->o;
     const jlt_system *system = f->system;
-    const jlt_descriptor *d = system->instance->descriptor;
     jlt_section_batch_options batch = { .threads = (unsigned)o->threads, .progress = show_batch, .context = f };
     jlt_status st = JLT_OK;
 
@@ -247,34 +249,18 @@ static jlt_exit open_follower(follower *f)
         if (o->check) JLT_TRY(jlt_map_create(&f->map, &system->flow));
         goto done;
     }
-    if (jlt_batch_isa_best(d, 0) == NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: the kernels of %s follow one orbit at a time: leave out --batch", d->model);
-    if (system->flow.chart->turn != 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: not where the section's state is an angle: leave out --batch");
-    if (system->flow.chart->level != 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: sections STATE=0 alone: leave out --batch for %s=%.10g",
-                                d->states[system->flow.chart->column].name, system->flow.chart->level);
-    if (d->state_count > JLT_BATCH_STATES_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: %s has %u states; batches serve up to %d: leave out --batch", d->model, d->state_count,
-                                JLT_BATCH_STATES_MAX);
-    const jlt_exit code = o->project ? jlt_common_project(d) : JLT_EXIT_DONE;
-    if (code != JLT_EXIT_DONE) return code;
-    if (o->project && d->integral_count == JLT_INVARIANTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals, of which batches serve fewer", d->model, d->integral_count);
-    batch.project = o->project ? d->integral_count : 0;
-    JLT_TRY(jlt_section_batch_create(&f->batch, &system->flow, jlt_batch_isa_best(d, 0), &batch));
+    return jlt_section_many_open(&f->batch, &batch, system, o->project);
 done:
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");
 }
 
-/* The comment line of --batch. */
-static void batch_header(FILE *file, const options *o, const jlt_system *system)
+static jlt_exit plan_batch(follower *f, const jlt_system *system)
 {
-    const jlt_kernel_batch *kernels = jlt_batch_isa_best(system->instance->descriptor, 0);
-
-    fprintf(file, "# many orbits at once by %s on %s, lanes %u%s; %s from where an orbit comes near a pole\n",
-            jlt_batch_method_for(o->motion.flow.tolerance)->name, kernels->isa, kernels->lanes,
-            o->project ? ", projected at crossings" : "", o->motion.flow.method->name);
+    f->system = system;
+    const jlt_exit code = open_follower(f);
+    if (code != JLT_EXIT_DONE) return code;
+    jlt_section_many_line(stdout, " ", &f->o->motion, system, f->o->project);
+    return JLT_EXIT_PLANNED;
 }
 
 /* Orbits from so many starts, the first of which has the number `first`. */
@@ -351,7 +337,7 @@ static jlt_exit run(int argc, char **argv)
     totals sum = { 0 };
     jlt_section_picture picture = { 0 };
     follower f = { .o = &o, .sum = &sum, .picture = &picture };
-    jlt_stream stream = { 0 };
+    jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     jlt_exit code, verdict;
 
@@ -361,30 +347,32 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
+    o.motion.begins.starts = o.starts;
+    o.motion.begins.start_count = o.start_count;
+    o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_PLANNED && o.batch) code = plan_batch(&f, system);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = jlt_section_picture_open(&picture, &o.motion, system);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     f.system = system;
     if (code == JLT_EXIT_DONE && o.project && !o.batch) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
-    jlt_motion_header(stream.file, &o.motion, system);
-    if (o.batch) batch_header(stream.file, &o, system);
+    jlt_motion_header(common->table.file, &o.motion, system);
+    if (o.batch) jlt_section_many_line(common->table.file, "#", &o.motion, system, o.project);
     f.table = (jlt_section_table){ .system = system, .least = strcmp(o.motion.contact, "report") == 0, .check = o.check,
                                    .map = f.map, .time_direction = o.time_direction };
-    jlt_section_table_names(stream.file, &f.table);
-    code = run_all(&f, stream.file);
+    jlt_section_table_names(common->table.file, &f.table);
+    code = run_all(&f, common->table.file);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code != JLT_EXIT_DONE) goto done;
-    code = jlt_stream_close(&stream);
-    if (code != JLT_EXIT_DONE) goto done;
-    verdict = closing_words(&f, &stream);
+    verdict = closing_words(&f);
     if (o.motion.common.plot != NULL)
         code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.grid, o.axes, o.returns);
     if (code == JLT_EXIT_DONE) code = verdict;
 done:
-    jlt_stream_discard(&stream);
     jlt_section_destroy(f.section);
     jlt_section_batch_destroy(f.batch);
     jlt_system_destroy(system);
@@ -396,5 +384,5 @@ done:
 }
 
 const jlt_command jlt_command_section = {
-    "section", "[MODEL] --start ...|--grid ... [OPTION...]", "Poincare map at levels of E and G: returns, fates, picture", run
+    "section", "[MODEL] --start ...|--grid ... [OPTION...]", "Poincare map at levels of E and G: returns, fates, picture", run, &parser
 };

@@ -18,7 +18,7 @@ static const struct argp_option option_table[] = {
     { "grid", 'g', "COUNTxCOUNT", 0, "Starts, over the whole section or NAME=LOW:HIGH:COUNT,...; default 24x16", 1 },
     { "cells", CELLS, "COUNTxCOUNT", 0, "Cells, in the same ways; default 200x200", 1 },
     { "returns", 'n', "N", 0, "Returns counted of every orbit; default 1024", 1 },
-    { "settle", SETTLE, "N", 0, "Returns left out before; default 200", 1 },
+    { "settle", SETTLE, "N|0", 0, "Returns left out before; default 200", 1 },
     { 0 },
 };
 
@@ -108,34 +108,34 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .grid = "24x16", .cells = "200x200", .returns = 1024, .settle = 200 };
     jlt_separation table[48];
-    jlt_stream stream = { 0 };
+    jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     size_t rows = 0;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code == JLT_EXIT_DONE) code = measure(table, &rows, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
-    jlt_motion_header(stream.file, &o.motion, system);
-    fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n", stream.file);
+    jlt_motion_header(common->table.file, &o.motion, system);
+    fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n", common->table.file);
     for (size_t i = 0; i < rows; i++) {
         const jlt_separation *row = &table[i];
-        fprintf(stream.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
+        fprintf(common->table.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
                 row->backward, row->common);
-        jlt_csv_row(stream.file, (const double[]){ row->overlap, row->mirror_overlap }, 2); /* empty where no cell is visited */
+        jlt_csv_row(common->table.file, (const double[]){ row->overlap, row->mirror_overlap }, 2); /* empty where no cell is visited */
     }
-    code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, table, rows);
+    code = jlt_common_save(common);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, table, rows);
 done:
-    jlt_stream_discard(&stream);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     return code;
 }
 
 const jlt_command jlt_command_separation = {
-    "separation", "[MODEL] [OPTION...]", "Whether attractor and repeller are apart: cells visited forwards and backwards", run
+    "separation", "[MODEL] [OPTION...]", "Whether attractor and repeller are apart: cells visited forwards and backwards", run, &parser
 };

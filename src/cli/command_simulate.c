@@ -112,21 +112,36 @@ static jlt_exit regular_times(jlt_simulate_request *r)
 
 /* ---- the courses: the orbit asked for, then those it is compared with ---- */
 
+/* The claim without a proof for which a table of this name, or at the end of a way of this name, is not even looked for; NULL: none. */
+static const jlt_claim *broken_way(const jlt_descriptor *asked, const char *name)
+{
+    for (unsigned i = 0; i < asked->way_count; i++) {
+        const jlt_way *way = &asked->ways[i];
+        if (strcmp(way->name, name) != 0 && strcmp(way->model, name) != 0) continue;
+        if (asked->claims[way->claim].verdict != JLT_PROVED) return &asked->claims[way->claim];
+    }
+    return NULL;
+}
+
 static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
 {
+    const jlt_claim *broken;
     const jlt_session *s = &r->session;
-    const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0,
-                                    false, tier };
+    const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0, false, tier, &s->others };
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt,
                                          .project = r->project && r->course_count == 0 };
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 
-    if (question.attitude && (!jlt_tier_has(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
-        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from tiers, and %s has none", s->descriptor->model);
     st = jlt_plan_make(plan, &question);
+    if (st == JLT_ERR_ARG && (broken = broken_way(s->descriptor, tier)) != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of this table: %s", tier, broken->kind, broken->name,
+                                broken->reason);
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
+                                s->descriptor->model);
+    if (st == JLT_ERR_UNSUPPORTED && tier == NULL && question.attitude)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--track: no table that tells attitude and track serves for %s (jellett plan simulate ... says why)",
                                 s->descriptor->model);
     if (st == JLT_ERR_UNSUPPORTED && tier != NULL) {
         char refusal[1024];
@@ -136,7 +151,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_OK && options.project) {
         const jlt_descriptor *field = plan->candidates[plan->chosen].descriptor;
         if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: by quadratures there are no steps to go back after");
-        const jlt_exit code = jlt_tier_has(s->descriptor) ? jlt_common_proved(field) : jlt_common_project(field);
+        const jlt_exit code = plan->candidates[plan->chosen].tier.way_count > 0 ? jlt_common_proved(field) : jlt_common_project(field);
         if (code != JLT_EXIT_DONE) return code;
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
@@ -177,14 +192,13 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_session *s = &r->session;
     const jlt_plan *plan = &r->plans[0];
     const jlt_instance *kernel = jlt_course_kernel(r->courses[0]);
-    const jlt_tier *tier = plan->candidates[plan->chosen].tier;
     const jlt_quantity *observed;
     const unsigned observes = jlt_course_observes(r->courses[0], &observed);
 
     jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command, .descriptor = kernel->descriptor, .params = kernel->params,
                                               .method = s->method->name, .tolerance = s->tolerance });
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
-            tier != NULL ? tier->meaning : "the model's own field", s->method->name, s->tolerance,
+            plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance,
             r->project ? ", projected" : "");
     fputs("t", file);
     for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(file, ",%s", s->descriptor->states[i].name);
@@ -250,7 +264,7 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_more(file, values, count);
     write_fate(file, row, st);
-    if (r->points != NULL) jlt_simulate_point(r, row);
+    if (r->session.common.points != NULL) jlt_simulate_point(r, row);
 }
 
 /* The last row has the point. */
@@ -258,13 +272,14 @@ static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row
 {
     if (st == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "at t = %.10g %s%s", row->t, row->edge,
-                                jlt_tier_has(r->session.descriptor) ? ": leave out --tier" : "");
+                                r->plans[0].forced && r->plans[0].count > 1 ? ": leave out --tier" : "");
     return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
                             jlt_status_text(st));
 }
 
-static jlt_exit follow(jlt_simulate_request *r, jlt_stream *stream)
+static jlt_exit follow(jlt_simulate_request *r)
 {
+    FILE *file = r->session.common.table.file;
     jlt_progress progress;
     jlt_exit code = JLT_EXIT_DONE;
     jlt_course_row *row = &r->last;
@@ -274,30 +289,56 @@ static jlt_exit follow(jlt_simulate_request *r, jlt_stream *stream)
         const jlt_status st = jlt_course_to(r->courses[0], r->times[i], row);
         if (st != JLT_OK && row->x == NULL) return jlt_session_fail(st, "the start");
         if (st == JLT_OK && row->end == JLT_END_INTERRUPT) break;
-        write_row(stream->file, r, row, st);
+        write_row(file, r, row, st);
         r->rows++;
         if (st != JLT_OK) {
             code = cannot_go_on(r, row, st);
             break;
         }
-        if (ferror(stream->file) || row->end == JLT_END_POLE || jlt_session_interrupted(&r->session)) break;
+        if (ferror(file) || row->end == JLT_END_POLE || jlt_session_interrupted(&r->session)) break;
         jlt_progress_show(&progress, i + 1, r->time_count);
     }
     jlt_progress_end(&progress);
     return code;
 }
 
-static void closing_words(const jlt_simulate_request *r, const jlt_stream *stream)
+/* Where the orbit ended: the pole, and the limits of what moves. */
+static void tell_pole(const jlt_simulate_request *r)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    const jlt_course_row *row = &r->last;
+    const char *untold = "", *first = "";
+    double largest = 0;
+
+    fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ", d->states[row->pole].name,
+            row->x[row->pole], row->t);
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (isfinite(row->x[i])) largest = fmax(largest, fabs(row->x[i]));
+    for (unsigned i = 0; i < d->state_count; i++) {
+        if (i == row->pole) continue;
+        if (!isfinite(row->x[i])) {
+            untold = d->states[i].name;
+            continue;
+        }
+        fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0); /* no rounding noise */
+        first = ", ";
+    }
+    if (*untold != '\0') fprintf(stderr, " (there the tier does not tell %s)", untold);
+    fprintf(stderr, "; of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
+}
+
+static void closing_words(const jlt_simulate_request *r)
 {
     const jlt_course_row *row = &r->last;
 
     if (jlt_session_interrupted(&r->session))
-        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count, stream->path);
-    else if (row->end == JLT_END_POLE) {
-        char pole[JLT_TIER_TEXT_MAX], limits[JLT_TIER_TEXT_MAX];
-        jlt_tier_pole_text(pole, limits, row->x);
-        fprintf(stderr, "jellett: the orbit reaches the pole %s at t = %.17g and ends there, with the limits %s; of %zu times %zu lie "
-                "before it\n", pole, row->t, limits, r->time_count, r->rows - 1);
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count, r->session.common.table.path);
+    else if (row->end == JLT_END_POLE) tell_pole(r);
+    for (unsigned i = 0; i < jlt_course_changes(r->courses[0]); i++) {
+        const char *from, *to, *why;
+        double t;
+        jlt_course_change(r->courses[0], i, &t, &from, &to, &why);
+        fprintf(stderr, "jellett: from t = %.10g on the tier %s in place of %s: %s\n", t, to, from, why);
     }
     if (!isnan(row->lost_at))
         fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
@@ -308,9 +349,8 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
 static jlt_exit run(int argc, char **argv)
 {
     jlt_simulate_request r = { .until = NAN, .every = NAN };
-    jlt_stream stream = { 0 };
+    jlt_common *common = &r.session.common;
     jlt_exit code;
-    size_t size = 0;
 
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
@@ -322,25 +362,20 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
         jlt_planned_show(&r.plans[0], NULL);
         for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
+        printf("  one orbit, %zu times; method %s, tolerance %.3g\n", r.time_count, r.session.method->name, r.session.tolerance);
         code = JLT_EXIT_PLANNED;
     }
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
-    if (r.session.common.plot != NULL) r.points = open_memstream(&r.points_text, &size);
-    write_header(stream.file, &r);
-    code = follow(&r, &stream);
-    if (r.points != NULL) fclose(r.points);
-    {
-        /* rows that were computed before a failure are good: they are delivered all the same */
-        const jlt_exit closed = jlt_stream_close(&stream);
-        if (closed != JLT_EXIT_DONE) code = closed;
-        else closing_words(&r, &stream);
-    }
-    if (code == JLT_EXIT_DONE && r.points_text != NULL) code = jlt_simulate_draw(&r);
+    write_header(common->table.file, &r);
+    code = follow(&r);
+    /* rows that were computed before a failure are good: they are delivered all the same */
+    const jlt_exit saved = jlt_common_save(common);
+    if (saved != JLT_EXIT_DONE) code = saved;
+    else closing_words(&r);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = jlt_simulate_draw(&r);
 done:
-    jlt_stream_discard(&stream);
     for (size_t k = 0; k < JLT_SIMULATE_COURSES_MAX; k++) jlt_course_destroy(r.courses[k]);
-    free(r.points_text);
     free(r.extents);
     free(r.times);
     jlt_session_end(&r.session);
@@ -349,5 +384,5 @@ done:
 
 const jlt_command jlt_command_simulate = {
     "simulate", "[MODEL] --start ... --times ...|--until ... [OPTION...]",
-    "One orbit at given times: states, drift of integrals, observed quantities, attitude and track", run
+    "One orbit at given times: states, drift of integrals, observed quantities, attitude and track", run, &parser
 };

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/grid.h"
 #include "cli/plot.h"
@@ -106,8 +107,28 @@ void jlt_common_begin(jlt_common *self, int argc, char **argv)
 void jlt_common_end(jlt_common *self)
 {
     jlt_assign_clear(&self->set);
+    jlt_stream_discard(&self->table);
+    if (self->points != NULL) fclose(self->points);
+    free(self->drawn);
     free(self->command);
-    self->command = NULL;
+    self->command = self->drawn = NULL;
+    self->points = NULL;
+}
+
+jlt_exit jlt_common_write(jlt_common *self)
+{
+    const jlt_exit code = jlt_stream_open(&self->table, self->output);
+
+    if (code != JLT_EXIT_DONE || self->plot == NULL) return code;
+    self->points = open_memstream(&self->drawn, &self->drawn_size);
+    return self->points != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
+}
+
+jlt_exit jlt_common_save(jlt_common *self)
+{
+    if (self->points != NULL) fclose(self->points);
+    self->points = NULL;
+    return jlt_stream_close(&self->table);
 }
 
 jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor)
@@ -168,6 +189,12 @@ void jlt_common_list(jlt_assign_list *list, const char *text, const char *option
     const jlt_exit code = jlt_assign_parse(list, text, option);
 
     if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+size_t jlt_common_processors(void)
+{
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count > 1024 ? 1024 : count > 1 ? (size_t)count : 1;
 }
 
 void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option)

@@ -5,6 +5,7 @@
 #include <argp.h>
 
 #include "cli/assign.h"
+#include "cli/stream.h"
 #include "integrate/method.h"
 #include "report/look.h"
 
@@ -21,6 +22,12 @@ typedef struct {
     bool lanes;        /* kernels on vectors are wanted */
     bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
     char *command;     /* as typed, owned */
+
+    /* after jlt_common_write */
+    jlt_stream table;  /* --output */
+    FILE *points;      /* to write data of the picture to; NULL: none is asked for, or all are there */
+    char *drawn;       /* and what was written, after jlt_common_save; owned */
+    size_t drawn_size;
 } jlt_common;
 
 /* What --tol and --method set; in begin, they have their defaults. */
@@ -48,6 +55,12 @@ jlt_exit jlt_common_project(const jlt_descriptor *field);
 /** The last of these alone. */
 jlt_exit jlt_common_proved(const jlt_descriptor *field);
 
+/** Before rows are written: where they go, and data of a picture. Says what is wrong. */
+jlt_exit jlt_common_write(jlt_common *self);
+
+/** Rows and data are there. Says what is wrong. */
+jlt_exit jlt_common_save(jlt_common *self);
+
 /** The plan of a command that follows no motion. */
 jlt_exit jlt_common_still(void);
 
@@ -60,5 +73,8 @@ void jlt_common_list(jlt_assign_list *list, const char *text, const char *option
 void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 void jlt_common_number(double *value, const char *text, const char *option);
 void jlt_common_positive(double *value, const char *text, const char *option);
+
+/* Processors that are there: threads of commands whose output does not depend on how many. */
+size_t jlt_common_processors(void);
 
 #endif

@@ -109,11 +109,6 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
     fprintf(stream, "\nverdict      %s\nmeasure      %s\n", jlt_linearization_verdict(r->verdict), consequence(r));
 }
 
-static json_t *text_or_null(const char *text)
-{
-    return text == NULL ? json_null() : json_string(text);
-}
-
 static json_t *eigenvalues_json(const jlt_linearization *r)
 {
     json_t *array = json_array();
@@ -123,7 +118,7 @@ static json_t *eigenvalues_json(const jlt_linearization *r)
         json_array_append_new(array, json_pack("{s:o,s:o,s:o,s:o,s:o}", "re", jlt_json_number(value->re), "im",
                                                jlt_json_number(value->im), "condition", jlt_json_number(value->condition),
                                                "error", jlt_json_number(value->error), "integral",
-                                               text_or_null(source_of(r, value))));
+                                               jlt_json_string(source_of(r, value))));
     }
     return array;
 }
@@ -146,7 +141,7 @@ static json_t *row_json(const jlt_eigen_row *row)
         return o;
     }
     json_object_set_new(o, "variant", json_string(r->descriptor->variant));
-    json_object_set_new(o, "family", text_or_null(r->family == NULL ? NULL : r->family->name));
+    json_object_set_new(o, "family", jlt_json_string(r->family == NULL ? NULL : r->family->name));
     json_object_set_new(o, "residual", jlt_json_number(r->residual));
     json_object_set_new(o, "residual_relative", jlt_json_number(r->residual_ratio));
     json_object_set_new(o, "jacobian", jlt_json_matrix(r->jacobian, n, n));
@@ -174,14 +169,9 @@ static json_t *row_json(const jlt_eigen_row *row)
 jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t count, bool array)
 {
     json_t *value = array ? json_array() : row_json(rows);
-    char *text;
-    jlt_status st;
 
     for (size_t k = 0; array && k < count; k++) json_array_append_new(value, row_json(&rows[k]));
-    st = jlt_json_text(&text, value);
-    if (st == JLT_OK) fputs(text, stream);
-    free(text);
-    return st;
+    return jlt_json_write(stream, value);
 }
 
 static void write_csv_header(FILE *stream, const jlt_eigen_request *request)

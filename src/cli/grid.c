@@ -154,6 +154,15 @@ double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
     return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* an end is pi, or no text's */
 }
 
+jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, const char *text, const char *option)
+{
+    *all = 1;
+    for (size_t k = 0; k < count; k++)
+        if (__builtin_mul_overflow(*all, axes[k].count, all))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
+    return JLT_EXIT_DONE;
+}
+
 void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index)
 {
     for (size_t k = count; k-- > 0;) {

@@ -24,6 +24,9 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
 /* Value number `index`, rounded once where both ends are typed numbers, so that 0.1:0.7:4 has 0.3: ends included, or for a periodic axis that spans its period the high end left out. */
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
 
+/** How many points these axes (count,) have. `text` is as typed, for the message where they are too many to be counted. */
+jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, const char *text, const char *option);
+
 /** Point number `index` of the grid of these axes (count,), the first one slowest. values: shape (count,). */
 void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index);
 

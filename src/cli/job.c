@@ -9,6 +9,20 @@
 
 #include "cli/interrupt.h"
 #include "cli/program.h"
+#include "cli/table.h"
+
+static const char *asked_for(const struct argp **options, size_t index)
+{
+    const jlt_command *command;
+
+    for (size_t i = 0; (command = jlt_command_at(i)) != NULL; i++)
+        if (command->parser != NULL && index-- == 0) break;
+    if (command == NULL) return NULL;
+    *options = command->parser;
+    return command->name;
+}
+
+const jlt_scene_program jlt_job_program = { asked_for, jlt_table_of };
 
 void jlt_job_free(char **argv, int argc)
 {

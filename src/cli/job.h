@@ -5,6 +5,9 @@
 #include "cli/command.h"
 #include "scene/scene.h"
 
+/** The commands of this program that have a parser, and models as commands open them. */
+extern const jlt_scene_program jlt_job_program;
+
 /** As it would be typed, argv[0] for the command's name, with one more option behind where that is not NULL; for jlt_job_free. NULL: no
  *  memory. */
 char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc);

@@ -3,29 +3,16 @@
 
 #include <string.h>
 
-static const jlt_command *const commands[] = {
-    &jlt_command_verify, &jlt_command_eigen, &jlt_command_measure, &jlt_command_models, &jlt_command_run,
-    &jlt_command_plan, &jlt_command_simulate, &jlt_command_portrait, &jlt_command_rod, &jlt_command_section,
-    &jlt_command_orbits, &jlt_command_fates, &jlt_command_manifolds, &jlt_command_continue, &jlt_command_lyapunov,
-    &jlt_command_separation, &jlt_command_drift, &jlt_command_bench,
-};
-enum { COMMANDS = sizeof commands / sizeof *commands };
-
-const jlt_command *jlt_command_find(const char *name)
-{
-    for (size_t i = 0; i < COMMANDS; i++)
-        if (strcmp(commands[i]->name, name) == 0) return commands[i];
-    return NULL;
-}
-
 static void print_help(FILE *stream)
 {
+    const jlt_command *command;
+
     fputs("Usage: jellett COMMAND [MODEL] [OPTION...]\n"
           "Verify and study models of nonholonomic mechanics through proved kernels.\n\n"
           "Commands:\n",
           stream);
-    for (size_t i = 0; i < COMMANDS; i++)
-        fprintf(stream, "  %s %s\n        %s\n", commands[i]->name, commands[i]->arguments, commands[i]->summary);
+    for (size_t i = 0; (command = jlt_command_at(i)) != NULL; i++)
+        fprintf(stream, "  %s %s\n        %s\n", command->name, command->arguments, command->summary);
     fputs("\nMODEL is " JLT_DEFAULT_MODEL " when none is named. Values are exact: 1/3, 0.51, 1e-3.\n\n"
           "  jellett COMMAND --help    options of a command, with examples\n"
           "  jellett --help            this page\n"

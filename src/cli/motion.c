@@ -12,9 +12,9 @@
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT };
 
 static const struct argp_option option_table[] = {
-    { "level", 'l', "NAME=VALUE,...", 0,
-      "Levels of integrals: of energy E and of Jellett's integral G, default E=2.15,G=-0.56; with --section of those that the table "
-      "claims, beside --solve", 10 },
+    { "level", 'l', "LEVEL=VALUE,...", 0,
+      "Levels of integrals: of a section that tables describe, with the defaults of its tables; with --section STATE=VALUE of integrals "
+      "that the table claims, beside --solve", 10 },
     { "section", SECTION, "STATE=VALUE|NAME", 0, "A section of any table, with its other states as coordinates; or NAME, one that the table says with coordinates of its own", 10 },
     { "solve", SOLVE, "STATE=GUESS,...", 0,
       "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
@@ -226,10 +226,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     }
     jlt_exit code = text != NULL ? jlt_grid_parse(axes, &count, chart->dim, text, option) : JLT_EXIT_DONE;
     const bool named = text != NULL && strchr(text, '=') != NULL;
-    size_t all = 1;
-    for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
-        if (__builtin_mul_overflow(all, axes[k].count, &all))
-            code = jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
+    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&(size_t){ 0 }, axes, chart->dim, text, option);
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (axes[k].low_text == NULL && (named || (text != NULL && !runs[k])))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,

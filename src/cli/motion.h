@@ -22,6 +22,12 @@ typedef struct {
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
     char start[512]; /* the one by default */
+    struct {
+        const char *const *starts; /* (start_count,), as typed */
+        size_t start_count;
+        const char *grid;  /* as typed; NULL: */
+        const char *other; /* where there are no starts either and tables describe the section; NULL: none */
+    } begins;              /* where orbits begin: looked at by plans alone */
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -51,9 +57,9 @@ bool jlt_motion_framed(const jlt_system *system, unsigned coordinate);
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system);
 
 /** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it. WHOLE: the
- *  section, or where that is not known, and nothing is to be seen, some range. */
+ *  section, or where that is not known, and nothing is to be seen, some range. Returns what it is, after --xrange and --yrange. */
 #define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
-void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
+jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
 /** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
 jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,

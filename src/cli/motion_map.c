@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
+
 jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *options, const jlt_system *system, const char *grid,
                              const jlt_grid_axis *axes)
 {
@@ -31,45 +33,96 @@ jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *opt
         if (axis->count > 1) self->cell[k] = fabs(jlt_grid_value(axis, 1, period) - jlt_grid_value(axis, 0, period));
     }
     if (self->cell[0] == 0 || self->cell[1] == 0) self->cell[0] = self->cell[1] = 0;
+    for (unsigned k = 0; self->cell[0] > 0 && k < 2; k++) self->count[k] = axes[self->shown[k]].count;
+    const size_t cells = self->count[0] * self->count[1];
+    self->grid = jlt_memory_array(cells, sizeof *self->grid);
+    for (size_t i = 0; self->grid != NULL && i < cells; i++) self->grid[i] = NAN;
     self->points = open_memstream(&self->text, &self->size);
-    return code != JLT_EXIT_DONE || self->points != NULL ? code : jlt_command_no_memory();
+    return code != JLT_EXIT_DONE || (self->points != NULL && self->grid != NULL) ? code : jlt_command_no_memory();
 }
 
 void jlt_motion_map_close(jlt_motion_map *self)
 {
     if (self->points != NULL) fclose(self->points);
     free(self->text);
+    free(self->grid);
     *self = (jlt_motion_map){ .points = NULL };
+}
+
+/* The grid point that this is, along one axis of the picture. */
+static bool place(size_t *index, const jlt_motion_map *self, unsigned k, double value)
+{
+    const jlt_grid_axis *axis = &self->axes[self->shown[k]];
+    const double step = copysign(self->cell[k], axis->high - axis->low), steps = (value - axis->low) / step;
+
+    *index = (size_t)fmax(0, round(steps));
+    return fabs(steps - round(steps)) < 1e-6 && *index < self->count[k];
 }
 
 void jlt_motion_map_add(jlt_motion_map *self, const double *q, double value)
 {
-    const double *periods = self->system->flow.chart->period;
+    const double at[] = { q[self->shown[0]], q[self->shown[1]], value };
+    size_t column, row;
 
     jlt_extent_add(&self->values, value);
-    for (unsigned k = 0; k < 2; k++) jlt_extent_add(&self->extent[k], q[self->shown[k]]);
-    for (int turn = -1; self->points != NULL && turn <= 1; turn++) {
-        const double period = periods[self->shown[0]], x = q[self->shown[0]] + turn * period;
-        if (turn != 0 && (period == 0 || fabs(x) - self->cell[0] / 2 > period / 2)) continue;
-        for (int other = -1; other <= 1; other++) {
-            const double second = periods[self->shown[1]], y = q[self->shown[1]] + other * second;
-            if (other != 0 && (second == 0 || fabs(y) - self->cell[1] / 2 > second / 2)) continue;
-            jlt_look_row(self->points, (const double[]){ x, y, value }, 3);
-        }
-    }
+    for (unsigned k = 0; k < 2; k++) jlt_extent_add(&self->extent[k], at[k]);
+    if (self->points == NULL) return;
+    if (self->cell[0] > 0 && place(&column, self, 0, at[0]) && place(&row, self, 1, at[1]))
+        self->grid[row * self->count[0] + column] = value;
+    else jlt_look_row(self->points, at, 3);
+}
+
+/* Between which values cells are drawn, and by how many dots: some hundreds, as viewers of SVG blur the edges of dots, and an even number to
+ * the cell, as an angle's cells are cut in halves at the ends. */
+static jlt_extent dots(unsigned *count, const jlt_motion_map *self, unsigned k, jlt_extent range)
+{
+    const jlt_grid_axis *axis = &self->axes[self->shown[k]];
+    const bool turns = self->system->flow.chart->period[self->shown[k]] != 0;
+    const double low = fmin(axis->low, axis->high) - self->cell[k] / 2, high = fmax(axis->low, axis->high) + self->cell[k] / 2;
+
+    if (!turns) range = (jlt_extent){ fmax(range.low, low), fmin(range.high, high) };
+    const double cells = fmax(1, round((range.high - range.low) / self->cell[k]));
+    *count = (unsigned)(2 * cells * fmax(1, ceil(200 / cells)));
+    return range;
+}
+
+/* In a script: CELL_x(x), the number of the cell in its row, and CELL_y(y). */
+static void write_place(FILE *stream, const jlt_motion_map *self, unsigned k)
+{
+    const jlt_grid_axis *axis = &self->axes[self->shown[k]];
+    const double period = self->system->flow.chart->period[self->shown[k]], low = fmin(axis->low, axis->high) - self->cell[k] / 2;
+    const char name = k == 0 ? 'x' : 'y';
+
+    fprintf(stream, "CELL_%c(%c) = floor((%c", name, name, name);
+    if (period != 0) fprintf(stream, " - %.17g*floor((%c - %.17g)/%.17g)", period, name, low, period);
+    fprintf(stream, " - %.17g)/%.17g + 0.5)\n", axis->low, copysign(self->cell[k], axis->high - axis->low));
+}
+
+/* The grid as an array, and its value at any place. */
+static void write_grid(FILE *stream, const jlt_motion_map *self)
+{
+    const size_t cells = self->count[0] * self->count[1];
+
+    fputs("$GRID << END\n", stream);
+    for (size_t i = 0; i < cells; i++) jlt_look_row(stream, &self->grid[i], 1);
+    fprintf(stream, "END\narray GRID[%zu]\nstats $GRID using (GRID[1+int($0)]=$1, 0) nooutput\n", cells);
+    for (unsigned k = 0; k < 2; k++) write_place(stream, self, k);
+    fprintf(stream, "VALUE(i,j) = i < 0 || i >= %zu || j < 0 || j >= %zu ? NaN : GRID[1 + int(i) + %zu*int(j)]\n", self->count[0],
+            self->count[1], self->count[0]);
 }
 
 void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot)
 {
     fflush(self->points);
-    jlt_plot_block(plot, "MAP", self->text);
+    if (self->size > 0) jlt_plot_block(plot, "STARTS", self->text);
+    if (self->cell[0] > 0) write_grid(plot->stream, self);
     for (unsigned k = 0; k < 2; k++) {
         const jlt_grid_axis *axis = self->axes != NULL ? &self->axes[self->shown[k]] : NULL;
         jlt_extent range = jlt_extent_wider(self->extent[k]);
         if (self->whole) range = JLT_MOTION_WHOLE;
         else if (self->cell[k] > 0)
             range = (jlt_extent){ fmin(axis->low, axis->high) - self->cell[k] / 2, fmax(axis->low, axis->high) + self->cell[k] / 2 };
-        jlt_motion_axis(plot, self->system, k == 0 ? 'x' : 'y', self->shown[k], range);
+        self->frame[k] = jlt_motion_axis(plot, self->system, k == 0 ? 'x' : 'y', self->shown[k], range);
     }
     fputs("set tics out nomirror\n", plot->stream);
 }
@@ -84,11 +137,22 @@ void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const ch
         fprintf(plot->stream, "set cbtics %.15g\n", jlt_look_step(self->values, 6));
 }
 
-void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot, const char *columns, const char *colour)
+void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot)
 {
-    const double *cell = self->cell;
+    jlt_extent range[2];
+    unsigned count[2];
+    double half[2];
 
-    if (cell[0] > 0) jlt_look_cells(plot->stream, "MAP", columns, cell[0], cell[1], colour);
-    else fprintf(plot->stream, "$MAP using 1:%s%s with points pt 5 ps %.3g lc %s", columns, strcmp(colour, "palette") == 0 ? ":3" : "",
-                 0.7 * plot->look->size, colour);
+    fputs("plot ", plot->stream);
+    for (unsigned k = 0; self->cell[0] > 0 && k < 2; k++) {
+        range[k] = dots(&count[k], self, k, self->frame[k]);
+        half[k] = (range[k].high - range[k].low) / count[k] / 2;
+    }
+    const bool image = self->cell[0] > 0 && half[0] > 0 && half[1] > 0;
+    for (unsigned k = 0; image && k < 2; k++)
+        fprintf(plot->stream, "%s [%c=%.17g:%.17g:%.17g]", k == 0 ? "sample" : "", k == 0 ? 'u' : 'v', range[k].low + half[k],
+                range[k].high - half[k], 2 * half[k]);
+    fputs(image ? " '++' using 1:2:(VALUE(CELL_x($1),CELL_y($2))) with image notitle" : "NaN notitle", plot->stream);
+    if (self->size > 0)
+        fprintf(plot->stream, ", $STARTS using 1:2:3 with points pt 5 ps %.3g lc palette notitle", 0.7 * plot->look->size);
 }

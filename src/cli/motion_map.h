@@ -10,7 +10,10 @@ typedef struct {
     bool whole;                /* it is over the whole section */
     unsigned shown[2];         /* the coordinates of the picture */
     double cell[2];            /* 0 each: single points */
-    FILE *points;              /* data; NULL: there is no picture */
+    size_t count[2];           /* of cells; shape of the grid: (count[1], count[0]) */
+    double *grid;              /* values, NaN where there is none; owned */
+    jlt_extent frame[2];       /* of the picture */
+    FILE *points;              /* starts beside the grid; NULL: there is no picture */
     char *text;
     size_t size;
     jlt_extent values, extent[2]; /* of the values, and of the starts */
@@ -21,16 +24,16 @@ jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *opt
                              const jlt_grid_axis *axes);
 void jlt_motion_map_close(jlt_motion_map *self); /* legal when zeroed */
 
-/** A start and its value. What lies over the end of a turn is there twice. */
+/** A start and its value. */
 void jlt_motion_map_add(jlt_motion_map *self, const double *q, double value);
 
-/** $MAP, and the axes. */
+/** Data, and the axes. */
 void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot);
 
 /** A palette, and the box that explains it. */
 void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label);
 
-/** For `plot`: the cells or points whose value is the third column of `columns`, by this colour. */
-void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot, const char *columns, const char *colour);
+/** "plot ..." of the grid as an image, whose size does not grow with its cells, and of other starts as points, by the palette. */
+void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot);
 
 #endif

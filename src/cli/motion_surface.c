@@ -32,6 +32,26 @@ static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, c
                             surface->names[surface->params], level > values[surface->params] ? "above" : "below", level);
 }
 
+/* Sections of tables have bounds that those of the table itself have not. */
+static jlt_exit refuse_large(const jlt_surface *surface)
+{
+    const jlt_section_chart *section = surface->section;
+    const jlt_descriptor *table = surface->table;
+    const unsigned values = table->param_count + section->level_count, coordinates = section->coordinate_count;
+    char what[160];
+
+    if (coordinates > JLT_CHART_COORDINATES_MAX)
+        snprintf(what, sizeof what, "has %u coordinates, and %d are the limit", coordinates, (int)JLT_CHART_COORDINATES_MAX);
+    else if (values > JLT_CHART_VALUES_MAX)
+        snprintf(what, sizeof what, "has %u parameters and levels, and %d are the limit", values, (int)JLT_CHART_VALUES_MAX);
+    else snprintf(what, sizeof what, "has %u derivatives, of %u states by %u coordinates and levels, and %d are the limit",
+                  table->state_count * (coordinates + section->level_count), table->state_count, coordinates + section->level_count,
+                  (int)JLT_CHART_SLOPES_MAX);
+    return jlt_command_fail(JLT_EXIT_INPUT, "the section %s of %s %s of sections that tables describe: ask for one of the table itself, "
+                            "--section %s=%.10g, with all other states as coordinates", section->name, table->model, what,
+                            table->states[section->column].name, section->level);
+}
+
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what)
 {
     static const char *const conditions[] = { "", " > 0", " >= 0", " != 0" };
@@ -39,6 +59,7 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
 
     if (what != NULL) snprintf(where, sizeof where, "%s: ", what);
     if (status == JLT_ERR_EMPTY) return refuse_empty(surface, values, where);
+    if (status == JLT_ERR_UNSUPPORTED) return refuse_large(surface);
     for (unsigned i = 0; status == JLT_ERR_DOMAIN && i < surface->params; i++) {
         const jlt_quantity *q = &surface->table->params[surface->entries[i]];
         const double v = values[i];
@@ -46,7 +67,7 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
         if (!fits) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model, q->name, conditions[q->sign]);
     }
     if (status == JLT_ERR_ARG)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, which is crossed in one --direction alone, not in this", where,
+        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, and somewhere it is the other half that is crossed in this --direction", where,
                                 surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
     if (status == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_INPUT, "%sthe parameters are so far apart that products of them leave the range of doubles", where);
@@ -137,7 +158,9 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     const bool is_plane = options->section != NULL && strchr(options->section, '=') != NULL;
     const jlt_claim *broken = NULL;
 
-    *has = !is_plane && jlt_surface_find(surface, &broken, asked, options->section) == JLT_OK;
+    const jlt_status st = is_plane ? JLT_ERR_UNSUPPORTED : jlt_surface_find(surface, &broken, asked, options->section);
+    *has = st == JLT_OK;
+    if (!is_plane && !*has && surface->table != NULL) return refuse_large(surface);
     if (!is_plane && !*has && options->section != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
                                 options->section, asked->model);

@@ -111,7 +111,7 @@ bool jlt_motion_framed(const jlt_system *system, unsigned coordinate)
     return isfinite(bounds.low) && isfinite(bounds.high);
 }
 
-void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range)
+jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range)
 {
     const double period = system->flow.chart->period[coordinate];
     char label[JLT_LOOK_LABEL_MAX];
@@ -119,7 +119,7 @@ void jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsign
     jlt_look_label(label, system->flow.chart->names[coordinate], unit_of(system, coordinate));
     if (period != 0 && range.high - range.low > period / 2) range = (jlt_extent){ -period / 2, period / 2 };
     else if (isinf(range.low)) range = jlt_motion_framed(system, coordinate) ? bounds_of(system, coordinate) : (jlt_extent){ -1, 1 };
-    jlt_plot_axis(plot, axis, label, range, period);
+    return jlt_plot_axis(plot, axis, label, range, period);
 }
 
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system)

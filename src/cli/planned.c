@@ -17,8 +17,6 @@ static void kernel_name(char *out, size_t size, const jlt_descriptor *d)
 static void show_candidate(const jlt_plan *plan, unsigned index, const char *why)
 {
     const jlt_candidate *c = &plan->candidates[index];
-    const char *name = c->tier != NULL ? c->tier->name : "model";
-    const unsigned dimension = c->tier != NULL ? c->tier->dimension : c->descriptor->state_count;
     char kernel[128], counts[64] = "", refusal[1024];
 
     kernel_name(kernel, sizeof kernel, c->descriptor);
@@ -27,14 +25,14 @@ static void show_candidate(const jlt_plan *plan, unsigned index, const char *why
         snprintf(counts, sizeof counts, "%u+ %ux %ufma %u/ %uroot %uelem", n->add, n->multiply, n->fma, n->divide, n->root,
                  n->elementary);
     }
-    printf("  %c %-13s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', name, dimension, kernel, counts);
+    printf("  %c %-14s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', c->tier.name, c->tier.dimension, kernel, counts);
     if (index == plan->chosen)
         printf("taken: %s\n", why != NULL ? why : plan->forced ? "asked for by name" : plan->count == 1 ? "the model's own field" : "the smallest that answers");
-    else if (c->refusal != NULL) {
+    else if (c->refusal[0] != '\0') {
         jlt_plan_refusal(refusal, sizeof refusal, c);
         printf("no: %s\n", refusal);
     }
-    else if (c->tier != NULL && c->tier->by_name) puts("would answer: a comparison, by name only");
+    else if (c->tier.by_name) puts("would answer: a comparison, by name only");
     else puts(index > plan->chosen ? "would answer, but is larger" : "would answer, and is smaller");
 }
 
@@ -55,6 +53,35 @@ static void show_proof(const jlt_descriptor *asked, const char *level)
     else if (jlt_descriptor_param(asked, level, &(size_t){ 0 })) fputs(" (a parameter of this table)", stdout);
 }
 
+enum { LOOKED_AT = 1 << 20 }; /* points of a grid */
+
+/* Where orbits begin. Says why one cannot. */
+static jlt_exit show_starts(const jlt_system *system, const jlt_motion_options *options)
+{
+    const size_t starts = options->begins.start_count;
+    const char *other = starts == 0 && system->surface != NULL ? options->begins.other : NULL;
+    const char *grid = options->begins.grid != NULL ? options->begins.grid : other;
+    const jlt_chart *chart = system->flow.chart;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    size_t points = 0, there = 0;
+    jlt_exit code = jlt_motion_check_starts(system, options->begins.starts, starts);
+
+    if (code == JLT_EXIT_DONE && grid != NULL) code = jlt_motion_axes(axes, system, grid, "--grid");
+    if (code != JLT_EXIT_DONE || (starts == 0 && grid == NULL)) return code;
+    if (grid != NULL) points = jlt_motion_grid_size(axes, system);
+    for (size_t i = 0; i < points && points <= LOOKED_AT; i++) {
+        double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX];
+        jlt_motion_grid_point(q, axes, system, i);
+        there += chart->lift(chart, x, NULL, q) == JLT_OK;
+    }
+    fputs("  starts", stdout);
+    if (starts > 0) printf(" %zu of --start%s", starts, grid != NULL ? "," : "");
+    if (grid != NULL) printf(" %zu of a grid", points);
+    if (grid != NULL && points <= LOOKED_AT) printf(", of which %zu are on the section", there);
+    puts("");
+    return JLT_EXIT_DONE;
+}
+
 jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options, const jlt_descriptor *asked)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
@@ -65,11 +92,13 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     jlt_exit code = jlt_assign_params(&params, asked, &options->common.set);
 
     if (code == JLT_EXIT_DONE) {
-        jlt_plan plan = { .count = 1, .candidates = { { .descriptor = system->instance->descriptor } } };
-        /* Integrals are watched in all states. */
+        jlt_plan plan = { .count = 1, .candidates = { { .tier = { .name = "model", .dimension = system->instance->descriptor->state_count },
+                                                        .descriptor = system->instance->descriptor } } };
+        jlt_tier whole;
+        jlt_tier_whole(&whole, asked); /* integrals are watched in all states */
         const jlt_question question = { .model = asked, .params = params, .section = !options->looks_at_integrals,
-                                        .tier = options->looks_at_integrals ? "five" : NULL };
-        const jlt_status st = system->surface != NULL && jlt_tier_has(asked) ? jlt_plan_make(&plan, &question) : JLT_OK;
+                                        .tier = options->looks_at_integrals ? whole.name : NULL };
+        const jlt_status st = system->surface != NULL ? jlt_plan_make(&plan, &question) : JLT_OK;
         if (st == JLT_OK) jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
         code = st == JLT_OK ? JLT_EXIT_PLANNED : jlt_motion_fail(st, system, asked->model);
     }
@@ -83,6 +112,10 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
         jlt_csv_value(stdout, levels[k]);
         show_proof(asked, names[k]);
     }
-    printf("\n  method %s, tolerance %.3g\n", jlt_motion_method(options), options->flow.tolerance);
+    puts("");
+    const jlt_exit refused = show_starts(system, options);
+    if (refused != JLT_EXIT_DONE) return refused;
+    printf("  method %s, tolerance %.3g%s\n", jlt_motion_method(options), options->flow.tolerance,
+           options->common.lanes ? "" : ", one orbit at a time");
     return code;
 }

@@ -169,6 +169,12 @@ jlt_exit jlt_plot_shown(unsigned shown[2], const jlt_common *common, const char 
     return JLT_EXIT_DONE;
 }
 
+static void close_both(jlt_plot *self)
+{
+    jlt_command_discard(&self->script);
+    jlt_command_discard(&self->title);
+}
+
 jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common)
 {
     *self = (jlt_plot){ .common = common, .look = &common->look };
@@ -177,14 +183,8 @@ jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common)
         jlt_look_key(self->stream, self->look, "bmargin center horizontal Left reverse samplen 2 height 1");
         return JLT_OK;
     }
-    jlt_plot_close(self);
+    close_both(self);
     return JLT_ERR_NOMEM;
-}
-
-void jlt_plot_close(jlt_plot *self)
-{
-    jlt_command_discard(&self->script);
-    jlt_command_discard(&self->title);
 }
 
 void jlt_plot_words(jlt_plot *self, const char *format, ...)
@@ -213,11 +213,11 @@ void jlt_plot_block(jlt_plot *self, const char *name, const char *rows)
     fprintf(self->stream, "$%s << END\n%sEND\n", name, rows != NULL ? rows : "");
 }
 
-void jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period)
+jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period)
 {
     const unsigned panels = axis == 'x' ? self->columns : self->rows;
 
-    jlt_look_axis(self->stream, self->look, axis, label, range, period, panels > 0 ? panels : 1);
+    return jlt_look_axis(self->stream, self->look, axis, label, range, period, panels > 0 ? panels : 1);
 }
 
 void jlt_plot_log(jlt_plot *self, char axis, int base)
@@ -251,6 +251,14 @@ static unsigned write_title(FILE *stream, const jlt_plot *self)
     return text != NULL && *text == '\0' ? 0 : lines;
 }
 
+/* Where panels one below the other would be less than three letters high, the title is the first line of its caption. */
+static void shorten_title(jlt_plot *self)
+{
+    const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look);
+
+    if (self->stacked && letters - 10 < 3.8 * self->rows) self->title.text[strcspn(self->title.text, "\n")] = '\0';
+}
+
 /* Panels, with a common axis one below the other, with room for labels on the left and the key on the right. */
 static void write_panels(FILE *stream, const jlt_plot *self)
 {
@@ -259,7 +267,7 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     fprintf(stream, "set multiplot layout %u,%u title ", self->rows, self->columns);
     const unsigned lines = write_title(stream, self);
     if (self->stacked)
-        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - 6 * x, 3.8 * y, 1 - (1.1 + 1.3 * lines) * y, 0.8 * y);
+        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - 6 * x, 3.8 * y, 1 - (1.1 + 1.2 * lines) * y, 0.8 * y);
     fputc('\n', stream);
 }
 
@@ -295,6 +303,7 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     jlt_status st = jlt_command_close(&self->script);
 
     if (jlt_command_close(&self->title) != JLT_OK) st = JLT_ERR_NOMEM;
+    else shorten_title(self);
     if (st == JLT_OK && common->keep != NULL) {
         st = write_script(&kept, self, true);
         if (st == JLT_OK) code = jlt_command_write(common->keep, kept.text, kept.size);
@@ -303,6 +312,8 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_picture_draw(&picture, &size, whole.text, whole.size);
     if (st == JLT_ERR_UNSUPPORTED)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");
+    else if (st == JLT_ERR_EMPTY)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: nothing that could be drawn lies within --xrange and --yrange");
     else if (st == JLT_ERR_IO)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", common->plot);
     else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
@@ -312,6 +323,6 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     free(picture);
     jlt_command_discard(&whole);
     jlt_command_discard(&kept);
-    jlt_plot_close(self);
+    close_both(self);
     return code;
 }

@@ -20,9 +20,8 @@ typedef struct {
     bool valued;
 } jlt_plot;
 
-/** To be drawn, or else to be closed. Errors: NOMEM. */
+/** To be drawn. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common);
-void jlt_plot_close(jlt_plot *self);
 
 /** The caption, which --title replaces: words, and values by name after them. A value that is NaN is left out. */
 #if defined(__GNUC__)
@@ -34,8 +33,8 @@ void jlt_plot_value(jlt_plot *self, const char *name, double value);
 /** $NAME, data in rows; rows may be NULL for none. */
 void jlt_plot_block(jlt_plot *self, const char *name, const char *rows);
 
-/** An axis as of jlt_look_axis, of the panel that is drawn next. */
-void jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period);
+/** An axis as of jlt_look_axis, of the panel that is drawn next. Returns its range. */
+jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period);
 
 /** After that: a logarithmic axis, with ticks at powers of ten, or of two as plain numbers. */
 void jlt_plot_log(jlt_plot *self, char axis, int base);

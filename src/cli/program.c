@@ -46,6 +46,7 @@ jlt_exit jlt_program_begin(void)
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
     argp_err_exit_status = JLT_EXIT_USAGE;
+    setenv("ARGP_HELP_FMT", "opt-doc-col=30", 0); /* --start=STATE=VALUE,... stands before it */
     return atexit(close_output) == 0 ? JLT_EXIT_DONE : JLT_EXIT_NUMERICAL;
 }
 

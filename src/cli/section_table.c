@@ -105,3 +105,15 @@ bool jlt_section_table_verdict(const jlt_section_table *table)
             table->worst_defect, table->worst_share);
     return table->worst_share <= 1;
 }
+
+void jlt_section_table_lost(char *text, size_t size, const size_t *orbits, size_t all, const jlt_observed *observed)
+{
+    size_t used = 0;
+
+    *text = '\0';
+    for (unsigned i = 0; i < JLT_OBSERVED_CONDITIONS_MAX && used < size; i++) {
+        if (orbits[i] == 0) continue;
+        used += (size_t)snprintf(text + used, size - used, "%s%s", used > 0 ? " or " : "", jlt_observed_condition(observed, i));
+        if (orbits[i] < all && used < size) used += (size_t)snprintf(text + used, size - used, " (%zu)", orbits[i]);
+    }
+}

@@ -39,4 +39,8 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row);
  *  could be checked. */
 bool jlt_section_table_verdict(const jlt_section_table *table);
 
+/** Which conditions are lost: "contact", or "contact (2) or grip (1)". orbits, shape (JLT_OBSERVED_CONDITIONS_MAX,): how many lose each,
+ *  of `all` that lose one. */
+void jlt_section_table_lost(char *text, size_t size, const size_t *orbits, size_t all, const jlt_observed *observed);
+
 #endif

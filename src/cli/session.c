@@ -3,10 +3,11 @@
 #include <stdlib.h>
 
 #include "cli/interrupt.h"
+#include "cli/table.h"
 #include "kernel/descriptor.h"
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "The start: a value for every state of the model", 10 },
+    { "start", 'a', "STATE=VALUE,...", 0, "The start: a value for every state of the model", 10 },
     { 0 },
 };
 
@@ -52,7 +53,9 @@ bool jlt_session_interrupted(const jlt_session *self)
 
 jlt_exit jlt_session_open(jlt_session *self)
 {
-    return jlt_common_open(&self->common, &self->descriptor, &self->params);
+    const jlt_exit code = jlt_common_open(&self->common, &self->descriptor, &self->params);
+
+    return code == JLT_EXIT_DONE && self->common.model != NULL ? jlt_table_others(&self->others, self->descriptor, self->common.model) : code;
 }
 
 jlt_exit jlt_session_start(jlt_session *self)

@@ -16,6 +16,7 @@ typedef struct {
 
     /* after jlt_session_open */
     const jlt_descriptor *descriptor; /* the model's general field */
+    jlt_way_tables others;            /* tables of the user's own that may serve in its place */
     double *params, *x;               /* owned */
 } jlt_session;
 

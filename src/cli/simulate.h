@@ -20,9 +20,7 @@ typedef struct {
     size_t course_count;
     jlt_course_row last;
 
-    FILE *points; /* for the picture; NULL: none */
-    char *points_text;
-    jlt_extent *extents; /* of its columns */
+    jlt_extent *extents; /* of the picture's columns */
     unsigned shown[2];   /* those of --axes */
 } jlt_simulate_request;
 

@@ -23,6 +23,7 @@ static unsigned first_of_track(const jlt_simulate_request *r)
 void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row)
 {
     const jlt_attitude *a = &row->attitude;
+    FILE *points = request->session.common.points;
     const double track[] = { a->contact[0], a->contact[1], a->axes[0][2], a->axes[1][2] };
     const unsigned drift = first_drift(request), first = first_of_track(request);
 
@@ -32,11 +33,11 @@ void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row
     }
     for (unsigned k = 0; request->extents != NULL && k < first + (request->track ? 4 : 0); k++) {
         const double value = k == 0 ? row->t : k < drift ? row->x[k - 1] : k < first ? fmax(row->drift[k - drift], 1e-17) : track[k - first];
-        if (k > 0) fputc(' ', request->points);
-        jlt_look_value(request->points, value);
+        if (k > 0) fputc(' ', points);
+        jlt_look_value(points, value);
         jlt_extent_add(&request->extents[k], value);
     }
-    fputc('\n', request->points);
+    fputc('\n', points);
 }
 
 static void caption(jlt_plot *plot, const jlt_simulate_request *r)
@@ -172,7 +173,7 @@ jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
 
     if (request->extents == NULL || jlt_plot_open(&plot, &request->session.common) != JLT_OK) return jlt_command_no_memory();
     fputs(JLT_LOOK_GRID, plot.stream);
-    jlt_plot_block(&plot, "ROWS", request->points_text);
+    jlt_plot_block(&plot, "ROWS", request->session.common.drawn);
     caption(&plot, request);
     if (request->session.common.axes != NULL) draw_plane(&plot, request);
     else if (request->track) draw_track(&plot, request);

@@ -108,6 +108,34 @@ jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bo
     return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
 }
 
+/* FILE beside the table that names it. */
+static bool beside(char *path, size_t size, const char *table, const char *file)
+{
+    const char *slash = strrchr(table, '/');
+    const int length = slash != NULL ? (int)(slash - table) + 1 : 0;
+    const int used = snprintf(path, size, "%.*s%s", length, table, file);
+
+    return used > 0 && (size_t)used < size;
+}
+
+jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model)
+{
+    const jlt_descriptor *next = of;
+
+    *others = (jlt_way_tables){ .count = 0 };
+    for (unsigned done = 0; jlt_table_is_file(model) && next != NULL; next = done < others->count ? others->tables[done++] : NULL)
+        for (unsigned i = 0; i < next->way_count && others->count < JLT_WAY_TABLES_MAX; i++) {
+            const jlt_way *way = &next->ways[i];
+            char path[PATH_MAX];
+            if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_target(way, others) != NULL) continue;
+            if (!beside(path, sizeof path, model, way->file)) return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
+            const jlt_exit code = load(&others->tables[others->count], path, false);
+            if (code != JLT_EXIT_DONE) return code;
+            others->count++;
+        }
+    return JLT_EXIT_DONE;
+}
+
 jlt_status jlt_table_of(const jlt_descriptor **out, const char *model)
 {
     *out = NULL;

@@ -120,11 +120,6 @@ void jlt_verify_report_text(FILE *stream, const jlt_verify_run *run)
     fprintf(stream, "\n(d) %s: %zu checks hold, %zu fail\n", d->model, run->held, run->failed);
 }
 
-static json_t *text_or_null(const char *text)
-{
-    return text == NULL ? json_null() : json_string(text);
-}
-
 static json_t *proofs_json(const ttc_proof_report *r)
 {
     json_t *array = json_array();
@@ -133,8 +128,8 @@ static json_t *proofs_json(const ttc_proof_report *r)
         const ttc_proof *p = &r->proofs[i];
         json_array_append_new(array, json_pack("{s:s,s:s,s:i,s:s,s:o,s:o,s:o,s:b}", "name", p->name, "kind", p->kind, "line",
                                                (int)p->place.line, "status", ttc_proof_status_name(p->status), "remainder",
-                                               text_or_null(p->remainder), p->status == TTC_PROVED ? "witness" : "point",
-                                               text_or_null(p->point), "note", text_or_null(p->note), "relies_on_solver",
+                                               jlt_json_string(p->remainder), p->status == TTC_PROVED ? "witness" : "point",
+                                               jlt_json_string(p->point), "note", jlt_json_string(p->note), "relies_on_solver",
                                                p->relies_on_solver ? 1 : 0));
     }
     return array;
@@ -160,9 +155,9 @@ static json_t *family_json(const jlt_verify_family *f)
 
 static json_t *certificate_json(const jlt_verify_certificate *c)
 {
-    return json_pack("{s:s,s:o,s:b,s:o,s:o,s:b}", "family", c->family->name, "point", text_or_null(c->point),
-                     "field_is_exactly_zero", c->exact, "trace", text_or_null(c->trace), "trace_enclosure",
-                     text_or_null(c->enclosure), "excludes_zero", c->excludes_zero);
+    return json_pack("{s:s,s:o,s:b,s:o,s:o,s:b}", "family", c->family->name, "point", jlt_json_string(c->point),
+                     "field_is_exactly_zero", c->exact, "trace", jlt_json_string(c->trace), "trace_enclosure",
+                     jlt_json_string(c->enclosure), "excludes_zero", c->excludes_zero);
 }
 
 static json_t *density_json(const jlt_verify_density *d)
@@ -175,7 +170,7 @@ static json_t *density_json(const jlt_verify_density *d)
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
                      k->states[a->along].name, "defect", jlt_json_number(a->defect), "defects",
                      jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "closed_form",
-                     text_or_null(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
+                     jlt_json_string(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? a->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
 }
@@ -184,19 +179,14 @@ jlt_status jlt_verify_report_json(FILE *stream, const jlt_verify_run *run)
 {
     const jlt_descriptor *d = run->descriptor;
     json_t *families = json_array(), *certificates = json_array(), *densities = json_array();
-    char *text;
-    jlt_status st;
 
     for (size_t i = 0; i < run->family_count; i++) json_array_append_new(families, family_json(&run->families[i]));
     for (size_t i = 0; i < run->certificate_count; i++)
         json_array_append_new(certificates, certificate_json(&run->certificates[i]));
     for (size_t i = 0; i < run->density_count; i++) json_array_append_new(densities, density_json(&run->densities[i]));
-    st = jlt_json_text(&text, json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o,s:o,s:{s:I,s:I}}", "model", d->model, "sha256",
-                                        d->sha256, "seed", (json_int_t)run->seed, "samples", (json_int_t)run->samples,
-                                        "proofs", proofs_json(run->proofs), "families", families, "certificates",
-                                        certificates, "densities", densities, "totals", "held", (json_int_t)run->held,
-                                        "failed", (json_int_t)run->failed));
-    if (st == JLT_OK) fputs(text, stream);
-    free(text);
-    return st;
+    return jlt_json_write(stream, json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o,s:o,s:{s:I,s:I}}", "model", d->model, "sha256",
+                                            d->sha256, "seed", (json_int_t)run->seed, "samples", (json_int_t)run->samples,
+                                            "proofs", proofs_json(run->proofs), "families", families, "certificates",
+                                            certificates, "densities", densities, "totals", "held", (json_int_t)run->held,
+                                            "failed", (json_int_t)run->failed));
 }

@@ -1,8 +1,9 @@
-/** A plane section restricted to levels of a table's integrals.  * As many states as there are levels are solved for by
- *  Newton's method, always from one guess; the section's coordinates are the other states, in order. On the section and its
- *  levels the solved states are functions of the coordinates, with the derivative -(dF/dy)^-1 dF/dq, y the solved states: a
- *  branch of them, which ends where that matrix is singular. A return on another branch is told apart by
- *  jlt_chart_level_follows. */
+/** A plane section restricted to levels of a table's integrals.
+ *
+ *  As many states as there are levels are solved for by Newton's method, always from one guess; the section's coordinates
+ *  are the other states, in order. On the section and its levels the solved states are functions of the coordinates, with
+ *  the derivative -(dF/dy)^-1 dF/dq, y the solved states: a branch of them, which ends where that matrix is singular. A
+ *  return on another branch is told apart by jlt_chart_level_follows. */
 #ifndef JLT_DYNAMICS_CHART_LEVEL_H
 #define JLT_DYNAMICS_CHART_LEVEL_H
 

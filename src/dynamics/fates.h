@@ -1,33 +1,38 @@
-/** What becomes of orbits: which pole they end at, when, or never; and how many of a grid of starts turn over. */
+/** What becomes of an orbit from a section within a number of returns: whether it ends, how (jlt_fate, dynamics/section.h) and
+ *  when; and counts of that over many starts. */
 #ifndef JLT_DYNAMICS_FATES_H
 #define JLT_DYNAMICS_FATES_H
 
 #include "dynamics/section.h"
 
 typedef struct {
-    jlt_fate fate;      /* ALIVE: neither an end nor a lost return within the budget */
-    unsigned lost;      /* of invalid: the index of the condition that breaks */
-    double t;           /* time of the end, or of the last return, since the start */
-    size_t returns;
-    double x[JLT_CHART_STATES_MAX]; /* the state at that time; at a pole the limit */
-    double least;       /* least value of the model's conditions along the orbit: the model held throughout if it is positive */
-    bool interrupted;
+    jlt_fate fate;      /* ALIVE: all returns were found */
+    unsigned lost;      /* where fate is INVALID: the index of the condition that breaks, as of jlt_observed_condition */
+    double t;           /* [time] of the end, or of the last return, since the start */
+    size_t returns;     /* before it */
+    double x[JLT_CHART_STATES_MAX]; /* (chart->states,), the state at that time; at a pole its limit */
+    double least;       /* least value of the model's conditions (`valid` in its table) along the orbit: the model held throughout
+                           if it is positive; INFINITY where there are none */
+    bool interrupted;   /* by flow.interrupt: fate is ALIVE, and returns says how many were found until then */
 } jlt_fates_end;
 
-/** Follow the orbit from q for at most `returns` returns. Errors: as jlt_section_start and jlt_section_next. */
+/** Follow the orbit forwards from q, shape (dim,), coordinates of the section, for at most `returns` returns. An orbit that
+ *  ends, or on which the method fails, is no error: *end says so. Errors: as jlt_section_start (q is no start) and
+ *  jlt_section_next; *end is then not touched. */
 JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
 
 /** Numbers of starts by fate; begin with all zero. */
 typedef struct {
-    size_t starts;                /* that exist on the levels */
-    size_t by_fate[JLT_FATE_COUNT];
+    size_t starts;                /* that were added */
+    size_t by_fate[JLT_FATE_COUNT]; /* index: jlt_fate */
     size_t valid[JLT_FATE_COUNT]; /* of these, those on which the model held throughout */
 } jlt_fates_count;
 
+/* Count one start. */
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);
 
-/** Share of the starts with this fate, with its binomial standard error; NaN for no starts. held: only those on which
- *  the model held throughout. */
+/** Of all starts, the share with this fate, 0 to 1, with its binomial standard error; NaN for no starts. held: the share with
+ *  this fate on which the model held throughout as well. */
 void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held);
 
 #endif

@@ -58,36 +58,41 @@ done:
     return st;
 }
 
-jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
+double jlt_lyapunov_growth(const double *slope, unsigned d)
 {
-    const unsigned d = jlt_map_flow(map)->chart->dim;
     double vector[JLT_CHART_DIM_MAX], norm2 = 0, last;
-    jlt_image image;
-    const jlt_status st = jlt_map_apply(map, &image, q, returns, 1);
     unsigned i, j, k;
 
-    if (st != JLT_OK) return st;
     /* Power iteration on A^T A from its longest row of A: the norm from below, to rounding. */
     for (i = 0; i < d; i++) {
         double sum = 0;
-        for (j = 0; j < d; j++) sum += image.slope[i * d + j] * image.slope[i * d + j];
+        for (j = 0; j < d; j++) sum += slope[i * d + j] * slope[i * d + j];
         if (sum <= norm2) continue;
         norm2 = sum;
-        memcpy(vector, image.slope + i * d, sizeof *vector * d);
+        memcpy(vector, slope + i * d, sizeof *vector * d);
     }
     last = 0;
     for (k = 0; k < 200 && norm2 > 0 && fabs(norm2 - last) > 1e-15 * norm2; k++) {
         double mapped[JLT_CHART_DIM_MAX] = { 0 }, length = 0;
         for (j = 0; j < d; j++) length = hypot(length, vector[j]);
         for (i = 0; i < d; i++)
-            for (j = 0; j < d; j++) mapped[i] += image.slope[i * d + j] * vector[j] / length;
+            for (j = 0; j < d; j++) mapped[i] += slope[i * d + j] * vector[j] / length;
         last = norm2;
         for (norm2 = 0, i = 0; i < d; i++) norm2 += mapped[i] * mapped[i];
         memset(vector, 0, sizeof *vector * d);
         for (i = 0; i < d; i++)
-            for (j = 0; j < d; j++) vector[j] += image.slope[i * d + j] * mapped[i];
+            for (j = 0; j < d; j++) vector[j] += slope[i * d + j] * mapped[i];
     }
-    *exponent = log(norm2) / (2 * image.T);
+    return log(norm2) / 2;
+}
+
+jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
+{
+    jlt_image image;
+    const jlt_status st = jlt_map_apply(map, &image, q, returns, 1);
+
+    if (st != JLT_OK) return st;
+    *exponent = jlt_lyapunov_growth(image.slope, jlt_map_flow(map)->chart->dim) / image.T;
     *t = image.T;
     return JLT_OK;
 }

@@ -22,6 +22,9 @@ typedef int (*jlt_lyapunov_observer)(void *context, const jlt_lyapunov_state *st
 JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
                                         jlt_lyapunov_observer observer, void *context);
 
+/** Logarithm of the 2-norm of a derivative, shape (d, d): divided by the time, the finite-time exponent. */
+double jlt_lyapunov_growth(const double *slope, unsigned d);
+
 /** Finite-time exponent: log of the 2-norm of D(P^returns)(q), per time. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns);
 

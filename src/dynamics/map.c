@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/chart_level.h"
 #include "dynamics/linear.h"
+#include "dynamics/map_return.h"
 #include "integrate/rest.h"
 
 enum { DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
@@ -181,40 +181,6 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
 }
 
-/* DP of one return from the end of the varied orbit. */
-static void project(const jlt_chart *chart, double *slope, double *q, const double *end, const double *f)
-{
-    const unsigned n = chart->states, d = chart->dim, c = chart->column;
-    double lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
-    unsigned i, j, k;
-
-    chart->lower(chart, q, lowering, end);
-    for (k = 0; k < d; k++) {
-        const double *y = end + n * (1 + k);
-        for (i = 0; i < d; i++) {
-            double sum = 0;
-            for (j = 0; j < n; j++)
-                if (j != c) sum += lowering[i * n + j] * (y[j] - f[j] / f[c] * y[c]);
-            slope[i * d + k] = sum;
-        }
-    }
-}
-
-static double row_length(const double *row, unsigned d)
-{
-    double sum = 0;
-    for (unsigned j = 0; j < d; j++) sum += row[j] * row[j];
-    return sqrt(sum);
-}
-
-/* Product of the rows' lengths: what a determinant is at most, and what its rounding errors are relative to. */
-static double hadamard(const double *slope, unsigned d)
-{
-    double product = 1;
-    for (unsigned i = 0; i < d; i++) product *= row_length(slope + i * d, d);
-    return product;
-}
-
 /* Of a return's defect, whose terms are at most `part` of DP's size. Every step errs by a tolerance in everything, relative to its
  * size or 1; errors grow on the way as tangent vectors do, those made where these were small with them. The section's rate f_c, of
  * the flux and of the time of return, is off by its gradient times those of states, which is much of it where the section is crossed
@@ -240,7 +206,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
     for (unsigned i = 0; i < d; i++) {
         double largest = 0;
         for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
-        all *= 1 + largest * tangent / row_length(slope + i * d, d);
+        all *= 1 + largest * tangent / jlt_map_return_row_length(slope + i * d, d);
     }
     return (all - 1) + part * (error * self->swing + rate);
 }
@@ -248,45 +214,40 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
 /* One return with derivative, multiplied onto what `image` holds. */
 static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
 {
-    const jlt_chart *chart = self->flow.chart;
-    const unsigned n = chart->states, d = chart->dim;
-    double start[DIM_MAX], tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX];
-    double f[JLT_CHART_STATES_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
-    double before, after, expansion, determinant, defect;
+    const unsigned n = self->flow.chart->states, d = self->flow.chart->dim;
+    double start[DIM_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], flux;
+    jlt_map_return arrival;
     jlt_outcome outcome;
     jlt_status st = JLT_OK;
-    unsigned i, k;
 
-    JLT_TRY(chart->lift(chart, start, tangent, image->q));
-    for (k = 0; k < d; k++)
-        for (i = 0; i < n; i++) start[n * (1 + k) + i] = tangent[i * d + k];
-    start[n * (1 + d)] = 0;
-    self->flow.field->call(start, self->flow.field->p, f);
-    if (jlt_rest_is_slower(self->flow.field, start, JLT_REST_STILL)) return JLT_ERR_DOMAIN;
-    before = chart->flux(chart, start, f);
+    JLT_TRY(jlt_map_return_start(start, &flux, &self->flow, image->q));
     JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
     JLT_TRY(to_section(self, &outcome, time_direction));
-    self->flow.field->call(outcome.x, self->flow.field->p, f);
-    after = chart->flux(chart, outcome.x, f);
-    project(chart, slope, image->q, outcome.x, f);
-    for (i = 0; i < d * d; i++)
-        if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
-    expansion = outcome.x[n * (1 + d)];
-    if (!jlt_chart_level_follows(chart, outcome.x)) return JLT_ERR_NO_CONVERGENCE;
-    determinant = jlt_linear_determinant(slope, d);
-    /* A crossing in the other direction turns the flux round; volume is counted positive. */
-    const double size = hadamard(slope, d), told = fabs(before / after) * exp(expansion);
-    defect = (fabs(determinant) - told) / size;
-    const double bound = bound_of(self, outcome.x, f, slope, fmax(fabs(determinant), told) / size);
+    JLT_TRY(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
+    const double defect = (fabs(arrival.determinant) - arrival.told) / arrival.size;
+    const double bound = bound_of(self, outcome.x, arrival.f, slope, fmax(fabs(arrival.determinant), arrival.told) / arrival.size);
     if (image->bound == 0 || fabs(defect) * image->bound > fabs(image->defect) * bound) {
         image->defect = defect;
         image->bound = bound;
     }
     jlt_linear_multiply(image->slope, slope, image->slope, d);
     image->T += ldexp(outcome.t, self->flow.units.time);
-    image->expansion += expansion;
-    image->determinant *= determinant;
-    for (i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
+    image->expansion += outcome.x[n * (1 + d)];
+    image->determinant *= arrival.determinant;
+    for (unsigned i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
+done:
+    return st;
+}
+
+jlt_status jlt_map_resume(jlt_map *self, double *x, double *t)
+{
+    jlt_outcome outcome;
+    jlt_status st = JLT_OK;
+
+    JLT_TRY(jlt_orbit_start(self->orbit, 0, x, 1));
+    JLT_TRY(to_section(self, &outcome, 1));
+    memcpy(x, outcome.x, self->field.dim * sizeof *x);
+    *t = outcome.t;
 done:
     return st;
 }

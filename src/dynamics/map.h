@@ -13,21 +13,22 @@
 #include "dynamics/section.h"
 
 typedef struct {
-    double q[JLT_CHART_DIM_MAX];
-    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* DP, (dim, dim) row-major; of P^count by the chain rule */
-    double T;                /* time of all returns, negative backwards */
+    double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return in coordinates of the section */
+    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* DP, (dim, dim), dq_i/dq_j(start) in row i; of P^count by the chain rule */
+    double T;                /* [time] that all returns took, negative backwards */
     double determinant;      /* of slope: product over the returns */
     double expansion;        /* integral of the divergence on the levels, over all returns */
     double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
                                 relative to that); of the single return that is worst by its bound */
     double bound;            /* on it: what an error of one tolerance a step makes of it, to first order */
-    double x[JLT_CHART_STATES_MAX];
+    double x[JLT_CHART_STATES_MAX]; /* (chart->states,), the state at q */
 } jlt_image;
 
 typedef struct jlt_map jlt_map;
 
-/** The default method of maps, dop853. The variational equations have no kernel on vectors, without which gauss, the default
- *  for plain orbits, is slow; of the other methods dop853 gives multipliers most accurately. */
+/** The default method of maps, dop853. For one orbit alone the variational equations have no kernel on vectors, without which gauss,
+ *  the default for plain orbits, is slow (many points go on vectors together, see map_batch.h); of the other methods dop853 gives
+ *  multipliers most accurately. */
 const jlt_method *jlt_map_method(void);
 
 /** Create the map of a flow, which is copied; what it points to must live as long. A flow without a method gets the default. So
@@ -36,15 +37,23 @@ const jlt_method *jlt_map_method(void);
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */
 
+/* The copy, borrowed. */
 const jlt_flow *jlt_map_flow(const jlt_map *self);
 
-/** P^count(q), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative.
- *  Every return starts from the chart's point, exactly on the levels.
- *  Errors: EMPTY, DOMAIN (q, or the orbit ended at a pole or at rest, or lost contact), BUDGET, NONFINITE, NO_PROGRESS,
- *  NO_CONVERGENCE (interrupted, or returned on another branch of a chart that solves for states); out is then not touched. */
+/** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every
+ *  return starts from the chart's point, exactly on the levels.
+ *  Errors: ARG, count is 0; EMPTY, no state of the section has these coordinates; DOMAIN, q is no start, or the orbit ended: at
+ *  a pole, at rest, or where a condition of the model breaks and flow.end_where_invalid is set; BUDGET, a return took more than
+ *  flow.max_steps or flow.t_max; NONFINITE, NO_PROGRESS; NO_CONVERGENCE, interrupted, or returned on another branch of a chart
+ *  that solves for states. *out is then not touched. */
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
-/** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, expansion, defect are NaN. */
+/** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, expansion, defect and bound are
+ *  NaN. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
+
+/** From a varied state on the way (map_return.h), shape (states*(1 + dim) + 1,), forwards to the section, where it is put, and the
+ *  time of the flow that this takes. Errors: as jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_map_resume(jlt_map *self, double *varied, double *t);
 
 #endif

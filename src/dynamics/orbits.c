@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/orbits_grid.h"
+
 static const double same_point = 1e-7;
 
 void jlt_orbits_clear(jlt_orbits *self)
@@ -12,13 +14,18 @@ void jlt_orbits_clear(jlt_orbits *self)
     *self = (jlt_orbits){ .count = 0 };
 }
 
+bool jlt_orbits_has(const jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit)
+{
+    for (size_t i = 0; i < self->count; i++)
+        if (jlt_periodic_same(chart, &self->orbits[i], orbit, same_point)) return true;
+    return false;
+}
+
 jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit)
 {
     jlt_periodic *grown;
-    size_t i;
 
-    for (i = 0; i < self->count; i++)
-        if (jlt_periodic_same(chart, &self->orbits[i], orbit, same_point)) return JLT_OK;
+    if (jlt_orbits_has(self, chart, orbit)) return JLT_OK;
     if (self->count == self->capacity) {
         const size_t capacity = self->capacity == 0 ? 16 : 2 * self->capacity;
         grown = realloc(self->orbits, capacity * sizeof *grown);
@@ -67,90 +74,9 @@ size_t jlt_orbits_mirror(const jlt_orbits *self, const jlt_chart *chart, size_t 
     return self->count;
 }
 
-/* Statuses that end one attempt, and not the search. */
-static bool is_miss(jlt_status st)
+bool jlt_orbits_is_miss(jlt_status st)
 {
     return st != JLT_OK && st != JLT_ERR_NOMEM && st != JLT_ERR_ARG && st != JLT_ERR_UNSUPPORTED;
-}
-
-static bool raised(const jlt_flow *flow)
-{
-    return flow->interrupt != NULL && *flow->interrupt;
-}
-
-/* Newton from the first point of the window q_0 .. q_(period_max), for every period that nearly closes there. */
-static jlt_status try_window(jlt_orbits *self, jlt_map *map, const double *window, size_t filled, double near)
-{
-    const jlt_chart *chart = jlt_map_flow(map)->chart;
-    jlt_periodic orbit;
-    jlt_status st;
-    size_t p;
-
-    for (p = 1; p < filled; p++) {
-        if (jlt_chart_distance(chart, window, window + p * chart->dim) > near) continue;
-        st = jlt_periodic_find(map, &orbit, window, p, NULL);
-        if (is_miss(st)) continue;
-        if (st == JLT_OK) st = jlt_orbits_add(self, chart, &orbit);
-        if (st != JLT_OK) return st;
-    }
-    return JLT_OK;
-}
-
-/* Points of the orbit from q after `skip` returns; *filled of them. */
-static jlt_status fill_window(jlt_section *section, double *window, size_t *filled, const double *q, unsigned d,
-                              size_t skip, size_t wanted)
-{
-    jlt_return row;
-    jlt_status st = jlt_section_start(section, &row, q, 1);
-    size_t i;
-
-    *filled = 0;
-    for (i = 0; st == JLT_OK; i++) {
-        if (row.fate != JLT_FATE_ALIVE || row.interrupted) return JLT_OK;
-        if (i >= skip) memcpy(window + (*filled)++ * d, row.q, d * sizeof *q);
-        if (*filled == wanted) return JLT_OK;
-        st = jlt_section_next(section, &row);
-    }
-    return is_miss(st) ? JLT_OK : st;
-}
-
-static void grid_point(double *q, const jlt_orbits_options *options, const jlt_chart *chart, size_t index)
-{
-    unsigned k;
-
-    for (k = 0; k < chart->dim; k++) {
-        const size_t count = options->counts[k], i = index % count;
-        const double parts = chart->period[k] != 0 ? (double)count : (double)(count > 1 ? count - 1 : 1);
-        q[k] = options->low[k] + (options->high[k] - options->low[k]) * (double)i / parts;
-        index /= count;
-    }
-}
-
-static jlt_status search_grid(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options)
-{
-    const jlt_flow *flow = jlt_map_flow(map);
-    const unsigned d = flow->chart->dim;
-    const double near = options->near > 0 ? options->near : 0.3;
-    double window[(JLT_PERIODIC_MAX + 1) * JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
-    size_t all = 1, i, filled, pass;
-    jlt_section *section = NULL;
-    jlt_status st = JLT_OK;
-
-    for (i = 0; i < d; i++) all *= options->counts[i];
-    JLT_TRY(jlt_section_create(&section, flow));
-    for (i = 0; i < all; i++) {
-        grid_point(q, options, flow->chart, i);
-        for (pass = 0; pass < (options->settle > 0 ? 2u : 1u); pass++) {
-            JLT_TRY(fill_window(section, window, &filled, q, d, pass * options->settle, options->period_max + 1));
-            JLT_TRY(try_window(self, map, window, filled, near));
-        }
-        st = raised(flow) ? JLT_ERR_NO_CONVERGENCE : JLT_OK;
-        if (st != JLT_OK) goto done;
-        if (options->progress != NULL) options->progress(options->context, i + 1, all, self->count);
-    }
-done:
-    jlt_section_destroy(section);
-    return st;
 }
 
 static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)
@@ -165,7 +91,7 @@ static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)
         if (self->orbits[i].symmetric || jlt_orbits_mirror(self, chart, i) < self->count) continue;
         reflect(&image, &self->orbits[i], chart);
         st = jlt_periodic_find(map, &image, image.points, image.period, NULL);
-        if (is_miss(st)) continue;
+        if (jlt_orbits_is_miss(st)) continue;
         if (st == JLT_OK) st = jlt_orbits_add(self, chart, &image);
         if (st != JLT_OK) return st;
     }
@@ -194,7 +120,7 @@ jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_op
     if (options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     for (i = 0; i < options->line_count; i++)
         JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, collect, &into));
-    if (options->counts[0] > 0) JLT_TRY(search_grid(self, map, options));
+    if (options->counts[0] > 0) JLT_TRY(jlt_orbits_grid(self, map, options));
     if (chart->reversible) JLT_TRY(add_mirrors(self, map));
 done:
     jlt_orbits_sort(self);

@@ -12,30 +12,41 @@ typedef struct {
 
 void jlt_orbits_clear(jlt_orbits *self); /* frees; legal on a zeroed list */
 
-/** Add unless it is there: an orbit found twice is kept once. Errors: NOMEM. */
+/** Whether an orbit, of which period and points are known, is there. */
+bool jlt_orbits_has(const jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit);
+
+/** Whether a status ends one attempt to find an orbit, and not the search. */
+bool jlt_orbits_is_miss(jlt_status status);
+
+/** Add a copy, unless the same orbit is there already, begun at any of its points. chart: of the section it was found on.
+ *  Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit);
 
-/** Sort by period, then by T, then by the first point. */
+/** Sort by period, then by T, the time that the whole orbit takes, then by the first coordinate of its first point. */
 void jlt_orbits_sort(jlt_orbits *self);
 
-/** Index of the mirror image of orbit `index`; itself when symmetric; count when it is not in the list. */
+/** Index of the orbit that is the mirror image, under the chart's reversor, of orbit `index`: `index` itself when it is
+ *  symmetric; self->count when the image is not in the list. */
 size_t jlt_orbits_mirror(const jlt_orbits *self, const jlt_chart *chart, size_t index);
 
 typedef struct {
     size_t period_max;                                     /* 1 .. JLT_PERIODIC_MAX */
     double low[JLT_CHART_DIM_MAX], high[JLT_CHART_DIM_MAX]; /* of the grid of starts, ends included (angles: high left out) */
-    size_t counts[JLT_CHART_DIM_MAX];                      /* of the grid; 0: no grid */
+    size_t counts[JLT_CHART_DIM_MAX];                      /* of the grid, along each coordinate; counts[0] = 0: no grid */
     double near;   /* Newton is tried for period p from q where |P^p(q) - q| < near; default 0.3 */
     size_t settle; /* try again from where q is after this many returns, which finds attracting orbits; 0: do not */
-    const jlt_symmetric_line *lines;
+    const jlt_kernel_batch *kernels; /* of the flow's field, for the grid's starts, many at once; NULL: one at a time */
+    unsigned threads;                /* 0 and 1: the caller's alone */
+    const jlt_symmetric_line *lines; /* shape (line_count,): symmetric orbits are looked for on these as well; borrowed */
     size_t line_count;
-    void (*progress)(void *context, size_t done, size_t all, size_t found); /* NULL: nobody */
+    void (*progress)(void *context, size_t done, size_t all, size_t found); /* after each start of the grid; NULL: nobody */
     void *context;
 } jlt_orbits_options;
 
-/** Search, and add what is found to the list; mirror images of asymmetric orbits are added too, each measured by itself. On an
- *  error the list holds what was found until then.
- *  Errors: ARG; NOMEM; NO_CONVERGENCE when interrupted. */
+/** Search, and add what is found to the list, which is then sorted; on a section with a reversor mirror images of asymmetric
+ *  orbits are added too, each measured by itself. Starts from which nothing is found are passed over. On an error the list
+ *  holds what was found until then.
+ *  Errors: ARG, period_max is out of its range; NOMEM; NO_CONVERGENCE when interrupted (flow.interrupt). */
 JLT_CHECKED jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options);
 
 #endif

@@ -40,11 +40,22 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
                                          const unsigned char *held);
 
+/** The same from points, shape (period, dim), near all of the orbit's. Errors: as jlt_periodic_find. */
+JLT_CHECKED jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *points, size_t period,
+                                           const unsigned char *held);
+
 /** Fill everything else from period and points, which are not improved. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io);
 
 /** Make point `first` the first one, and measure again. */
 JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first);
+
+/** The least number of returns after which points, shape (period, dim), repeat. */
+size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size_t period);
+
+/** Whether an orbit, of which period, points and T are known, is one. Where the flow is tangent to the section an orbit that starts
+ *  there returns at once, and every such point looks fixed: the way |f| T of a true orbit is not small. */
+bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit);
 
 /** Whether two orbits are the same: equal period, and the first point of b within `distance` of a point of a. */
 bool jlt_periodic_same(const jlt_chart *chart, const jlt_periodic *a, const jlt_periodic *b, double distance);

@@ -28,6 +28,7 @@ struct jlt_section {
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* the orbit's own integrator has not been there, or is a turn of the section ahead */
     double least;    /* value of the model's conditions since the start */
+    unsigned condition; /* whose it is */
 };
 
 static const struct {
@@ -86,7 +87,12 @@ static double condition_value(void *context, const double *x)
 
 static void note_conditions(jlt_section *self, const double *x)
 {
-    if (self->flow.observed != NULL) self->least = fmin(self->least, jlt_observed_least(self->flow.observed, NULL, x));
+    unsigned which = 0;
+    const double least = self->flow.observed != NULL ? jlt_observed_least(self->flow.observed, &which, x) : INFINITY;
+
+    if (!(least < self->least)) return;
+    self->least = least;
+    self->condition = which;
 }
 
 static int watch(void *context, jlt_orbit *orbit)
@@ -165,7 +171,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->number = self->number;
     row->direction = 0;
     row->fate = JLT_FATE_ALIVE;
-    row->lost = 0;
+    row->lost = self->condition;
     row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
@@ -205,6 +211,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->rest = (jlt_rest_watch){ 0 };
     self->time_direction = time_direction;
     self->least = INFINITY;
+    self->condition = 0;
     arrive(self, x, f);
     if (jlt_rest_is_slower(self->flow.field, x, JLT_REST_STILL)) self->start_fate = JLT_FATE_EQUILIBRIUM;
     if (self->event_count > self->crossings && self->least <= 0) self->start_fate = JLT_FATE_INVALID;

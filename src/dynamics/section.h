@@ -67,7 +67,7 @@ typedef struct {
     double q[JLT_CHART_DIM_MAX]; /* NaN where the orbit ended off the section */
     int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
     jlt_fate fate;
-    unsigned lost;               /* JLT_FATE_INVALID: the index of the condition that broke */
+    unsigned lost;               /* JLT_FATE_INVALID: the index of the condition that broke; else of the one that least is of */
     bool interrupted;            /* flow->interrupt became nonzero before the next return; the row holds the point reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */

@@ -57,6 +57,7 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     self->map = (jlt_batch_map){
         .kernels = kernels, .p = flow->field->p, .dim = flow->chart->states, .clock = true, .column = flow->chart->column,
         .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
+        .domain = flow->field->domain,
         .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project, .interrupt = flow->interrupt,

@@ -5,10 +5,10 @@
  *          JLT_TRY(jlt_section_batch_start(batch, &row, i));
  *          while (row.fate == JLT_FATE_ALIVE && row.number < returns) JLT_TRY(jlt_section_batch_next(batch, &row));
  *      }
- *   * A lane ends early near a pole, or when its orbit has all but come to rest. Such an orbit is followed on from its last
- *  return by the flow's own method, alone, when it is read, so that its fate is the one that a jlt_section finds. In rows of a
- *  batch, `least` is taken over returns, not over the steps between them. Rows depend neither on the other orbits nor on the
- *  number of threads. */
+ *   * A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest.
+ *  Such an orbit is followed on from its last return by the flow's own method, alone, when it is read, so that its fate is the one
+ *  that a jlt_section finds. In rows of a batch, `least` is taken over returns, not over the steps between them. Rows depend neither
+ *  on the other orbits nor on the number of threads. */
 #ifndef JLT_DYNAMICS_SECTION_BATCH_H
 #define JLT_DYNAMICS_SECTION_BATCH_H
 

@@ -73,7 +73,7 @@ jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jl
     const jlt_claim *claim = NULL;
     bool found = false;
 
-    *out = (jlt_surface){ .table = NULL };
+    *out = (jlt_surface){ .asked = asked };
     *broken = NULL;
     for (size_t i = 0; i <= jlt_descriptor_count() && !found; i++) { /* the asked table itself, and those built in */
         const jlt_descriptor *table = widest((i == 0 ? asked : jlt_descriptor_at(i - 1))->family[0]);
@@ -108,18 +108,9 @@ static void arrange(double *out, const jlt_surface *surface, const double *value
     for (unsigned i = 0; i < surface->count; i++) out[surface->entries[i]] = values[i];
 }
 
-static int exponent_of(const jlt_descriptor *table, const double *params, const char *unit)
-{
-    for (unsigned i = 0; i < table->param_count; i++)
-        if (table->params[i].sign == JLT_POSITIVE && strcmp(table->params[i].unit, unit) == 0 && params[i] > 0 && isfinite(params[i]))
-            return ilogb(params[i]);
-    return 0;
-}
-
-/* The largest rate of a state at points of the section, in units that have no time yet. */
+/* The largest rate of a state at points of the section. */
 static double fastest(const jlt_chart_section *chart, const jlt_units *units)
 {
-    static const jlt_units seconds = { .time = 1 };
     const size_t all = jlt_chart_section_points(chart, 8), some = all < 1024 ? all : 1024;
     double rate = 0;
 
@@ -127,12 +118,7 @@ static double fastest(const jlt_chart_section *chart, const jlt_units *units)
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
         jlt_chart_section_point(chart, q, i * 2654435761u % all, 8);
         if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
-        for (unsigned k = 0; k < chart->base.states; k++) {
-            const char *unit = chart->table->states[k].unit;
-            const int power = jlt_units_exponent(&seconds, unit);
-            const double size = ldexp(fabs(x[k]), -jlt_units_exponent(units, unit));
-            if (power < 0 && isfinite(size)) rate = fmax(rate, pow(size, -1. / power));
-        }
+        rate = fmax(rate, jlt_units_rate(units, x, chart->table->states, chart->base.states, 0));
     }
     return rate;
 }
@@ -142,14 +128,11 @@ static double fastest(const jlt_chart_section *chart, const jlt_units *units)
 static jlt_units units_of(const jlt_chart_section *chart)
 {
     jlt_units units = { 0 };
-    double rate;
 
     for (unsigned k = 0; k < chart->base.dim; k++)
         if (jlt_units_exponent(&(jlt_units){ 1, 1 << 8, 1 << 16 }, chart->section->coordinates[k].unit) != 0) return units;
-    units.mass = exponent_of(chart->table, chart->values, "kg");
-    units.length = exponent_of(chart->table, chart->values, "m");
-    rate = fastest(chart, &units);
-    if (rate > 0 && isfinite(rate * rate)) units.time = -(ilogb(rate * rate / 2) >> 1);
+    jlt_units_of_params(&units, chart->values, chart->table->params, chart->table->param_count);
+    jlt_units_of_rate(&units, fastest(chart, &units));
     return units;
 }
 

@@ -14,6 +14,7 @@ typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_START
 
 /** Plain data. Values are the parameters of the table that are no levels, in its order, and then the levels. */
 typedef struct jlt_surface {
+    const jlt_descriptor *asked;      /* the general field from which it was found */
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */
     const jlt_section_chart *section;
     unsigned count, params;           /* of values: the parameters stand first, levels after them */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { ANGLES = 4, CROSSINGS = 256, LOOKS = 8 };
+enum { ANGLES = 4, LOOKS = 64 };
 
 /* The integrals whose levels the section fixes, at x, shape (level_count,); slopes: their derivatives by a state. */
 static void integrals_at(const jlt_system *self, double *values, double *slopes, unsigned state, const double *x)
@@ -24,11 +24,11 @@ static void integrals_at(const jlt_system *self, double *values, double *slopes,
     }
 }
 
-/* Whether x with another value of one state lies over the same point, on the same levels. */
+/* Whether x with another value of one state lies over the same point, on the same levels, and is crossed in the flow's direction. */
 static bool is_over(const jlt_system *self, const double *x, const double *q, unsigned state, double value)
 {
     static const double same = 1e-9;
-    double other[JLT_CHART_STATES_MAX], back[JLT_CHART_COORDINATES_MAX], slopes[JLT_CHART_INTEGRALS_MAX];
+    double other[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], back[JLT_CHART_COORDINATES_MAX], slopes[JLT_CHART_INTEGRALS_MAX];
     double here[JLT_CHART_INTEGRALS_MAX], there[JLT_CHART_INTEGRALS_MAX];
 
     memcpy(other, x, self->field.dim * sizeof *x);
@@ -39,11 +39,14 @@ static bool is_over(const jlt_system *self, const double *x, const double *q, un
     integrals_at(self, there, slopes, state, other);
     for (unsigned k = 0; k < self->surface->section->level_count; k++)
         if (!(fabs(there[k] - here[k]) <= same * fmax(1, fabs(here[k])))) return false;
-    return jlt_chart_distance(self->flow.chart, back, q) <= same;
+    if (!(jlt_chart_distance(self->flow.chart, back, q) <= same)) return false;
+    self->field.call(other, self->field.p, f);
+    const double rate = f[self->flow.chart->column];
+    return self->flow.direction == JLT_BOTH ? fabs(rate) > 0 : self->flow.direction == JLT_RISING ? rate > 0 : rate < 0;
 }
 
-/* Whether there is another state over the same point on the same levels, which differs in one state alone: in its sign, or by the other
- * root of an integral that is quadratic in it. The lift took one of the two. */
+/* Whether the flow crosses another state over the same point on the same levels, which differs in one state alone: in its sign, or by
+ * the other root of an integral that is quadratic in it. The lift took one of the two. */
 static bool has_other_root(const jlt_system *self, const double *x, const double *q, unsigned state)
 {
     double beyond[JLT_CHART_STATES_MAX], values[JLT_CHART_INTEGRALS_MAX], slopes[JLT_CHART_INTEGRALS_MAX], farther[JLT_CHART_INTEGRALS_MAX];
@@ -65,21 +68,18 @@ bool jlt_surface_crossing_met(const jlt_system *self)
     const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;
     const size_t all = jlt_chart_section_points(section, ANGLES);
-    bool up = false, down = false, half = false;
     unsigned seen = 0;
 
     if (self->instance->descriptor->integral_count > JLT_CHART_INTEGRALS_MAX) return true;
-    for (size_t i = 0; i < all && seen < CROSSINGS; i++) {
-        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+    for (size_t i = 0; i < all && seen < LOOKS; i++) {
+        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
         jlt_chart_section_point(section, q, i * 2654435761u % all, ANGLES);
         if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
-        self->field.call(x, self->field.p, f);
-        up |= f[chart->column] > 0;
-        down |= f[chart->column] < 0;
-        for (unsigned k = 0; seen < LOOKS && k < section->plain; k++) half |= k != chart->column && has_other_root(self, x, q, k);
+        for (unsigned k = 0; k < section->plain; k++)
+            if (k != chart->column && has_other_root(self, x, q, k)) return false;
         seen++;
     }
-    return !half || up == down || self->flow.direction == (up ? JLT_RISING : JLT_FALLING);
+    return true;
 }
 
 bool jlt_surface_crossing_ends_at_poles(const jlt_system *self)

@@ -4,8 +4,8 @@
 
 #include "dynamics/surface.h"
 
-/** Whether lifted points are crossed in the flow's direction. A lift that takes one root of two is that half of the section alone.
- *  system: of jlt_surface_system, its flow and chart made. */
+/** Whether what the flow crosses is lifted. A lift that takes one root of two is that half of the section alone: over some point the
+ *  other half may be what is crossed in the flow's direction. system: of jlt_surface_system, its flow and chart made. */
 bool jlt_surface_crossing_met(const jlt_system *system);
 
 /** Whether orbits come to poles and no farther: a root that is a state of its own has no rate there. In a time that lifts it they would

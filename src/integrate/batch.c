@@ -19,6 +19,11 @@ static jlt_status run(const jlt_batch_job *job)
     }
 }
 
+unsigned jlt_batch_columns(const jlt_batch_map *map)
+{
+    return map->tangents > 0 ? map->dim * (1 + map->tangents) + 2 : map->dim + map->clock;
+}
+
 jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                              jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work)
 {
@@ -27,7 +32,8 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
 
     if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
         !(map->tolerance < 1) || map->kernels == NULL ||
-        (map->project > 0 && (map->kernels->integral_gradients == NULL || map->project >= JLT_INVARIANTS_MAX)))
+        map->tangents > JLT_BATCH_COLUMNS_MAX || jlt_batch_columns(map) > JLT_BATCH_COLUMNS_MAX ||
+        (map->project > 0 && (map->tangents > 0 || map->kernels->integral_gradients == NULL || map->project >= JLT_INVARIANTS_MAX)))
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;
     size_t steps = 0, rejected = 0, stages = 0;

@@ -14,12 +14,13 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-enum { JLT_BATCH_STATES_MAX = 16 }; /* of a field */
+enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64 };
 
 /** Where a lane's orbit ended. */
 typedef enum {
     JLT_LANE_DONE,    /* all its returns are made */
     JLT_LANE_ROOT,    /* the lifted root fell below root_floor: near a pole; go on from there with a scalar method */
+    JLT_LANE_DOMAIN,  /* a state would have left its interval: go on from there with a scalar method */
     JLT_LANE_STALLED, /* the step fell below what time resolves, or a value is not finite */
     JLT_LANE_BUDGET   /* max_steps are spent on one return */
 } jlt_lane_end;
@@ -29,11 +30,14 @@ typedef struct {
     const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_isa_best */
     const double *p;                 /* prepared block */
     unsigned dim;                    /* states */
-    bool clock;                      /* physical time is carried as one more column after the states, in starts, rows and ends */
+    bool clock;                      /* physical time is carried as the last column, in starts, rows and ends */
+    unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and
+                                        after them the integral of the divergence and, asked for or not, the clock; 0: none */
     unsigned column;                 /* the section is x[column] = 0 */
     int direction;                   /* +1: crossed upwards; -1: downwards; 0: both */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
     double root_floor;               /* the lane ends where the root is below */
+    const jlt_quantity *domain;      /* (dim,), intervals in which states must stay, as in field.h; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one return, accepted and rejected */
@@ -58,10 +62,14 @@ typedef struct {
     size_t stages;   /* evaluations of a full vector */
 } jlt_batch_work;
 
-/** Follow the orbits from starts, shape (count, columns), for `returns` returns each. columns is dim, and one more with the
- *  clock, whose error is controlled like that of a state. A start on the section, x[column] = 0, does not count as a crossing.
+/** Columns of the map's starts, rows and ends: dim, and what is carried besides. */
+unsigned jlt_batch_columns(const jlt_batch_map *map);
+
+/** Follow the orbits from starts, shape (count, columns), for `returns` returns each. The error of all that is carried is controlled:
+ *  that of integrals like a state's, that of tangent vectors relative to them. A start on the section, x[column] = 0, does not count as a crossing.
  *  Out: work, the work done; may be NULL. context is passed to row and end.
- *  Errors: ARG; UNSUPPORTED, no code here has as many lanes as the kernels; NOMEM.
+ *  Errors: ARG, also tangent vectors to be projected, or too many columns; UNSUPPORTED, no code here has as many lanes as the
+ *  kernels; NOMEM.
  *  Cost: 12 or 15 evaluations of the field a step, by method, each on a full row of lanes. Memory does not grow with
  *  `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,

@@ -1,11 +1,13 @@
-/** Events: zeros of a function along the orbit, found on the step's polynomial and refined on the flow itself.  * Between two
- *  accepted points the event function is a polynomial in theta; all its zeros on the step are isolated by subdivision of its
- *  Bernstein form, so two zeros in a step are two crossings. Its end values are those of the computed points, shared by
- *  neighbouring steps, and the side the orbit is on is remembered: a crossing is counted where the side changes, once, wherever
- *  the step ends fall. A start on the section belongs to the side it leaves to and is no crossing. Each zero is refined by
- *  Newton's method on states computed by a fresh step from the start of the step, so its error is that of the method and not of
- *  the polynomial. Where a zero of the slope lies within the error of touching, the extremum is refined in the same way: zeros
- *  on both sides of it are two crossings, and a touch within rounding is reported as grazing. */
+/** Events: zeros of a function along the orbit, found on the step's polynomial and refined on the flow itself.
+ *
+ *  Between two accepted points the event function is a polynomial in theta; all its zeros on the step are isolated by
+ *  subdivision of its Bernstein form, so two zeros in a step are two crossings. Its end values are those of the computed
+ *  points, shared by neighbouring steps, and the side the orbit is on is remembered: a crossing is counted where the side
+ *  changes, once, wherever the step ends fall. A start on the section belongs to the side it leaves to and is no crossing.
+ *  Each zero is refined by Newton's method on states computed by a fresh step from the start of the step, so its error is
+ *  that of the method and not of the polynomial. Where a zero of the slope lies within the error of touching, the extremum
+ *  is refined in the same way: zeros on both sides of it are two crossings, and a touch within rounding is reported as
+ *  grazing. */
 #ifndef JLT_INTEGRATE_EVENT_H
 #define JLT_INTEGRATE_EVENT_H
 

@@ -1,6 +1,8 @@
 /** A field to integrate: dx/dtau = f(x), autonomous, with its time and whatever else is known of it. Plain data; nothing is
- *  owned.  * A field in a time of its own (dt = factor(x) dtau) carries the physical time t as a quadrature: the integrator
- *  keeps it as one more component after the states, with the same order and in the same error control. */
+ *  owned.
+ *
+ *  A field in a time of its own (dt = factor(x) dtau) carries the physical time t as a quadrature: the integrator keeps it
+ *  as one more component after the states, with the same order and in the same error control. */
 #ifndef JLT_INTEGRATE_FIELD_H
 #define JLT_INTEGRATE_FIELD_H
 

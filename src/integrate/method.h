@@ -1,9 +1,12 @@
-/** Methods of integration, as a table of records, and the stepper that they advance.  * A stepper holds the current point and
- *  the last accepted step. Its method advances it by one accepted step at a time, with its own control of the local error. It
- *  gives the solution inside that step as a polynomial, and more accurately as the state at one given fraction of it.  * Each
- *  method keeps its estimate of a step's error below tolerance * share * max(|x_i|, scale_i), in its own norm (see its file).
- *  Some estimates are more cautious than others, and errors of steps add up, so each method has a share of its own, which was
- *  measured: after ten returns of the regular orbits of (5.1) the error is about the tolerance by every method. */
+/** Methods of integration, as a table of records, and the stepper that they advance.
+ *
+ *  A stepper holds the current point and the last accepted step. Its method advances it by one accepted step at a time, with
+ *  its own control of the local error. It gives the solution inside that step as a polynomial, and more accurately as the
+ *  state at one given fraction of it.
+ *
+ *  Each method keeps its estimate of a step's error below tolerance * share * max(|x_i|, scale_i), in its own norm (see its
+ *  file). Some estimates are more cautious than others, and errors of steps add up, so each method has a share of its own,
+ *  which was measured: after ten returns of the regular orbits of (5.1) the error is about the tolerance by every method. */
 #ifndef JLT_INTEGRATE_METHOD_H
 #define JLT_INTEGRATE_METHOD_H
 

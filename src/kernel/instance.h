@@ -13,28 +13,34 @@ typedef struct {
     double *block;  /* shape (block_count,), owned, prepared from params */
 } jlt_instance;
 
-/** Bind a descriptor to parameters, checked against the table's conditions and prepared.
- *  Out: *instance, NULL on failure; destroy with jlt_instance_destroy. In: params, shape (param_count,), copied.
- *  Errors: ARG, NONFINITE, DOMAIN, NOMEM. */
+/** Bind a descriptor to parameters, checked against the table's conditions; expressions of parameters alone are evaluated once,
+ *  into the block.
+ *  Out: *instance, NULL on failure; destroy with jlt_instance_destroy. In: descriptor, which must live as long; params, shape
+ *       (param_count,), in the order of descriptor->params, copied.
+ *  Errors: ARG, a NULL; NONFINITE, a parameter or what is computed from them; DOMAIN, a parameter that breaks a condition of
+ *  the table, such as m > 0 (jlt_descriptor_check_params tells which); NOMEM. */
 JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
                                            const double *params);
 
-/** The same for callers who count states in these units: the block is prepared from the parameters converted to them, so that
- *  kernels called with it take and give numbers in them. `params` stays in the table's units. */
+/** The same for callers who count states in other units than the table's (kernel/units.h): the block is prepared from the
+ *  parameters converted to them, so that kernels called with this instance take states, and give results, in them. `params`,
+ *  here and in the instance, is in the table's units. */
 JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
                                               const jlt_units *units);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 
-/** Whether the field may be evaluated in these units: whether every term of an equation has the dimension of that equation, by
- *  the units that the table writes beside its states and parameters. Out: *scales. It is tested, not derived: the field is
- *  evaluated in both units at generic states of several sizes, and the results must agree to the bit. Errors: as
+/** Whether the field may be evaluated in these units with the same bits: whether every term of an equation has the dimension of
+ *  that equation, by the units that the table writes beside its states and parameters. Out: *scales. It is tested, not derived:
+ *  the field is evaluated in both units at generic states of several sizes, and the results must agree to the bit. Errors: as
  *  jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params,
                                            const jlt_units *units);
 
-/** Kernels called with all checks of jlt_kernel_eval. In: x, shape (state_count,), in the units of the instance.
+/** The field and what is derived from it at one state, checked before and after as jlt_kernel_eval does. In: x, shape
+ *  (state_count,), in the order of descriptor->states and the units of the instance.
  *  Out: f, shape (state_count,); jacobian, shape (state_count, state_count), df_i/dx_j in row i; *divergence; gradients of the
- *  integrals, shape (integral_count, state_count). Errors: DOMAIN, x lies outside the table's domain; as jlt_kernel_eval. */
+ *       integrals, shape (integral_count, state_count), dF_i/dx_j in row i. Errors: NONFINITE, DOMAIN, x lies outside the
+ *       table's domain; as jlt_kernel_eval; outputs are then not touched. */
 JLT_CHECKED jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x);
 JLT_CHECKED jlt_status jlt_instance_jacobian(const jlt_instance *instance, double *jacobian, const double *x);
 JLT_CHECKED jlt_status jlt_instance_divergence(const jlt_instance *instance, double *divergence, const double *x);

@@ -6,19 +6,21 @@
 
 enum { TABLES_MAX = 64 };
 
-/* The claim of one table that leads to the other; NULL when it makes none. */
+/* The claim by which motions of one table are motions of the other; NULL when it makes none. A lift says where to begin there, and nothing
+ * of motion; what holds under a condition on parameters leads nowhere in general. */
 static const jlt_claim *leads(const jlt_descriptor *from, const jlt_descriptor *to)
 {
     for (const jlt_claim *claim = from->claims; claim->kind != NULL; claim++)
-        if (claim->target != NULL && strcmp(claim->target, to->sha256) == 0) return claim;
+        if (claim->target != NULL && strcmp(claim->target, to->sha256) == 0 && strcmp(claim->kind, "lift") != 0 && claim->condition[0] == '\0')
+            return claim;
     return NULL;
 }
 
-static bool linked(const jlt_descriptor *a, const jlt_descriptor *b)
+static bool linked(const jlt_descriptor *from, const jlt_descriptor *to)
 {
-    const jlt_claim *there = leads(a, b), *back = leads(b, a);
+    const jlt_claim *there = leads(from, to);
 
-    return (there != NULL && there->verdict == JLT_PROVED) || (back != NULL && back->verdict == JLT_PROVED);
+    return there != NULL && there->verdict == JLT_PROVED;
 }
 
 /* The general fields of all tables that are built in, and of `first`. */
@@ -51,6 +53,6 @@ bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const 
     }
     for (size_t k = 0; k < count; k++)
         if (reached[k] && strcmp(tables[k]->sha256, to->sha256) == 0) return true;
-    *broken = there != NULL ? there : leads(to, from);
+    *broken = there;
     return false;
 }

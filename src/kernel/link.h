@@ -1,6 +1,8 @@
-/** Which tables may answer in place of each other, because a proof says that they describe the same motion.  * Two tables are
- *  linked when one of them claims a reduction onto the other, or an embedding into it, when that claim is proved, and when the
- *  proof was made for this very table (its SHA-256 is compared). A chain of such links is a link as well. */
+/** Which tables may answer in place of one, because a proof says that its motions are theirs.
+ *
+ *  A link leads from a table to another when it claims a reduction onto that one, or an embedding into it, without a condition,
+ *  when that claim is proved, and when the proof was made for this very table (its SHA-256 is compared). A chain of such links is
+ *  a link as well. */
 #ifndef JLT_KERNEL_LINK_H
 #define JLT_KERNEL_LINK_H
 
@@ -9,8 +11,8 @@
 #include "kernel_abi.h"
 
 /** Whether a chain of links leads from one table to the other; every table is linked to itself. Only built-in tables may stand
- *  between the two. Out: *broken, when the answer is no: a claim of either table that would link them if it were proved, or
- *  NULL. */
+ *  between the two. Out: *broken, when the answer is no: a claim of the first that would lead to the other if it were
+ *  proved, or NULL. */
 bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to);
 
 #endif

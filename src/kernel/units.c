@@ -37,3 +37,35 @@ void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, un
 {
     for (unsigned i = 0; i < count; i++) out[i] = ldexp(in[i], jlt_units_exponent(units, of[i].unit));
 }
+
+static int exponent_of_first(const double *params, const jlt_quantity *of, unsigned count, const char *unit)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (of[i].sign == JLT_POSITIVE && strcmp(of[i].unit, unit) == 0 && params[i] > 0 && isfinite(params[i])) return ilogb(params[i]);
+    return 0;
+}
+
+void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count)
+{
+    units->mass = exponent_of_first(params, of, count, "kg");
+    units->length = exponent_of_first(params, of, count, "m");
+}
+
+double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives)
+{
+    static const jlt_units seconds = { .time = 1 };
+    const jlt_units timeless = { units->mass, units->length, 0 };
+    double rate = 0;
+
+    for (unsigned k = 0; k < count; k++) {
+        const int power = jlt_units_exponent(&seconds, of[k].unit) - derivatives;
+        const double size = ldexp(fabs(x[k]), -jlt_units_exponent(&timeless, of[k].unit));
+        if (power < 0 && isfinite(size)) rate = fmax(rate, pow(size, -1. / power));
+    }
+    return rate;
+}
+
+void jlt_units_of_rate(jlt_units *units, double rate)
+{
+    if (rate > 0 && isfinite(rate * rate)) units->time = -(ilogb(rate * rate / 2) >> 1);
+}

@@ -1,7 +1,8 @@
-/** Units of mass, length and time in which the numbers of a problem are of the order of 1.  * Integrators measure errors
- *  against max(|x|, 1) and choose first steps for rates of the order of 1; both make sense only in such units. The units are
- *  powers of two of kg, m and s: conversion rounds nothing, and two problems that differ only by such units give the same
- *  bits. */
+/** Units of mass, length and time in which the numbers of a problem are of the order of 1.
+ *
+ *  Integrators measure errors against max(|x|, 1) and choose first steps for rates of the order of 1; both make sense only
+ *  in such units. The units are powers of two of kg, m and s: conversion rounds nothing, and two problems that differ only
+ *  by such units give the same bits. */
 #ifndef JLT_KERNEL_UNITS_H
 #define JLT_KERNEL_UNITS_H
 
@@ -20,5 +21,16 @@ int jlt_units_exponent(const jlt_units *units, const char *unit);
  *  jlt_units_restore back. out and in may be the same array. */
 void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
+
+/** Set the units of mass and length: those in which the first positive parameter in kg, and the first in m, are in [1, 2). params, shape
+ *  (count,), are in the table's units. */
+void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count);
+
+/** The largest rate that states x, shape (count,), in the table's units, tell by their dimension: |x|^(-1/p), counted in these units of
+ *  mass and length, of a state in s^p, p < 0. derivatives: how often x has been differentiated by time. 0: none tells one. */
+double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives);
+
+/** Set the unit of time so that half the square of this rate is in [1, 4); a rate that is 0 or not finite leaves it. */
+void jlt_units_of_rate(jlt_units *units, double rate);
 
 #endif

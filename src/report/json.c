@@ -1,8 +1,7 @@
 #include "report/json.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stdbool.h>
 
 json_t *jlt_json_number(double value)
 {
@@ -45,20 +44,15 @@ json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, siz
     return object;
 }
 
-jlt_status jlt_json_text(char **text, json_t *value)
+json_t *jlt_json_string(const char *text)
 {
-    char *written = value == NULL ? NULL : json_dumps(value, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
-    size_t length;
+    return text == NULL ? json_null() : json_string(text);
+}
+
+jlt_status jlt_json_write(FILE *stream, json_t *value)
+{
+    const bool written = value != NULL && json_dumpf(value, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) == 0;
 
     json_decref(value);
-    *text = NULL;
-    if (written == NULL) return JLT_ERR_NOMEM;
-    length = strlen(written);
-    *text = malloc(length + 2);
-    if (*text != NULL) {
-        memcpy(*text, written, length);
-        memcpy(*text + length, "\n", 2);
-    }
-    free(written);
-    return *text == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    return written && fputc('\n', stream) != EOF ? JLT_OK : JLT_ERR_NOMEM;
 }

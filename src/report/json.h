@@ -6,6 +6,7 @@
 #include "kernel_abi.h"
 
 #include <jansson.h>
+#include <stdio.h>
 
 /* A new reference: a real, or null for NaN and infinities. */
 json_t *jlt_json_number(double value);
@@ -15,8 +16,11 @@ json_t *jlt_json_numbers(const double *values, size_t count);
 json_t *jlt_json_matrix(const double *values, size_t rows, size_t columns);
 json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, size_t count);
 
-/** The text, indented by two, with a newline at the end, 17 digits, for the caller to free(). Takes the reference.
+/* A new reference: a string, or null for NULL. */
+json_t *jlt_json_string(const char *text);
+
+/** Write to a stream in memory, indented by two, 17 digits, with a newline at the end. Takes the reference.
  *  Errors: NOMEM, also when `value` is NULL. */
-JLT_CHECKED jlt_status jlt_json_text(char **text, json_t *value);
+JLT_CHECKED jlt_status jlt_json_write(FILE *stream, json_t *value);
 
 #endif

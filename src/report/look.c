@@ -75,14 +75,23 @@ void jlt_look_quote(FILE *stream, const char *text)
         fputs(".\"\\n\".", stream);
 }
 
-/* How much of a text fits a line of so many characters: to its end, to a blank, or to the first blank beyond. */
+/* How wide a character is, by its first byte in UTF-8, in sizes of letters: about, of Helvetica and what is like it. */
+static double breadth(char first)
+{
+    if (((unsigned char)first & 0xc0) == 0x80) return 0; /* the rest of one */
+    if (strchr(" .,;:'|!/()[]ijltfI", first) != NULL) return 0.3;
+    if (strchr("mwMW%@", first) != NULL) return 0.85;
+    return isupper((unsigned char)first) ? 0.7 : 0.56;
+}
+
+/* How much of a text fits a line of this room, in sizes of letters: to its end, to a blank, or to the first blank beyond. */
 static size_t fitting(const char *text, double room, bool markup)
 {
     size_t last = 0, i;
 
     for (i = 0; text[i] != '\0' && text[i] != '\n'; i++) {
         if (text[i] == ' ') last = i;
-        if (((unsigned char)text[i] & 0xc0) != 0x80 && !(markup && strchr("_{}\\", text[i]) != NULL)) room--;
+        if (!(markup && strchr("_{}\\", text[i]) != NULL)) room -= breadth(text[i]);
         if (room < 0 && last > 0) return last;
     }
     return i;
@@ -90,8 +99,8 @@ static size_t fitting(const char *text, double room, bool markup)
 
 unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup)
 {
-    /* letters are 0.55 as wide as high, about, and a tenth of the width is left free; what a caption says below its first line is small */
-    const double room = 0.9 * self->width * 72 / 2.54 / (0.55 * jlt_look_points(self));
+    /* a title stands over the middle of the axes, up to two letters beside that of the picture; below its first line a caption is small */
+    const double room = self->width * 72 / 2.54 / jlt_look_points(self) - 4.5;
     unsigned lines = 1;
     bool small = false;
 
@@ -145,7 +154,7 @@ double jlt_look_step(jlt_extent range, double room)
     return (part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10) * power;
 }
 
-void jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels)
+jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels)
 {
     const double two_pi = 4 * acos(0), letters = 72 / 2.54 / jlt_look_points(self) / panels;
     /* a fourth of the width, and a third of the height, are taken by labels; a tick has room for six letters, or for nearly two lines */
@@ -157,11 +166,12 @@ void jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *la
     fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     if (!isnan(self->low[k])) range = (jlt_extent){ self->low[k], self->high[k] };
     if (range.high <= range.low) range = jlt_extent_wider(range);
-    if (!(range.high > range.low)) return;
+    if (!(range.high > range.low)) return range;
     fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
     if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)
         angle_ticks(stream, axis, range.low, range.high, room);
     else fprintf(stream, "set %ctics %.15g\n", axis, jlt_look_step(range, room));
+    return range;
 }
 
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where)
@@ -187,17 +197,19 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
     if (points && !dots) fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
 }
 
-void jlt_look_cells(FILE *stream, const char *block, const char *columns, double width, double height, const char *colour)
-{
-    fprintf(stream, "$%s using 1:%s:(%.17g):(%.17g)%s with boxxyerror fill solid border lw 0.7 lc %s", block, columns, width / 2, height / 2,
-            strcmp(colour, "palette") == 0 ? ":3" : "", colour);
-}
-
 void jlt_look_palette(FILE *stream, const jlt_look *self)
 {
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#f0f0f0')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
           stream);
+}
+
+void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count)
+{
+    fputs("set palette defined (", stream);
+    for (unsigned k = 0; k < count; k++)
+        fprintf(stream, "%s%g '%s', %g '%s'", k == 0 ? "" : ", ", k - 0.5, jlt_look_colour(self, k), k + 0.5, jlt_look_colour(self, k));
+    fprintf(stream, ")\nset cbrange [-0.5:%g]\nunset colorbox\n", count - 0.5);
 }
 
 void jlt_look_value(FILE *stream, double value)

@@ -52,9 +52,9 @@ void jlt_look_label(char *label, const char *name, const char *unit);
 /** The distance of ticks, at most so many of them. */
 double jlt_look_step(jlt_extent range, double room);
 
-/** An axis, 'x' or 'y': its label in markup, and its range, which --xrange and --yrange replace. As many ticks as fit, where the picture has
+/** An axis, 'x' or 'y': its label in markup, and its range, which --xrange and --yrange replace; returns the one it has. As many ticks as fit, where the picture has
  *  so many panels in this direction; of an angle, period 2 pi, which is 0 of others, at multiples of pi/2. */
-void jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels);
+jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels);
 
 /** The key, where gnuplot's "set key" is told to put it; or none. */
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where);
@@ -72,12 +72,11 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen);
 /** The colour of areas and of clouds of points, #rrggbb. */
 const char *jlt_look_colour(const jlt_look *self, unsigned series);
 
-/** Boxes of this width and height at the points of $BLOCK, with edges in their own colour, so that no seam shows between them. colour:
- *  what stands behind lc, for `plot`. */
-void jlt_look_cells(FILE *stream, const char *block, const char *columns, double width, double height, const char *colour);
-
 /** The palette of continuous values: its lightness rises with them. */
 void jlt_look_palette(FILE *stream, const jlt_look *self);
+
+/** The palette of values 0 .. count - 1, each in its colour of areas. */
+void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);
 
 /** Data: a number as short as reads back bit for bit, and a row of them with blanks between. */
 void jlt_look_value(FILE *stream, double value);

@@ -71,12 +71,13 @@ static char *read_all(int descriptor, size_t *size)
 }
 
 /* Where standard input or output were closed, an end may lie in their place: move both away first. */
-static void run_gnuplot(int script, int picture)
+static void run_gnuplot(int script, int picture, int words)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for the picture then */
     script = fcntl(script, F_DUPFD, STDERR_FILENO + 1);
     picture = fcntl(picture, F_DUPFD, STDERR_FILENO + 1);
-    if (dup2(script, STDIN_FILENO) == STDIN_FILENO && dup2(picture, STDOUT_FILENO) == STDOUT_FILENO) {
+    if (dup2(script, STDIN_FILENO) == STDIN_FILENO && dup2(picture, STDOUT_FILENO) == STDOUT_FILENO
+        && dup2(words, STDERR_FILENO) == STDERR_FILENO) {
         close(script);
         close(picture);
         execlp("gnuplot", "gnuplot", "-d", "-", (char *)NULL);
@@ -91,24 +92,40 @@ void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look)
     fputs("\nset encoding utf8\n", stream);
 }
 
+/* What gnuplot said where it failed: that there is nothing to be seen, or something else, which is passed on. */
+static jlt_status failure(FILE *words)
+{
+    char text[4096];
+    size_t length;
+    bool empty = false;
+
+    rewind(words);
+    while (fgets(text, sizeof text, words) != NULL) empty = empty || strstr(text, "value undefined") != NULL;
+    if (empty) return JLT_ERR_EMPTY;
+    rewind(words);
+    while ((length = fread(text, 1, sizeof text, words)) > 0)
+        if (write(STDERR_FILENO, text, length) < 0) break; /* there is nowhere else to say it */
+    return JLT_ERR_IO;
+}
+
 /* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe, which is
  * closed before gnuplot is waited for: it ends also where nobody reads on. */
 jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length)
 {
-    FILE *script = tmpfile();
+    FILE *script = tmpfile(), *words = tmpfile();
     int channel[2] = { -1, -1 }, status = 0;
     jlt_status st = JLT_ERR_IO;
     pid_t child;
 
     *picture = NULL;
-    if (script == NULL) goto done;
+    if (script == NULL || words == NULL) goto done;
     if (fwrite(whole, 1, length, script) != length || fflush(script) != 0 || fseek(script, 0, SEEK_SET) != 0) goto done;
     if (pipe(channel) != 0) goto done;
     child = fork();
     if (child < 0) goto done;
     if (child == 0) {
         close(channel[0]);
-        run_gnuplot(fileno(script), channel[1]);
+        run_gnuplot(fileno(script), channel[1], fileno(words));
     }
     close(channel[1]);
     channel[1] = -1;
@@ -119,10 +136,12 @@ jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, siz
     if (*picture == NULL) st = JLT_ERR_NOMEM;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 127) st = JLT_ERR_UNSUPPORTED;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && *size > 0) st = JLT_OK;
+    else st = failure(words);
 done:
     if (channel[0] >= 0) close(channel[0]);
     if (channel[1] >= 0) close(channel[1]);
     if (script != NULL) fclose(script);
+    if (words != NULL) fclose(words);
     if (st == JLT_OK) return st;
     free(*picture);
     *picture = NULL;

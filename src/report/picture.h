@@ -12,7 +12,8 @@ bool jlt_picture_known(const char *path);
 void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look);
 
 /** The picture that gnuplot draws by a whole script, which sets no output; for the caller to free().
- *  Errors: UNSUPPORTED (no gnuplot to be found), IO (gnuplot failed, and said why on standard error), NOMEM.
+ *  Errors: UNSUPPORTED (no gnuplot to be found), EMPTY (nothing lies within the ranges of the axes), IO (gnuplot failed, and said
+ *  why on standard error), NOMEM.
  *  Cost: a process, about 0.1 s. */
 JLT_CHECKED jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length);
 

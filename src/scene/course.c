@@ -1,49 +1,59 @@
 #include "scene/course.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "kernel/descriptor.h"
 #include "kernel/observed.h"
-#include "top/conserved.h"
+#include "scene/course_units.h"
+#include "scene/leg.h"
 #include "top/rod.h"
 
-enum { INTEGRALS_MAX = 8 };
+enum { INTEGRALS_MAX = 8, CHANGES_MAX = 16 };
 
+typedef struct {
+    double t;
+    unsigned from, to; /* candidates of the plan */
+    char why[JLT_TIER_TEXT_MAX];
+} change;
+
+/* In the course's units is everything that is integrated or watched. */
 struct jlt_course {
-    const jlt_tier *tier; /* NULL: the model's own kernel */
-    jlt_tier_view view; /* in the course's units, as everything below is that is integrated or watched */
+    jlt_plan plan;
+    jlt_question question; /* params and start are the course's own, in the table's units */
+    jlt_course_options options;
     jlt_units units;
-    const jlt_quantity *quantities; /* (states,): of the asked model */
-    bool has_tiers;
-    unsigned states;
+    unsigned states, taken; /* taken: the candidate that is followed */
     int direction; /* of time so far: 0, +1, -1 */
     double t;
+    bool is_rod;
+    jlt_top top; /* where attitude or quadratures need it */
 
     jlt_instance *watch; /* the asked model's kernel: integrals */
     double first[INTEGRALS_MAX], drift[INTEGRALS_MAX];
 
-    jlt_instance *instance; /* the tier's kernel */
-    jlt_field field;
-    jlt_conserved conserved;
-    jlt_orbit *orbit;
+    jlt_leg legs[2], *leg; /* leg: the one that is followed; NULL: none yet */
     jlt_rod rod;
+    change changes[CHANGES_MAX];
+    unsigned change_count;
+    char edge[JLT_TIER_TEXT_MAX];
 
     jlt_observed *observed; /* of the asked model's states */
     double *seen; /* what it observes there */
     double least, lost_at;
     const char *lost; /* the condition, NULL: none */
 
-    double params[JLT_PLAN_PARAMS_MAX]; /* of the asked model, in the course's units */
-    double start[JLT_PLAN_STATES_MAX];
+    double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX];
+    double params[JLT_PLAN_PARAMS_MAX], start[JLT_PLAN_STATES_MAX];
     double x[JLT_PLAN_STATES_MAX];
-    double y[JLT_FIELD_DIM_MAX];
     double row[JLT_PLAN_STATES_MAX]; /* x in the table's units */
 };
 
 const jlt_instance *jlt_course_kernel(const jlt_course *self)
 {
-    return self->instance != NULL ? self->instance : self->watch;
+    return self->is_rod ? self->watch : self->leg->view.instance;
 }
 
 unsigned jlt_course_integrals(const jlt_course *self)
@@ -58,6 +68,18 @@ const char *jlt_course_integral(const jlt_course *self, unsigned index)
     return self->watch->descriptor->integrals[index].name;
 }
 
+unsigned jlt_course_changes(const jlt_course *self) { return self->change_count; }
+
+void jlt_course_change(const jlt_course *self, unsigned index, double *t, const char **from, const char **to, const char **why)
+{
+    const change *c = &self->changes[index];
+
+    *t = c->t;
+    *from = self->plan.candidates[c->from].tier.name;
+    *to = self->plan.candidates[c->to].tier.name;
+    *why = c->why;
+}
+
 static void integrals(const jlt_course *self, double *values, const double *x)
 {
     double all[JLT_PLAN_STATES_MAX];
@@ -65,12 +87,6 @@ static void integrals(const jlt_course *self, double *values, const double *x)
     if (jlt_course_integrals(self) == 0) return;
     self->watch->descriptor->integral_values.call(x, self->watch->block, all);
     memcpy(values, all, jlt_course_integrals(self) * sizeof *values);
-}
-
-static void extract(const jlt_course *self, double *x, const double *y)
-{
-    if (self->tier == NULL) memcpy(x, y, self->states * sizeof *x);
-    else if (self->tier->extract != NULL) self->tier->extract(&self->view, x, y);
 }
 
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities)
@@ -98,62 +114,76 @@ static int watch_conditions(void *context, jlt_orbit *orbit)
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
     double x[JLT_PLAN_STATES_MAX];
 
-    extract(self, x, stepper->x);
-    note_conditions(self, self->view.mirror * jlt_stepper_time(stepper), x);
+    jlt_tier_extract(&self->leg->view, x, stepper->x);
+    note_conditions(self, jlt_leg_time(self->leg, jlt_stepper_time(stepper)), x);
     return 0;
 }
 
-/* The tier's kernel bound to its parameters, and an orbit from the start; told: the tier's view in the table's units. */
-static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, const jlt_tier_view *told,
-                             const jlt_question *question, const jlt_course_options *options)
+/* On in the tier of a candidate, from x at t; on failure all is as it was. */
+static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x, double t)
 {
+    jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
+    const jlt_course_options *o = &self->options;
+    const jlt_options to_orbit = { .tolerance = o->tolerance, .max_steps = o->max_steps, .interrupt = o->interrupt, .project = o->project };
+    char refusal[JLT_TIER_TEXT_MAX];
     jlt_status st = JLT_OK;
-    double params[JLT_PLAN_PARAMS_MAX];
-    jlt_options to_orbit = { .tolerance = options->tolerance, .max_steps = options->max_steps,
-                             .interrupt = options->interrupt, .project = options->project };
 
-    if (chosen->tier == NULL) {
-        JLT_TRY(jlt_instance_create_in(&self->instance, chosen->descriptor, question->params, &self->units));
-        memcpy(self->y, self->start, self->states * sizeof *self->y);
-    } else {
-        JLT_TRY(jlt_tier_params(params, &self->view));
-        JLT_TRY(jlt_instance_create(&self->instance, chosen->descriptor, params));
-        JLT_TRY(jlt_tier_params(self->instance->params, told)); /* for headers */
-        chosen->tier->embed(&self->view, self->y, self->start);
-    }
-    JLT_TRY(jlt_field_of(&self->field, chosen->descriptor, self->instance->block));
-    if (options->project) JLT_TRY(jlt_conserved_of(&to_orbit.invariants, &self->conserved, chosen->descriptor, &self->field));
-    JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
-                             &to_orbit));
-    if (jlt_observed_conditions(self->observed) > 0) jlt_orbit_observe(self->orbit, watch_conditions, self);
+    JLT_TRY(jlt_leg_open(next, refusal, &self->plan.candidates[candidate].tier, self->params, x, t, self->direction,
+                         o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
+    if (self->leg != NULL) jlt_leg_close(self->leg);
+    self->leg = next;
+    if (jlt_observed_conditions(self->observed) > 0) jlt_orbit_observe(self->leg->orbit, watch_conditions, self);
+    self->taken = candidate;
 done:
     return st;
+}
+
+/* Headers tell parameters in the table's units. */
+static jlt_status tell_params(jlt_course *self)
+{
+    jlt_instance *kernel = self->leg->view.instance;
+    double y[JLT_WAY_VALUES_MAX];
+    char refusal[JLT_TIER_TEXT_MAX];
+    jlt_tier_view told;
+    const jlt_status st = jlt_tier_open(&told, y, refusal, &self->plan.candidates[self->taken].tier, self->question.params, self->question.start);
+
+    if (st != JLT_OK) return st;
+    memcpy(kernel->params, told.instance->params, kernel->descriptor->param_count * sizeof *kernel->params);
+    jlt_tier_close(&told);
+    return st;
+}
+
+static void copy_question(jlt_course *self, const jlt_plan *plan, const jlt_question *question, const jlt_course_options *options)
+{
+    self->plan = *plan;
+    self->question = *question;
+    self->options = *options;
+    memcpy(self->told_params, question->params, question->model->param_count * sizeof *question->params);
+    memcpy(self->told_start, question->start, question->model->state_count * sizeof *question->start);
+    self->question.params = self->told_params;
+    self->question.start = self->told_start;
+    self->states = question->model->state_count;
+    self->least = INFINITY;
+    self->lost_at = NAN;
+    self->taken = plan->chosen;
+    self->is_rod = plan->candidates[plan->chosen].tier.table == NULL;
 }
 
 jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                              const jlt_course_options *options)
 {
     jlt_status st = JLT_OK;
-    const jlt_candidate *chosen = &plan->candidates[plan->chosen];
     const jlt_descriptor *model = question->model;
-    jlt_tier_view told = { 0 };
     jlt_course *self = NULL;
 
     *out = NULL;
-    if (model->state_count > JLT_PLAN_STATES_MAX || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
+    if (model->state_count > JLT_PLAN_STATES_MAX || model->param_count > JLT_PLAN_PARAMS_MAX || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
         return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
-    self->states = model->state_count;
-    self->view.mirror = 1;
-    self->least = INFINITY;
-    self->lost_at = NAN;
-    self->tier = chosen->tier;
-    self->quantities = model->states;
-    self->has_tiers = jlt_tier_has(model);
-    if (self->has_tiers)
-        JLT_TRY(jlt_tier_open(&told, &self->view, &self->units, self->params, chosen->tier, chosen->descriptor, model, question->params,
-                              question->start));
+    copy_question(self, plan, question, options);
+    JLT_TRY(jlt_course_units(&self->units, plan, &self->question));
+    jlt_units_count(self->params, question->params, model->params, model->param_count, &self->units);
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
@@ -164,8 +194,12 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     if (self->seen == NULL) goto done;
     st = JLT_OK;
     note_conditions(self, 0, self->start);
-    if (chosen->tier != NULL && chosen->tier->model == NULL) JLT_TRY(jlt_rod_open(&self->rod, &self->view.top, self->start));
-    if (chosen->descriptor != NULL) JLT_TRY(open_orbit(self, chosen, &told, question, options));
+    if (self->is_rod || question->attitude) JLT_TRY(jlt_top_read(&self->top, model, self->params));
+    if (self->is_rod) JLT_TRY(jlt_rod_open(&self->rod, &self->top, self->start));
+    else {
+        JLT_TRY(open_leg(self, plan->chosen, self->start, 0));
+        JLT_TRY(tell_params(self));
+    }
     *out = self;
     self = NULL;
 done:
@@ -176,12 +210,35 @@ done:
 void jlt_course_destroy(jlt_course *self)
 {
     if (self == NULL) return;
-    jlt_orbit_destroy(self->orbit);
-    jlt_instance_destroy(self->instance);
+    if (self->leg != NULL) jlt_leg_close(self->leg);
     jlt_instance_destroy(self->watch);
     jlt_observed_destroy(self->observed);
     free(self->seen);
     free(self);
+}
+
+/* Round states that end at poles into their intervals; where the orbit ends, the nearest to its pole. */
+static void settle(jlt_course *self, jlt_course_row *row, bool ends)
+{
+    const jlt_descriptor *model = self->question.model;
+    double nearest = INFINITY;
+
+    for (unsigned i = 0; i < model->pole_count; i++) {
+        const unsigned k = model->poles[i].state;
+        const jlt_quantity *q = &model->states[k];
+        const int exponent = -jlt_units_exponent(&self->units, q->unit);
+        const double low = ldexp(q->low, exponent), high = ldexp(q->high, exponent), x = self->x[k];
+        const double off = fmin(fabs(x - low), fabs(high - x)) / (high - low);
+        self->x[k] = fmax(low, fmin(high, x)); /* it may pass by a rounding error */
+        if (!ends || off >= nearest) continue;
+        nearest = off;
+        row->side = x - low > high - x ? 1 : -1;
+        row->pole = k;
+    }
+    if (row->side != 0) {
+        const jlt_quantity *q = &model->states[row->pole];
+        self->x[row->pole] = ldexp(row->side > 0 ? q->high : q->low, -jlt_units_exponent(&self->units, q->unit));
+    }
 }
 
 /* A row's numbers in the table's units. */
@@ -189,7 +246,7 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
 {
     const jlt_units *units = &self->units;
 
-    jlt_units_restore(self->row, self->x, self->quantities, self->states, units);
+    jlt_units_restore(self->row, self->x, self->question.model->states, self->states, units);
     row->t = ldexp(t, units->time);
     row->lost_at = ldexp(row->lost_at, units->time);
     for (unsigned i = 0; i < 2; i++) {
@@ -204,7 +261,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     double now[INTEGRALS_MAX];
 
     *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift, .observed = self->seen };
-    if (self->has_tiers) row->side = jlt_tier_settle(self->x, end == JLT_END_POLE);
+    settle(self, row, end == JLT_END_POLE);
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
@@ -213,49 +270,76 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     row->least = self->least;
     row->lost_at = self->lost_at;
     row->lost = self->lost;
-    if (self->tier != NULL && self->tier->orient != NULL) {
+    if (self->question.attitude) {
         row->has_attitude = true;
-        self->tier->orient(&self->view, &row->attitude, self->y);
+        jlt_attitude_of(&row->attitude, &self->top, self->leg->view.instance->descriptor, self->leg->y);
     }
     restore(self, row, t);
 }
 
+/* On in the next larger tier that serves here. DOMAIN: there is none. */
+static jlt_status change_tier(jlt_course *self)
+{
+    double here[JLT_PLAN_STATES_MAX];
+    jlt_status st = JLT_ERR_DOMAIN;
+
+    if (self->plan.forced || self->change_count == CHANGES_MAX) return st;
+    jlt_units_restore(here, self->x, self->question.model->states, self->states, &self->units);
+    for (unsigned i = self->taken + 1; st == JLT_ERR_DOMAIN && i < self->plan.count; i++) {
+        const unsigned from = self->taken;
+        if (!jlt_plan_serves(&self->plan.candidates[i], &self->question, here)) continue;
+        if (self->options.project && self->plan.candidates[i].descriptor->unproved != NULL) continue;
+        st = open_leg(self, i, self->x, self->t);
+        if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* it does not serve in the course's units */
+        if (st != JLT_OK) continue;
+        change *c = &self->changes[self->change_count++];
+        *c = (change){ .t = ldexp(self->t, self->units.time), .from = from, .to = i };
+        memcpy(c->why, self->edge, sizeof c->why);
+    }
+    return st;
+}
+
+/* Whether a state of the asked model is within a ten thousandth of its interval from a pole. */
+static bool is_near_pole(const jlt_course *self)
+{
+    const jlt_descriptor *model = self->question.model;
+
+    for (unsigned i = 0; i < model->pole_count; i++) {
+        const jlt_quantity *q = &model->states[model->poles[i].state];
+        const double x = ldexp(self->x[model->poles[i].state], jlt_units_exponent(&self->units, q->unit));
+        if (fmin(x - q->low, q->high - x) < 1e-4 * (q->high - q->low)) return true;
+    }
+    return false;
+}
+
+static void name_edge(jlt_course *self, unsigned edge)
+{
+    const jlt_leg *leg = self->leg;
+
+    if (leg->field.time_rate == NULL && is_near_pole(self))
+        snprintf(self->edge, sizeof self->edge, "the orbit is so near a pole that in plain time nothing is left of its digits");
+    else if (edge < leg->edges.count) jlt_tier_edge_text(self->edge, &leg->edges, edge);
+    else snprintf(self->edge, sizeof self->edge, "the orbit comes to the edge of its table's domain");
+}
+
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
-    jlt_status st = JLT_OK;
-    const int mirror = self->view.mirror;
-    const jlt_tier_edge *end = self->tier != NULL ? self->tier->edge : NULL;
-    jlt_event edge = { .context = &self->view };
-    jlt_outcome outcome = { 0 };
+    jlt_status st;
 
-    if (end != NULL) {
-        edge.value = end->value;
-        edge.longest_step = end->longest_step;
-    }
-    if (end != NULL && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
-        fill(self, row, JLT_END_TIME, 0);
-        row->edge = end->meaning;
-        return JLT_ERR_DOMAIN;
-    }
-    if (self->direction == 0) {
-        self->direction = t < 0 ? -1 : 1;
-        JLT_TRY(jlt_orbit_start(self->orbit, 0, self->y, self->direction * mirror));
-    }
-    st = jlt_orbit_next(self->orbit, mirror * t, &edge, end != NULL, &outcome);
-    if (outcome.x != NULL) {
-        memcpy(self->y, outcome.x, self->field.dim * sizeof *self->y);
-        extract(self, self->x, self->y);
-        self->t = mirror * outcome.t;
-        fill(self, row, outcome.end, self->t);
-    }
-    if (st == JLT_OK && outcome.end == JLT_END_EVENT) {
-        row->end = JLT_END_TIME;
-        row->edge = end->meaning;
-        st = JLT_ERR_DOMAIN;
-    } else if (st == JLT_ERR_DOMAIN) {
-        row->edge = self->has_tiers ? jlt_tier_near_pole : "the orbit comes to the edge of its table's domain";
-    }
-done:
+    do {
+        jlt_outcome outcome;
+        unsigned edge;
+        st = jlt_leg_to(self->leg, t, &outcome, &edge);
+        if (outcome.x != NULL) {
+            jlt_tier_extract(&self->leg->view, self->x, self->leg->y);
+            self->t = jlt_leg_time(self->leg, outcome.t);
+            fill(self, row, outcome.end, self->t);
+        }
+        if (st != JLT_ERR_DOMAIN) return st;
+        name_edge(self, edge);
+        row->edge = self->edge;
+        st = outcome.x != NULL ? change_tier(self) : st;
+    } while (st == JLT_OK);
     return st;
 }
 
@@ -273,9 +357,9 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
         fill(self, row, JLT_END_TIME, t);
         return JLT_OK;
     }
-    if (self->orbit != NULL) return along_orbit(self, t, row);
+    self->direction = t < self->t ? -1 : 1;
+    if (!self->is_rod) return along_orbit(self, t, row);
     JLT_TRY(jlt_rod_at(&self->rod, self->x, t));
-    self->direction = t < 0 ? -1 : 1;
     self->t = t;
     fill(self, row, JLT_END_TIME, t);
 done:
@@ -285,8 +369,8 @@ done:
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations)
 {
     *steps = *evaluations = 0;
-    if (self->orbit == NULL) return;
-    const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
+    if (self->is_rod) return;
+    const jlt_stepper *stepper = jlt_orbit_stepper(self->leg->orbit);
     *steps = stepper->steps;
     *evaluations = stepper->evaluations;
 }

@@ -1,5 +1,6 @@
-/** A course: one motion, computed in the tier that a plan has chosen, and given as states of the model that was asked about.
- *   *
+/** A course: one motion, computed in the tier that a plan has chosen, and given as states of the model that was asked about. Where the orbit
+ *  leaves what the tier covers, the next larger one that serves goes on, unless the tier was asked for by name.
+ *
  *      JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
  *      for (...) JLT_TRY(jlt_course_to(course, t, &row));          // times in one direction, row.end == JLT_END_TIME
  *   * Rows are the same in every tier, so that tiers can be compared: states at given times, drift of integrals, observed
@@ -10,6 +11,7 @@
 #include "integrate/orbit.h"
 #include "kernel/instance.h"
 #include "scene/plan.h"
+#include "top/attitude.h"
 
 typedef struct {
     const jlt_method *method;               /* NULL: the default */
@@ -31,7 +33,8 @@ typedef struct {
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: which one, +1 or -1 */
-    const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message */
+    unsigned pole;            /* POLE: the state that has come to an end of its interval */
+    const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message; the course's own */
 } jlt_course_row;
 
 typedef struct jlt_course jlt_course;
@@ -58,6 +61,10 @@ const char *jlt_course_integral(const jlt_course *self, unsigned index);
 
 /** How many quantities the asked model's table observes. Out: *quantities, shape (count,): their names, units and meanings. */
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities);
+
+/** Where one tier gave over to another: how often, and the time, both names, and why the first one ended. */
+unsigned jlt_course_changes(const jlt_course *self);
+void jlt_course_change(const jlt_course *self, unsigned index, double *t, const char **from, const char **to, const char **why);
 
 /** Steps and evaluations of the field so far; both 0 for quadratures. */
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations);

@@ -4,54 +4,27 @@
 #include <string.h>
 
 #include "kernel/descriptor.h"
-#include "kernel/link.h"
+#include "top/attitude.h"
+#include "top/rod.h"
 
-/* The table whose kernels a tier takes: the one that was asked about where it has the tier's name. */
-static const jlt_descriptor *table_of(const char *name, const jlt_descriptor *asked)
-{
-    return strcmp(name, asked->model) == 0 ? asked : jlt_descriptor_find(name, NULL, NULL, NULL);
-}
-
-/* The most special kernel of a tier for these parameters; a model of its own is asked with its own parameters. */
-static const jlt_descriptor *kernel_of(const jlt_tier *tier, const jlt_question *question, const jlt_top *top, const double *x)
-{
-    const jlt_descriptor *table = table_of(tier->model, question->model);
-    const jlt_descriptor *general = table == NULL ? NULL : jlt_descriptor_sibling(table, NULL, tier->time, tier->elimination);
-    double params[JLT_PLAN_PARAMS_MAX];
-    jlt_tier_view view;
-
-    if (general == NULL || general->param_count > JLT_PLAN_PARAMS_MAX) return NULL;
-    jlt_tier_look(&view, tier, general, top, x);
-    view.asked = question->model;
-    view.asked_params = question->params;
-    if (jlt_tier_params(params, &view) != JLT_OK) return NULL;
-    return jlt_descriptor_choose(table, tier->time, tier->elimination, params);
-}
-
-/* What a claim lacks; NULL where it is proved. */
+/* What a claim lacks. */
 static const char *want_of(const jlt_claim *claim)
 {
-    if (claim == NULL) return "its table makes no claim that leads there";
-    if (claim->verdict == JLT_PROVED) return NULL;
+    if (claim == NULL) return "it is proved to serve for another table of this name, not for this one";
     return claim->verdict == JLT_REFUTED ? "a claim that it rests on is refuted" : "a claim that it rests on is not settled";
 }
 
-/* Why nothing proved leads from the asked table to the tier's; NULL where it does. */
-static const char *unproved(const jlt_claim **broken, const jlt_tier *tier, const jlt_descriptor *asked)
+/* Why nothing proved leads to the tier's table; NULL where it does. */
+static const char *unproved(const jlt_claim **broken, const jlt_tier *tier)
 {
-    const jlt_descriptor *table = table_of(tier->proofs.table, asked);
-    const char *want = NULL;
-
     *broken = NULL;
-    if (table == NULL) return NULL; /* its kernel is not there: that is told elsewhere */
-    if (!jlt_link_holds(broken, asked, table))
-        return *broken != NULL ? want_of(*broken) : "it is proved to serve for another table of this name, not for this one";
-    for (size_t i = 0; want == NULL && i < JLT_TIER_CLAIMS_MAX && tier->proofs.claims[i].kind != NULL; i++) {
-        const jlt_claim *claim = jlt_descriptor_claim(asked, tier->proofs.claims[i].kind, tier->proofs.claims[i].name);
-        want = want_of(claim);
-        *broken = want != NULL ? claim : NULL;
-    }
-    return want;
+    for (unsigned i = 0; i < tier->way_count; i++)
+        if (!jlt_way_holds(broken, tier->from[i], tier->ways[i], i + 1 < tier->way_count ? tier->from[i + 1] : tier->table)) return want_of(*broken);
+    if (tier->elimination == NULL || tier->elimination[0] == '\0') return NULL;
+    *broken = jlt_descriptor_claim(tier->asked, "eliminate", tier->elimination);
+    if (*broken != NULL && (*broken)->verdict != JLT_PROVED) return want_of(*broken);
+    *broken = NULL;
+    return NULL;
 }
 
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
@@ -62,72 +35,82 @@ void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
     else snprintf(text, size, "%s (%s %s: %s)", candidate->refusal, claim->kind, claim->name, claim->reason);
 }
 
-static bool has_section(const jlt_tier *tier)
+/* What the tier's own conditions say of the question, and its kernel. */
+static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
 {
-    const jlt_descriptor *kernel = tier->model != NULL ? jlt_descriptor_find(tier->model, NULL, tier->time, tier->elimination) : NULL;
+    double y[JLT_WAY_VALUES_MAX];
+    jlt_tier_view view;
+    const jlt_status st = jlt_tier_open(&view, y, c->refusal, &c->tier, question->params, question->start);
 
-    return kernel != NULL && kernel->section_count > 0;
+    if (st == JLT_OK) {
+        c->descriptor = view.instance->descriptor;
+        jlt_tier_close(&view);
+        return st;
+    }
+    c->descriptor = jlt_descriptor_sibling(c->tier.table, NULL, c->tier.time, c->tier.elimination);
+    if (st == JLT_ERR_NOMEM) return st;
+    if (st != JLT_ERR_UNSUPPORTED) snprintf(c->refusal, sizeof c->refusal, "its parameters would not be: %s", jlt_status_text(st));
+    return JLT_OK;
 }
 
-static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, const jlt_top *top)
+/* Errors: NOMEM. */
+static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
-    static const double anywhere[JLT_PLAN_STATES_MAX] = { 0 };
-    const double *start = question->start != NULL ? question->start : anywhere;
-    jlt_candidate candidate = { .tier = tier };
+    jlt_candidate c = { .tier = *tier };
+    const char *refusal = NULL;
+    jlt_status st = JLT_OK;
 
-    if (question->section && !has_section(tier))
-        candidate.refusal = "its table describes no section";
-    else if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, start);
-    if (candidate.refusal == NULL && question->attitude && !tier->attitude)
-        candidate.refusal = "attitude and track are asked for";
-    if (candidate.refusal == NULL) candidate.refusal = unproved(&candidate.broken, tier, question->model);
-    if (tier->model != NULL) candidate.descriptor = kernel_of(tier, question, top, start);
-    if (candidate.refusal == NULL && tier->model != NULL
-        && (candidate.descriptor == NULL || candidate.descriptor->rhs.call == NULL
-            || candidate.descriptor->state_count != tier->columns))
-        candidate.refusal = "its kernel is not built in";
-    return candidate;
-}
-
-/* The most special kernel of the model itself, in t. */
-static const jlt_descriptor *own_kernel(const jlt_question *question)
-{
-    return jlt_descriptor_choose(question->model, NULL, NULL, question->params);
+    if (tier->table == NULL) refusal = jlt_rod_refuses(&c.broken, question->model, question->params, question->start);
+    else JLT_TRY(try_tier(&c, question));
+    if (question->section && (c.descriptor == NULL || c.descriptor->family[0]->section_count == 0 || tier->elimination[0] != '\0'))
+        refusal = "its table describes no section";
+    else if (c.refusal[0] == '\0' && refusal == NULL && question->attitude && !jlt_attitude_is_told(tier->table))
+        refusal = "attitude and track are asked for";
+    if (c.refusal[0] == '\0' && refusal == NULL) refusal = unproved(&c.broken, tier);
+    if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
+    *out = c;
+done:
+    return st;
 }
 
 jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
 {
+    jlt_tier tiers[JLT_TIERS_MAX], named;
     jlt_plan plan = { .forced = question->tier != NULL };
-    const bool own = !jlt_tier_has(question->model) || (plan.forced && strcmp(question->tier, "model") == 0);
-    jlt_top top;
+    const bool own = plan.forced && strcmp(question->tier, "model") == 0;
     bool found = false;
+    jlt_status st = JLT_OK;
 
-    if (plan.forced && !own && jlt_tier_find(question->tier) == NULL) return JLT_ERR_ARG;
-    if (plan.forced && !jlt_tier_has(question->model) && strcmp(question->tier, "model") != 0) return JLT_ERR_ARG;
-    plan.reduced = own_kernel(question);
+    if (plan.forced && !jlt_tier_find(&named, question->model, question->others, question->tier)) return JLT_ERR_ARG;
+    plan.count = own ? 1 : jlt_tier_list(tiers, question->model, question->others);
+    if (own) tiers[0] = named;
+    plan.reduced = jlt_descriptor_choose(question->model, NULL, NULL, question->params);
     if (plan.reduced == NULL) return JLT_ERR_UNSUPPORTED;
-    if (own) {
-        plan.candidates[plan.count++] = (jlt_candidate){ .descriptor = plan.reduced };
-        *out = plan;
-        return JLT_OK;
+    for (unsigned i = 0; i < plan.count; i++) {
+        JLT_TRY(judge(&plan.candidates[i], &tiers[i], question));
+        const bool wanted = plan.forced ? strcmp(tiers[i].name, question->tier) == 0 : !tiers[i].by_name;
+        if (!wanted || found || (plan.candidates[i].refusal[0] != '\0' && !plan.forced)) continue;
+        plan.chosen = i;
+        found = true;
     }
-    if (jlt_top_read(&top, question->model, question->params) != JLT_OK) return JLT_ERR_UNSUPPORTED;
-    for (const jlt_tier *tier = jlt_tier_at(0); tier != NULL; tier = jlt_tier_at(plan.count)) {
-        const jlt_candidate candidate = judge(tier, question, &top);
-        const bool wanted = plan.forced ? strcmp(tier->name, question->tier) == 0 : !tier->by_name;
-        if (wanted && !found && (candidate.refusal == NULL || plan.forced)) {
-            plan.chosen = plan.count;
-            found = true;
-        }
-        plan.candidates[plan.count++] = candidate;
-    }
-    if (!found) return JLT_ERR_UNSUPPORTED;
+    st = JLT_ERR_UNSUPPORTED;
+    if (!found) goto done;
     *out = plan;
-    return plan.candidates[plan.chosen].refusal == NULL ? JLT_OK : JLT_ERR_UNSUPPORTED;
+    if (plan.candidates[plan.chosen].refusal[0] == '\0') st = JLT_OK;
+done:
+    return st;
+}
+
+bool jlt_plan_serves(const jlt_candidate *candidate, const jlt_question *question, const double *start)
+{
+    jlt_question there = *question;
+    jlt_candidate again;
+
+    there.start = start;
+    return !candidate->tier.by_name && judge(&again, &candidate->tier, &there) == JLT_OK && again.refusal[0] == '\0';
 }
 
 const char *jlt_plan_tier(const jlt_plan *plan)
 {
-    const jlt_tier *tier = plan->candidates[plan->chosen].tier;
-    return tier != NULL ? tier->name : "model";
+    return plan->candidates[plan->chosen].tier.name;
 }

@@ -8,7 +8,7 @@
 #include "scene/source.h"
 #include "top/top.h"
 
-enum { NAMES_MAX = 256 };
+enum { NAMES_MAX = 512 };
 
 static jlt_status add_option(jlt_scene_job *job, const jlt_key *key, const char *text, int line)
 {
@@ -36,74 +36,80 @@ done:
     return st;
 }
 
+/* A setting of the whole scene; nothing where the command has no such option. */
+static jlt_status take_shared(const jlt_value_reader *r, jlt_scene_job *job, const char *name, const config_setting_t *setting)
+{
+    jlt_key key;
+
+    return setting != NULL && jlt_schema_key(&key, job->known, name) ? take(r, job, &key, setting) : JLT_OK;
+}
+
 /* What all jobs have in common. Levels are not for a section of states alone, nor for a job that has levels of its own. */
-static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const jlt_schema *schema, const config_setting_t *entry,
+static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
                         const config_setting_t *root)
 {
-    static const jlt_key set = { "parameters", "set", JLT_KEY_GROUP, JLT_KEY_PARAMS };
-    const jlt_key level = { "levels", "level", JLT_KEY_GROUP, schema->levels };
     jlt_status st = JLT_OK;
-    const config_setting_t *parameters = config_setting_get_member(root, "parameters");
-    const config_setting_t *levels = config_setting_get_member(root, "levels");
     const config_setting_t *accuracy = config_setting_get_member(root, "accuracy");
-
-    if (schema->parameters && parameters != NULL) JLT_TRY(take(r, job, &set, parameters));
     const bool on_levels = (r->section == NULL || r->solve != NULL) && config_setting_get_member(entry, "levels") == NULL;
-    if (schema->levels != NULL && levels != NULL && on_levels) JLT_TRY(take(r, job, &level, levels));
+
+    JLT_TRY(take_shared(r, job, "parameters", config_setting_get_member(root, "parameters")));
+    if (on_levels) JLT_TRY(take_shared(r, job, "levels", config_setting_get_member(root, "levels")));
     for (int i = 0; accuracy != NULL && i < config_setting_length(accuracy); i++) {
         const config_setting_t *member = config_setting_get_elem(accuracy, (unsigned)i);
-        const char *name = config_setting_name(member);
-        if (jlt_schema_listed(schema->accuracy, name)) JLT_TRY(take(r, job, jlt_schema_accuracy(name), member));
+        JLT_TRY(take_shared(r, job, config_setting_name(member), member));
     }
 done:
     return st;
+}
+
+/* The command that an entry asks for. */
+static jlt_status read_what(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry)
+{
+    const config_setting_t *what = config_setting_get_member(entry, "what");
+    const char *sought = what != NULL ? config_setting_get_string(what) : NULL, *command;
+    char names[NAMES_MAX] = "";
+
+    if (sought == NULL) return jlt_value_complain(r, jlt_value_line(entry), "an entry of 'compute' needs what = \"COMMAND\"");
+    for (size_t i = 0; (command = r->program->command(&job->known, i)) != NULL; i++) {
+        if (strcmp(command, sought) == 0) return (job->what = strdup(sought)) != NULL ? JLT_OK : JLT_ERR_NOMEM;
+        jlt_schema_add_name(names, sizeof names, command);
+    }
+    return jlt_value_complain(r, jlt_value_line(what), "unknown command \"%s\" (expected one of %s)", sought, names);
 }
 
 static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
                            const config_setting_t *root)
 {
     jlt_status st = JLT_OK;
-    const char *what = NULL, *model = NULL;
-    const jlt_schema *schema;
-    char names[NAMES_MAX];
+    const char *model = NULL;
+    char names[NAMES_MAX] = "what";
+    jlt_key key;
 
     job->line = (unsigned)jlt_value_line(entry);
     if (config_setting_is_group(entry) == CONFIG_FALSE)
         return jlt_value_complain(r, jlt_value_line(entry), "an entry of 'compute' is a group in braces");
-    if (config_setting_lookup_string(entry, "what", &what) == CONFIG_FALSE)
-        return jlt_value_complain(r, jlt_value_line(entry), "an entry of 'compute' needs what = \"COMMAND\"");
-    schema = jlt_schema_find(what);
-    if (schema == NULL) {
-        jlt_schema_names(names, sizeof names);
-        return jlt_value_complain(r, jlt_value_line(config_setting_get_member(entry, "what")), "unknown command \"%s\" (expected one of %s)",
-                        what, names);
-    }
-    job->what = strdup(what);
-    if (job->what == NULL) return JLT_ERR_NOMEM;
-    if (config_setting_lookup_string(root, "model", &model) == CONFIG_TRUE && (schema->model || strcmp(model, JLT_DEFAULT_MODEL) != 0)) {
-        job->model = strdup(model);
-        if (job->model == NULL) return JLT_ERR_NOMEM;
-    }
+    JLT_TRY(read_what(r, job, entry));
+    if (config_setting_lookup_string(root, "model", &model) == CONFIG_TRUE && (job->model = strdup(model)) == NULL)
+        return JLT_ERR_NOMEM;
     r->section = config_setting_get_member(entry, "section");
     r->named = r->section != NULL ? config_setting_get_string(r->section) : NULL;
     if (r->named != NULL) r->section = NULL;
     r->solve = config_setting_get_member(entry, "solve");
-    if (r->section != NULL && jlt_schema_key(schema, "section") != NULL
+    if (r->section != NULL && jlt_schema_key(&key, job->known, "section")
         && (config_setting_is_group(r->section) == CONFIG_FALSE || config_setting_length(r->section) != 1))
         return jlt_value_complain(r, jlt_value_line(r->section), "'section' takes one state and its value, { z = 27; }, or a name in quotation marks");
-    JLT_TRY(share(r, job, schema, entry, root));
+    JLT_TRY(share(r, job, entry, root));
     for (int i = 0; i < config_setting_length(entry); i++) {
         const config_setting_t *member = config_setting_get_elem(entry, (unsigned)i);
         const char *name = config_setting_name(member);
-        const jlt_key *key = jlt_schema_key(schema, name);
         if (strcmp(name, "what") == 0) continue;
-        if (key == NULL) {
-            jlt_schema_key_names(names, sizeof names, schema);
-            return jlt_value_complain(r, jlt_value_line(member), "unknown key '%s' for %s (it knows %s)", name, what, names);
+        if (!jlt_schema_key(&key, job->known, name)) {
+            jlt_schema_key_names(names, sizeof names, job->known);
+            return jlt_value_complain(r, jlt_value_line(member), "unknown key '%s' for %s (it knows %s)", name, job->what, names);
         }
-        if (jlt_scene_value(job, key->option) != NULL)
+        if (jlt_scene_value(job, key.option) != NULL)
             return jlt_value_complain(r, jlt_value_line(member), "'%s' is already given for the whole scene", name);
-        JLT_TRY(take(r, job, key, member));
+        JLT_TRY(take(r, job, &key, member));
     }
 done:
     return st;
@@ -132,9 +138,10 @@ static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *
     }
     for (int i = 0; accuracy != NULL && i < config_setting_length(accuracy); i++) {
         const config_setting_t *member = config_setting_get_elem(accuracy, (unsigned)i);
-        if (jlt_schema_accuracy(config_setting_name(member)) == NULL)
-            return jlt_value_complain(r, jlt_value_line(member), "unknown key '%s' in 'accuracy' (it knows tolerance, method, tier)",
-                            config_setting_name(member));
+        const char *name = config_setting_name(member);
+        if (strcmp(name, "tolerance") != 0 && strcmp(name, "method") != 0 && strcmp(name, "tier") != 0)
+            return jlt_value_complain(r, jlt_value_line(member),
+                                      "unknown key '%s' in 'accuracy' (it knows tolerance, method, tier)", name);
     }
     if (config_setting_get_member(root, "compute") == NULL) return jlt_value_complain(r, 0, "nothing to do: no 'compute'");
     return JLT_OK;
@@ -153,13 +160,11 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
     if (count == 0) return jlt_value_complain(r, jlt_value_line(compute), "'compute' is empty");
     (void)config_setting_lookup_string(root, "title", &title);
     (void)config_setting_lookup_string(root, "model", &model);
-    if (r->open != NULL) {
-        const jlt_status opened = r->open(&r->model, model);
-        if (opened != JLT_OK && opened != JLT_ERR_EMPTY) return opened;
-    } else r->model = jlt_descriptor_find(model, NULL, NULL, NULL);
-    if (r->model == NULL)
+    st = r->program->open(&r->model, model);
+    if (st == JLT_ERR_EMPTY)
         return jlt_value_complain(r, jlt_value_line(config_setting_get_member(root, "model")),
                         "there is no model '%s' ('jellett models' lists those that are built in)", model);
+    if (st != JLT_OK) return st;
     scene->model = r->model;
     scene->file = strdup(r->file);
     scene->title = strdup(title);
@@ -173,10 +178,10 @@ done:
     return st;
 }
 
-jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, jlt_scene_open open)
+jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, const jlt_scene_program *program)
 {
     jlt_status st = JLT_OK;
-    jlt_value_reader r = { .file = path, .message = message, .open = open };
+    jlt_value_reader r = { .file = path, .message = message, .program = program };
     jlt_scene *scene = NULL;
     config_t config;
     char *text = NULL;
@@ -245,15 +250,15 @@ static char *replaced(const char *list, const char *name, const char *value)
 
 jlt_status jlt_scene_set(jlt_scene *scene, const char *name, const char *value)
 {
-    static const jlt_key key = { "parameters", "set", JLT_KEY_GROUP, JLT_KEY_PARAMS };
     jlt_status st = JLT_ERR_ARG;
     size_t index;
+    jlt_key key;
 
     if (!jlt_descriptor_param(scene->model, name, &index)) return JLT_ERR_ARG;
     for (size_t j = 0; j < scene->count; j++) {
         jlt_scene_job *job = &scene->jobs[j];
         size_t i = 0;
-        if (!jlt_schema_find(job->what)->parameters) continue;
+        if (!jlt_schema_key(&key, job->known, "parameters")) continue;
         while (i < job->count && strcmp(job->options[i].name, key.option) != 0) i++;
         if (i == job->count) JLT_TRY(add_option(job, &key, "", (int)job->line));
         char *text = replaced(job->options[i].value, name, value);

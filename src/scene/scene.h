@@ -8,8 +8,9 @@
  *                    grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
  *                    returns = 300; output = "map.csv"; plot = "map.svg"; } );
  *
- *  Each entry of `compute` asks for one command with options; a key means the option of the same name. `parameters`,
- *  `levels` and `accuracy` are shared by all entries that know them. Numbers are read exactly; those that decimal notation
+ *  Each entry of `compute` asks for one command; its keys are the options of that command, under the same names but for
+ *  parameters (--set), levels (--level) and tolerance (--tol). `parameters`, `levels` and `accuracy` of the whole file are
+ *  shared by all entries that know them. Numbers are read exactly; those that decimal notation
  *  cannot give exactly ("1/3") are written as strings. Whatever is unknown, missing, twice given or of the wrong kind is an
  *  error with its line; nothing is ignored. */
 #ifndef JLT_SCENE_SCENE_H
@@ -20,7 +21,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { JLT_SCENE_MESSAGE_MAX = 512 };
+enum { JLT_SCENE_MESSAGE_MAX = 1024 };
 
 typedef struct {
     char *name;     /* of the option, without dashes */
@@ -31,6 +32,7 @@ typedef struct {
 
 typedef struct {
     char *what;     /* the command */
+    const struct argp *known; /* its options */
     char *model;    /* its operand; NULL when the scene names none */
     jlt_scene_option *options;
     size_t count;
@@ -44,14 +46,19 @@ typedef struct {
     size_t count;
 } jlt_scene;
 
-/** The general field of the model that a scene names. Errors: EMPTY, there is none of this name; others have been told, and end the
- *  reading with an empty message. */
-typedef jlt_status (*jlt_scene_open)(const struct jlt_descriptor **out, const char *model);
+/** What a scene can ask for, and of what. */
+typedef struct {
+    /** Command number `index`, with the options that argp knows; NULL beyond the last. */
+    const char *(*command)(const struct argp **options, size_t index);
+    /** The general field of the model of this name. Errors: EMPTY, there is none; others have been told, and end the reading
+     *  with an empty message. */
+    jlt_status (*open)(const struct jlt_descriptor **out, const char *model);
+} jlt_scene_program;
 
-/** Read and check. open: where models come from; NULL: those that are built in. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
+/** Read and check. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
  *  newline, or "" where `open` has told it. Errors: IO (a file that cannot be read), ARG (a bad scene), NOMEM. */
 JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path,
-                                      jlt_scene_open open);
+                                      const jlt_scene_program *program);
 void jlt_scene_destroy(jlt_scene *scene); /* NULL is legal */
 
 /** Give a parameter another value, as it is typed on a command line, in all jobs that the scene's parameters apply to.

@@ -41,10 +41,8 @@ typedef struct {
 
 static void meet(names *self, const char *name)
 {
-    const size_t used = self->list != NULL ? strlen(self->list) : 0;
-
     if (self->word != NULL) self->found |= strcmp(self->word, name) == 0;
-    else snprintf(self->list + used, self->size - used, "%s%s", used > 0 ? ", " : "", name);
+    else jlt_schema_add_name(self->list, self->size, name);
 }
 
 static void meet_quantities(names *self, const jlt_quantity *quantities, unsigned count)
@@ -69,47 +67,49 @@ static void meet_integrals(names *self, const jlt_descriptor *model)
         if (strcmp(claim->kind, "integral") == 0) meet(self, claim->name);
 }
 
+/* Words separated by '|' or ','; what stands behind '=' is no part of one. */
 static void meet_words(names *self, const char *words)
 {
     char word[64];
 
     for (size_t length; *words != '\0'; words += length + (words[length] != '\0')) {
-        length = strcspn(words, "|");
-        snprintf(word, sizeof word, "%.*s", (int)length, words);
+        length = strcspn(words, "|,");
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(words, "|,="), words);
         meet(self, word);
     }
 }
 
-static void meet_all(names *self, const jlt_value_reader *r, const char *allowed)
+static void meet_all(names *self, const jlt_value_reader *r, const jlt_key *key)
 {
     const jlt_descriptor *model = r->model;
     const jlt_claim *broken;
     jlt_surface surface;
     const bool plane = r->section != NULL || jlt_surface_find(&surface, &broken, model, r->named) != JLT_OK;
-    const bool quantities = strcmp(allowed, JLT_KEY_QUANTITIES) == 0, values = strcmp(allowed, JLT_KEY_VALUES) == 0;
-    const bool coordinates = strcmp(allowed, JLT_KEY_COORDINATES) == 0, levels = values || strcmp(allowed, JLT_KEY_LEVELS) == 0;
+    const bool levels = (key->names & JLT_NAMES_LEVELS) != 0, coordinates = (key->names & JLT_NAMES_COORDINATES) != 0;
+    const bool methods = (key->names & JLT_NAMES_METHODS) != 0;
 
-    if (allowed[0] != '@') meet_words(self, allowed);
-    for (size_t i = 0; strcmp(allowed, JLT_KEY_METHODS) == 0 && jlt_method_at(i) != NULL; i++) meet(self, jlt_method_at(i)->name);
-    for (unsigned i = 0; coordinates && !plane && i < surface.section->coordinate_count; i++) meet(self, surface.section->coordinates[i].name);
+    if (key->words != NULL) meet_words(self, key->words);
+    for (size_t i = 0; methods && jlt_method_at(i) != NULL; i++) meet(self, jlt_method_at(i)->name);
+    for (unsigned i = 0; coordinates && !plane && i < surface.section->coordinate_count; i++)
+        meet(self, surface.section->coordinates[i].name);
     if (coordinates && plane) meet_free_states(self, r);
-    if (quantities || strcmp(allowed, JLT_KEY_STATES) == 0) meet_quantities(self, model->states, model->state_count);
-    if (quantities || values || strcmp(allowed, JLT_KEY_PARAMS) == 0) meet_quantities(self, model->params, model->param_count);
+    if (key->names & JLT_NAMES_STATES) meet_quantities(self, model->states, model->state_count);
+    if (key->names & JLT_NAMES_PARAMS) meet_quantities(self, model->params, model->param_count);
     for (unsigned i = plane ? 0 : surface.params; levels && !plane && i < surface.count; i++) meet(self, surface.names[i]);
     if (levels && plane) meet_integrals(self, model);
 }
 
-static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const char *allowed, const char *name,
-                             const char *word)
+static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const jlt_key *key, const char *word)
 {
     char text[256] = "";
     names sought = { .word = word }, known = { .list = text, .size = sizeof text };
 
-    if (allowed == NULL) return JLT_OK;
-    meet_all(&sought, r, allowed);
+    if (key->names == JLT_NAMES_ANY && key->words == NULL) return JLT_OK;
+    meet_all(&sought, r, key);
     if (sought.found) return JLT_OK;
-    meet_all(&known, r, allowed);
-    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", name, word, text[0] != '\0' ? text : "none");
+    meet_all(&known, r, key);
+    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", key->key, word,
+                              text[0] != '\0' ? text : "none");
 }
 
 /* ---- values as a command line has them ---- */
@@ -233,16 +233,6 @@ done:
     return st;
 }
 
-/* Keys whose options read multiples of pi. */
-static bool in_pi(const jlt_key *key)
-{
-    static const char *const keys[] = { "section", "solve", "modulo", "grid", "cells" };
-
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        if (strcmp(keys[i], key->key) == 0) return true;
-    return strcmp(key->key, "start") == 0 && key->allowed != NULL && strcmp(key->allowed, JLT_KEY_COORDINATES) == 0;
-}
-
 static jlt_status append_group(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
 {
     const char *name = key->key;
@@ -254,13 +244,13 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
     for (int i = 0; i < config_setting_length(at); i++) {
         const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
         const bool several = config_setting_is_array(member) == CONFIG_TRUE || config_setting_is_list(member) == CONFIG_TRUE;
-        JLT_TRY(check_word(r, member, key->allowed, name, config_setting_name(member)));
+        JLT_TRY(check_word(r, member, key, config_setting_name(member)));
         if (i > 0) JLT_TRY(append(r, member, v, ","));
         JLT_TRY(append(r, member, v, config_setting_name(member)));
         JLT_TRY(append(r, member, v, "="));
         if (key->kind == JLT_KEY_INTERVAL) JLT_TRY(append_interval(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_RANGES && several) JLT_TRY(append_range(r, member, v, config_setting_name(member)));
-        else if (in_pi(key)) JLT_TRY(append_end(r, member, v, config_setting_name(member)));
+        else if (key->kind == JLT_KEY_POINT || key->kind == JLT_KEY_RANGES) JLT_TRY(append_end(r, member, v, config_setting_name(member)));
         else JLT_TRY(append_number(r, member, v, config_setting_name(member)));
     }
 done:
@@ -272,9 +262,10 @@ jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at,
     switch (key->kind) {
     case JLT_KEY_NUMBER: return append_number(r, at, v, key->key);
     case JLT_KEY_COUNT: return append_whole(r, at, v, key->key, 1);
-    case JLT_KEY_SEED: return append_whole(r, at, v, key->key, 0);
+    case JLT_KEY_WHOLE: return append_whole(r, at, v, key->key, 0);
     case JLT_KEY_NUMBERS: return append_list(r, at, v, key->key);
     case JLT_KEY_GROUP:
+    case JLT_KEY_POINT:
     case JLT_KEY_INTERVAL: return append_group(r, at, v, key);
     case JLT_KEY_RANGES:
         if (config_setting_type(at) == CONFIG_TYPE_STRING) return append(r, at, v, config_setting_get_string(at));
@@ -286,7 +277,7 @@ jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at,
     case JLT_KEY_FILE:
         if (config_setting_type(at) != CONFIG_TYPE_STRING)
             return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a text in quotation marks", key->key);
-        if (check_word(r, at, key->allowed, key->key, config_setting_get_string(at)) != JLT_OK) return JLT_ERR_ARG;
+        if (check_word(r, at, key, config_setting_get_string(at)) != JLT_OK) return JLT_ERR_ARG;
         return append(r, at, v, config_setting_get_string(at));
     }
     return JLT_ERR_ARG;

@@ -14,7 +14,7 @@ enum { JLT_VALUE_MAX = 4096 };
 typedef struct {
     const char *file;
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
-    jlt_scene_open open;         /* may be NULL */
+    const jlt_scene_program *program;
     const jlt_descriptor *model; /* what names of states and parameters are checked against */
     const config_setting_t *section, *solve; /* groups of the job that name a section of its table; NULL: it is one that tables describe */
     const char *named;                       /* and which; NULL: the first */

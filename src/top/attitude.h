@@ -1,8 +1,10 @@
-/** Attitude and track of the sphere from the quadratures (2.1).
+/** Attitude and track of the sphere, as the larger tables of the top tell them: by the quadratures (2.1), or by all vectors' components.
  *
  *  With nu = (cos chi, sin chi) in the plane and tau = (sin chi, -cos chi), and tau = (cos spin, -sin spin, 0) in the body. */
 #ifndef JLT_TOP_ATTITUDE_H
 #define JLT_TOP_ATTITUDE_H
+
+#include <stdbool.h>
 
 #include "top/top.h"
 
@@ -13,11 +15,11 @@ typedef struct {
     double orthonormality; /* largest entry of |axes axes^T - 1| */
 } jlt_attitude;
 
-/** From precession chi and spin; s = sqrt(1 - gamma3^2) is given apart, so that it keeps its digits near a pole. */
-void jlt_attitude_from_angles(jlt_attitude *out, const jlt_top *top, double gamma3, double s, double chi, double spin,
-                              const double centre[2]);
+/** Whether states of this table tell the attitude: it has, by their names, chi, spin, x, y beside gamma3, or the components of alpha, beta,
+ *  gamma and x, y. NULL is legal. */
+bool jlt_attitude_is_told(const jlt_descriptor *table);
 
-/** From integrated axes, as they are. */
-void jlt_attitude_from_axes(jlt_attitude *out, const jlt_top *top, const double axes[3][3], const double centre[2]);
+/** The attitude at y, shape (field->state_count,), of a field of such a table; the top has its parameters, in the units of y. */
+void jlt_attitude_of(jlt_attitude *out, const jlt_top *top, const jlt_descriptor *field, const double *y);
 
 #endif

@@ -23,8 +23,6 @@ static double third_integral(const jlt_top *top, const double *x)
            + (top->I1 - top->I3) * theta(top, x[JLT_TOP_GAMMA3], s) * x[JLT_TOP_OMEGA3] * x[JLT_TOP_OMEGA3];
 }
 
-const char jlt_balanced_level_names[] = "E|G|F0";
-
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x)
 {
     double sine, cosine;
@@ -79,19 +77,6 @@ static double slip2(const jlt_top *top, const jlt_balanced_levels *levels, doubl
 double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi)
 {
     return sqrt(slip2(top, levels, gamma3, s, psi));
-}
-
-double jlt_balanced_least_slip2(const jlt_top *top, const jlt_balanced_levels *levels, unsigned grid)
-{
-    const double pi = acos(-1);
-    double least = INFINITY;
-
-    for (unsigned i = 0; i <= grid; i++) {
-        const double tilt = pi * i / grid;
-        for (unsigned j = 0; j <= grid; j++) /* even in psi */
-            least = fmin(least, slip2(top, levels, cos(tilt), sin(tilt), pi * j / grid));
-    }
-    return least;
 }
 
 void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x)

@@ -21,9 +21,6 @@ typedef struct {
     double M; /* >= 0 */
 } jlt_balanced_levels;
 
-/* Their names, separated by '|'. */
-extern const char jlt_balanced_level_names[];
-
 /** Levels of a state, shape (JLT_TOP_STATES,). */
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x);
 
@@ -32,10 +29,6 @@ JLT_CHECKED jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const 
 
 /** v_slip >= 0 at (gamma3, psi) on the levels, for I1 != I3 as for I1 = I3; NaN where M^2 has no point there. */
 double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi);
-
-/** Least of v_slip^2 over all of M^2's coordinates, sampled on a grid of `grid` by `grid` points: where it is positive v_slip
- *  keeps its sign, and M^2 is two cylinders. */
-double jlt_balanced_least_slip2(const jlt_top *top, const jlt_balanced_levels *levels, unsigned grid);
 
 /** (gamma3, v_slip, psi) of a state, and back. s is given apart, so that it keeps its digits near a pole. */
 void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x);

@@ -16,7 +16,7 @@ enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, SAMPLES = 400, TRIES_MAX = 100
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "The levels; or those of --start", 1 },
-    { "orbits", ORBITS, "N", 0, "Orbits followed, both ways; default 60", 1 },
+    { "orbits", ORBITS, "N|0", 0, "Orbits followed, both ways; default 60", 1 },
     { "until", UNTIL, "T", 0, "How long; default 20", 1 },
     { "trajectories", TRAJECTORIES, "FILE", 0, "Write the orbits there", 1 },
     { 0 },
@@ -169,7 +169,7 @@ static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course
 /* One way from a start. A line breaks where psi jumps, or where v_slip passes zero into the other half. */
 static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *start, int direction, size_t number)
 {
-    const jlt_question question = { r->session.descriptor, r->session.params, start, false, false, NULL };
+    const jlt_question question = { r->session.descriptor, r->session.params, start, false, false, NULL, NULL };
     const jlt_course_options options = { .method = r->session.method, .tolerance = r->session.tolerance,
                                          .interrupt = r->session.interrupt };
     jlt_plan plan;
@@ -184,8 +184,8 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
         JLT_TRY(jlt_course_to(course, direction * r->until * i / SAMPLES, &row));
         if (row.end == JLT_END_INTERRUPT) break;
         const point now = point_of(r, row.x);
-        if (r->points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0)) fputs("\n", r->points);
-        if (r->points != NULL) jlt_look_row(r->points, (const double[]){ now.psi, now.gamma3, now.v_slip }, 3);
+        if (r->session.common.points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0)) fputs("\n", r->session.common.points);
+        if (r->session.common.points != NULL) jlt_look_row(r->session.common.points, (const double[]){ now.psi, now.gamma3, now.v_slip }, 3);
         if (file != NULL) {
             const double values[] = { row.t, now.gamma3, now.psi, now.v_slip, row.x[JLT_TOP_V_NU], row.x[JLT_TOP_OMEGA_TAU],
                                       row.x[JLT_TOP_OMEGA_N], row.x[JLT_TOP_OMEGA3] };
@@ -195,7 +195,7 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
         last = now;
         if (row.end == JLT_END_POLE) break;
     }
-    if (r->points != NULL) fputs("\n", r->points);
+    if (r->session.common.points != NULL) fputs("\n", r->session.common.points);
     /* on beyond what is drawn, until it is clear where the orbit goes */
     for (int i = 5; direction > 0 && i <= 4 * PATIENCE && row.end == JLT_END_TIME && fate_of(r, &row) == JLT_PORTRAIT_WANDERING; i++)
         JLT_TRY(jlt_course_to(course, r->until * i / 4, &row));
@@ -252,9 +252,8 @@ static jlt_exit show_plan(const jlt_portrait_request *r)
 static jlt_exit run(int argc, char **argv)
 {
     jlt_portrait_request r = { .orbits = 60, .until = 20 };
-    jlt_stream stream = { 0 }, trajectories = { 0 };
-    char *points = NULL;
-    size_t size = 0;
+    jlt_common *common = &r.session.common;
+    jlt_stream trajectories = { 0 };
     jlt_exit code;
     jlt_status st;
 
@@ -263,28 +262,24 @@ static jlt_exit run(int argc, char **argv)
     code = open_top(&r);
     if (code == JLT_EXIT_DONE) code = read_levels(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) code = show_plan(&r);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_open(&trajectories, r.trajectories);
     if (code != JLT_EXIT_DONE) goto done;
     st = jlt_balanced_fixed_points(r.fixed, &r.fixed_count, &r.top, &r.levels);
     r.fixed_curve = st == JLT_ERR_UNSUPPORTED;
-    write_fixed_points(stream.file, &r);
-    if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
-    if (r.points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
-    if (r.points != NULL) fclose(r.points);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_close(&stream);
+    write_fixed_points(common->table.file, &r);
+    if (common->points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_close(&trajectories);
-    if (code == JLT_EXIT_DONE && points != NULL) code = jlt_portrait_draw(&r, points);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = jlt_portrait_draw(&r);
 done:
-    jlt_stream_discard(&stream);
     jlt_stream_discard(&trajectories);
     jlt_assign_clear(&r.level);
-    free(points);
     jlt_session_end(&r.session);
     return code;
 }
 
 const jlt_command jlt_command_portrait = {
     "portrait", "--level ...|--start ... [OPTION...]",
-    "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run
+    "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run, &parser
 };

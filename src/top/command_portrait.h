@@ -2,6 +2,7 @@
 #ifndef JLT_TOP_COMMAND_PORTRAIT_H
 #define JLT_TOP_COMMAND_PORTRAIT_H
 
+#include "top/balanced.h"
 #include "cli/session.h"
 
 typedef enum {
@@ -25,10 +26,9 @@ typedef struct {
     unsigned fixed_count;
     bool fixed_curve;         /* the fixed points are not isolated */
     size_t fates[JLT_PORTRAIT_FATES];
-    FILE *points;             /* for the picture; NULL: none */
 } jlt_portrait_request;
 
-/** Draw the orbits collected in `points`. Says what is wrong. */
-jlt_exit jlt_portrait_draw(const jlt_portrait_request *request, const char *points);
+/** Draw the orbits that were collected. Says what is wrong. */
+jlt_exit jlt_portrait_draw(const jlt_portrait_request *request);
 
 #endif

@@ -26,7 +26,7 @@ static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
     fputs("\n", plot->stream);
 }
 
-jlt_exit jlt_portrait_draw(const jlt_portrait_request *request, const char *points)
+jlt_exit jlt_portrait_draw(const jlt_portrait_request *request)
 {
     const jlt_portrait_request *r = request;
     const double pi = acos(-1);
@@ -34,7 +34,7 @@ jlt_exit jlt_portrait_draw(const jlt_portrait_request *request, const char *poin
 
     if (jlt_plot_open(&plot, &r->session.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_panels(&plot, 2, false);
-    jlt_plot_block(&plot, "ORBITS", points);
+    jlt_plot_block(&plot, "ORBITS", r->session.common.drawn);
     jlt_plot_words(&plot, "Flow on M²\n");
     jlt_session_caption(&plot, &r->session);
     jlt_plot_value(&plot, "E", r->levels.E);

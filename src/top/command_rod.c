@@ -16,16 +16,15 @@ typedef struct {
     jlt_session session;
     jlt_grid_axis axes[AXES_MAX];
     double *targets[AXES_MAX]; /* what an axis runs over: an entry of the session's params or x */
-    size_t axis_count;
+    size_t axis_count, all; /* all: rows */
     const char *sweep;
     size_t rows;
     bool check;
-    FILE *points;
     jlt_extent extent[2]; /* of period and rotation number */
 } request;
 
 static const struct argp_option option_table[] = {
-    { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "sweep", SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
     { "check", CHECK, NULL, 0, "Integrate over the period as well (--tol, here 1e-15 by default): columns with what is left", 1 },
     { 0 },
 };
@@ -79,6 +78,7 @@ static jlt_exit bind_axes(request *r)
     jlt_exit code = JLT_EXIT_DONE;
 
     if (r->sweep != NULL) code = jlt_grid_parse(r->axes, &r->axis_count, AXES_MAX, r->sweep, "--sweep");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&r->all, r->axes, r->axis_count, r->sweep, "--sweep");
     for (size_t k = 0; code == JLT_EXIT_DONE && k < r->axis_count; k++) {
         if (strcmp(r->axes[k].name, "I3") == 0) code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: I3 is 0 here");
         else if (jlt_descriptor_param(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->params[index];
@@ -94,7 +94,7 @@ static jlt_exit bind_axes(request *r)
 static jlt_status integrate(double defects[3], const request *r, const jlt_rod *rod)
 {
     const jlt_session *s = &r->session;
-    const jlt_question question = { s->descriptor, s->params, s->x, false, false, "level" };
+    const jlt_question question = { s->descriptor, s->params, s->x, false, false, "level", NULL };
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
     const double pi = acos(-1), *x = s->x;
     jlt_plan plan;
@@ -159,8 +159,8 @@ static jlt_exit write_row(FILE *file, request *r)
             if (st != JLT_OK) return jlt_session_fail(st, "--check");
             count += 3;
         }
-        if (r->points != NULL && r->axis_count > 0)
-            jlt_look_row(r->points, (const double[]){ *r->targets[0], row[5], row[6] }, 3);
+        if (r->session.common.points != NULL && r->axis_count > 0)
+            jlt_look_row(r->session.common.points, (const double[]){ *r->targets[0], row[5], row[6] }, 3);
         jlt_extent_add(&r->extent[0], row[5]);
         jlt_extent_add(&r->extent[1], row[6]);
     }
@@ -170,7 +170,6 @@ static jlt_exit write_row(FILE *file, request *r)
 
 static jlt_exit write_rows(FILE *file, request *r)
 {
-    size_t all = 1;
     jlt_exit code = JLT_EXIT_DONE;
 
     for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = NAN; /* it runs over the rows */
@@ -179,13 +178,10 @@ static jlt_exit write_rows(FILE *file, request *r)
     fputs("# start", file);
     jlt_decimal_write_named(file, r->session.descriptor->states, r->session.x, r->session.descriptor->state_count);
     fputs("; quadratures by adaptive Gauss-Kronrod to 2e-14; nothing is random, so there is no seed\n", file);
-    for (size_t k = 0; k < r->axis_count; k++) {
-        fprintf(file, "%s,", r->axes[k].name);
-        all *= r->axes[k].count;
-    }
+    for (size_t k = 0; k < r->axis_count; k++) fprintf(file, "%s,", r->axes[k].name);
     fprintf(file, "E1,E2,G,gamma3_low,gamma3_high,period,rotation%s\n",
             r->check ? ",defect_gamma3,defect_turn,defect_state" : "");
-    for (; code == JLT_EXIT_DONE && r->rows < all && !jlt_session_interrupted(&r->session); r->rows++) {
+    for (; code == JLT_EXIT_DONE && r->rows < r->all && !jlt_session_interrupted(&r->session); r->rows++) {
         double values[AXES_MAX];
         jlt_grid_point(values, r->axes, r->axis_count, r->rows);
         for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = values[k];
@@ -194,7 +190,7 @@ static jlt_exit write_rows(FILE *file, request *r)
     return code;
 }
 
-static jlt_exit draw(const request *r, const char *points)
+static jlt_exit draw(const request *r)
 {
     static const char *const labels[] = { "period [s]", "rotation number" };
     char label[JLT_LOOK_LABEL_MAX];
@@ -203,7 +199,7 @@ static jlt_exit draw(const request *r, const char *points)
     if (jlt_plot_open(&plot, &r->session.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_panels(&plot, 2, true);
     *r->targets[0] = NAN; /* the one axis, which is no part of the caption */
-    jlt_plot_block(&plot, "ROWS", points);
+    jlt_plot_block(&plot, "ROWS", r->session.common.drawn);
     jlt_plot_words(&plot, "Period and rotation number\n");
     jlt_session_caption(&plot, &r->session);
     jlt_look_label(label, r->axes[0].name, "");
@@ -221,9 +217,8 @@ static jlt_exit draw(const request *r, const char *points)
 static jlt_exit run(int argc, char **argv)
 {
     request r = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
-    jlt_stream stream = { 0 };
-    char *points = NULL;
-    size_t size = 0, I3;
+    jlt_common *common = &r.session.common;
+    size_t I3;
     jlt_exit code;
 
     jlt_session_begin(&r.session, argc, argv);
@@ -247,23 +242,18 @@ static jlt_exit run(int argc, char **argv)
         puts("  * quadrature: nothing is integrated in time");
         code = JLT_EXIT_PLANNED;
     }
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
-    if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
-    code = write_rows(stream.file, &r);
-    if (r.points != NULL) fclose(r.points);
-    if (code != JLT_EXIT_DONE) goto done;
-    code = jlt_stream_close(&stream);
+    code = write_rows(common->table.file, &r);
+    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_session_interrupted(&r.session))
-        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, stream.path);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&r, points);
+        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, common->table.path);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&r);
 done:
-    jlt_stream_discard(&stream);
-    free(points);
     jlt_session_end(&r.session);
     return code;
 }
 
 const jlt_command jlt_command_rod = {
-    "rod", "--start ... [OPTION...]", "I3 = 0 by quadratures: period, rotation number, checked against integration", run
+    "rod", "--start ... [OPTION...]", "I3 = 0 by quadratures: period, rotation number, checked against integration", run, &parser
 };

@@ -1,9 +1,11 @@
 #include "top/rod.h"
 
 #include "ext/quadrature.h"
+#include "kernel/descriptor.h"
+#include "kernel/way.h"
 
 #include <math.h>
-#include <stdbool.h>
+#include <string.h>
 
 enum { NEWTON_MAX = 60 };
 
@@ -179,4 +181,54 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     x[JLT_TOP_OMEGA3] = (v_tau - (top->a3 + top->R * gamma3) * x[JLT_TOP_OMEGA_N]) / (top->R * s);
 done:
     return st;
+}
+
+/* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose equations these
+ * quadratures solve. */
+static const char *const integrals[] = { "E1", "E2", "G" };
+static const char level[] = "spherical_top_level";
+
+const char jlt_rod_meaning[] = "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time";
+
+bool jlt_rod_is_known(const jlt_descriptor *model)
+{
+    static const char *const states[JLT_TOP_STATES] = { "gamma3", "v_nu", "omega_tau", "omega_n", "omega3" };
+    static const char *const params[] = { "m", "R", "g", "a3", "I1", "I3" };
+    size_t index;
+
+    if (model->state_count != JLT_TOP_STATES) return false;
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++)
+        if (strcmp(model->states[i].name, states[i]) != 0) return false;
+    for (unsigned i = 0; i < sizeof params / sizeof *params; i++)
+        if (!jlt_descriptor_param(model, params[i], &index)) return false;
+    for (unsigned i = 0; i < sizeof integrals / sizeof *integrals; i++)
+        if (jlt_descriptor_claim(model, "integral", integrals[i]) == NULL) return false;
+    return true;
+}
+
+static const jlt_way *way_to(const jlt_descriptor *model, const jlt_descriptor *table)
+{
+    for (unsigned i = 0; i < model->way_count; i++)
+        if (strcmp(model->ways[i].sha256, table->sha256) == 0 && model->ways[i].condition_count == 0) return &model->ways[i];
+    return NULL;
+}
+
+const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
+    const jlt_way *way;
+    jlt_top top;
+
+    *broken = NULL;
+    if (jlt_top_read(&top, model, params) != JLT_OK) return "the parameters are not those of a top";
+    if (top.I3 != 0) return "I3 is not 0";
+    if (x != NULL && jlt_top_jellett(&top, x) == 0) return "G = 0: the orbit runs through the poles";
+    if (table == NULL || (way = way_to(model, table)) == NULL) return "no way leads to the table whose equations they solve";
+    if (!jlt_way_holds(broken, model, way, table)) return "a claim that it rests on is not proved";
+    for (unsigned i = 0; i < sizeof integrals / sizeof *integrals; i++) {
+        *broken = jlt_descriptor_claim(model, "integral", integrals[i]);
+        if ((*broken)->verdict != JLT_PROVED) return "a claim that it rests on is not proved";
+    }
+    *broken = NULL;
+    return NULL;
 }

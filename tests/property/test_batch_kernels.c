@@ -230,12 +230,86 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
     }
 }
 
+/* Columns of stages_varied after its last stage: sums with 8 roundings of the largest term; slopes of states from the same program as
+ * rhs_jacobian, bit for bit; of tangent vectors the Jacobian times them, a rounding a term and one for its product; of the integrals
+ * the trace and dt/dtau. */
+static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *d, const double *p, unsigned tangents, uint64_t *state)
+{
+    enum { ROW = 16, COUNT = 3, COLUMNS_MAX = 4 * 32 + 2 };
+    static _Alignas(64) double x[COLUMNS_MAX * ROW], z[COLUMNS_MAX * ROW], k[(COUNT + 1) * COLUMNS_MAX * ROW], h[ROW], rate[ROW],
+        linear[OUTPUTS_MAX * ROW];
+    static const jlt_stage_sum sums[COUNT] = { { 1, { 0 }, { 0.25 } },
+                                               { 2, { 0, 1 }, { -0.5, 1.25 } },
+                                               { 3, { 0, 1, 2 }, { 0.75, 0.5, 0.125 } } };
+    const unsigned n = d->state_count, columns = n * (1 + tangents) + 2, row = JLT_BATCH_VECTORS * kernels->lanes;
+
+    assert_true(columns <= COLUMNS_MAX && n * (n + 1) <= OUTPUTS_MAX);
+    for (unsigned j = 0; j < row; j++) {
+        for (unsigned i = 0; i < columns; i++) {
+            x[i * row + j] = i < n ? inside(&d->states[i], state) : 2 * uniform(state) - 1;
+            k[i * row + j] = 2 * uniform(state) - 1;
+        }
+        h[j] = 1e-3 * (j + 1);
+        rate[j] = 1;
+    }
+    kernels->stages_varied(x, k, sums, COUNT, h, p, z, tangents);
+    for (unsigned i = 0; i < columns * row; i++) {
+        double total = x[i], size = fabs(x[i]);
+        for (unsigned l = 0; l < COUNT; l++) {
+            const double term = h[i % row] * sums[COUNT - 1].weight[l] * k[l * columns * row + i];
+            total += term;
+            size = fmax(size, fabs(term));
+        }
+        if (isfinite(total)) assert_true(fabs(z[i] - total) <= 8 * 0x1p-53 * size);
+    }
+    for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs_jacobian(z + at, p, linear + at, row);
+    for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes) kernels->time_factor(z + at, p, rate + at, row);
+    for (unsigned j = 0; j < row; j++) {
+        const double *slope = k + (size_t)COUNT * columns * row + j, *jacobian = linear + n * row + j;
+        double trace = 0, size = 0;
+        for (unsigned i = 0; i < n; i++) {
+            assert_same(slope[i * row], linear[i * row + j]);
+            trace += jacobian[(i * n + i) * row];
+            size = fmax(size, fabs(jacobian[(i * n + i) * row]));
+        }
+        if (isfinite(trace)) assert_true(fabs(slope[(columns - 2) * row] - trace) <= n * n * 0x1p-53 * size);
+        assert_same(slope[(columns - 1) * row], rate[j]);
+        for (unsigned i = n; i < columns - 2; i++) {
+            const double *vector = z + (i - i % n) * row + j;
+            double sum = 0;
+            size = 0;
+            for (unsigned l = 0; l < n; l++) {
+                const double term = jacobian[(i % n * n + l) * row] * vector[l * row];
+                sum += term;
+                size = fmax(size, fabs(term));
+            }
+            if (isfinite(sum)) assert_true(fabs(slope[i * row] - sum) <= 2 * n * n * 0x1p-53 * size);
+        }
+    }
+}
+
+static void variational_equations_are_the_jacobian_times_their_vectors(void **unused)
+{
+    uint64_t state = 20234;
+
+    (void)unused;
+    for (unsigned index = 0; index < jlt_registry_count; index++) {
+        const jlt_descriptor *d = jlt_registry[index];
+        double *p = make_block(d, &state);
+        for (int isa = 0; isa < JLT_ISA_COUNT; isa++)
+            for (unsigned tangents = 0; jlt_batch_isa_runs(d->batches[isa]) && tangents <= 3; tangents++)
+                check_varied(d->batches[isa], d, p, tangents, &state);
+        free(p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lanes_agree_with_scalar_kernels),
         cmocka_unit_test(stages_are_fields_of_weighted_sums),
         cmocka_unit_test(the_clock_is_carried_beside_the_same_stages),
+        cmocka_unit_test(variational_equations_are_the_jacobian_times_their_vectors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "scene/course.h"
+#include "top/balanced.h"
 #include "top/rod.h"
 
 enum { STATES = JLT_TOP_STATES, TRIALS = 40 };
@@ -35,7 +36,7 @@ static void integrate(double *out, const jlt_top *top, const double *start, doub
 {
     const double params[] = { top->m, top->R, top->g, top->a3, top->I1, top->I3 };
     const jlt_question question = { jlt_descriptor_find("spherical_top", NULL, NULL, NULL), params, start, false, false,
-                                    "five" };
+                                    "five", NULL };
     jlt_plan plan;
     jlt_course *course = NULL;
     jlt_course_row row;

@@ -107,6 +107,11 @@ interrupted() { # SIGNAL MESSAGE COMMAND...
     [ $(($(date +%s%N) - begun)) -lt 1000000000 ] || fail "$1 $2: more than a second after SIG$signal"
     grep -q "$message" err || fail "$1 $2, SIG$signal: $(cat err)"
 }
+# A parameter that is called as a column is: both columns are told apart.
+printf '%s\n' 'model arcs' 'param arc' 'default arc = 0' 'state x' 'state u' 'eq x = u' 'eq u = -x + arc*x^3' > arcs.tt
+XDG_CACHE_HOME=$PWD/cache jellett continue ./arcs.tt --section x=0 --start u=0.5 --along arc=0:0.1 > arcs.csv 2> err
+grep -q '^branch,along_arc,arc,period,u,' arcs.csv || fail "a parameter 'arc': $(cat err) $(grep branch arcs.csv)"
+
 for signal in INT TERM HUP; do
     interrupted $signal 'interrupted; [0-9]* whole rows' jellett continue --along I3=0.1:0.6 --branches --step 1e-5 --count 1000000 -o long.csv
     [ "$(grep -c '^[0-9]' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"

@@ -66,11 +66,19 @@ eq z = - z
 section cut : by folded_cut.tt at x = 0 with q = u^2, z = z
 T
 printf 'model folded_cut\nstate q in (0, inf)\nstate z\nroot u = sqrt(q)\nlift into folded.tt with x = 0, u = u, z = z\n' > folded_cut.tt
-expect 3 'crossed in one --direction alone' jellett orbits ./folded.tt --grid q=1:2:3,z=-0.1:0.1:3 --period 1
+expect 3 'it is the other half that is crossed' jellett orbits ./folded.tt --grid q=1:2:3,z=-0.1:0.1:3 --period 1
 # Downwards it is met once a turn, 2 pi, on which z decays by exp(-2 pi) = 0.0018674427.
 expect 0 '^0,1,6\.28318530717[0-9]*,(1|0\.99999999999|1\.00000000000)[0-9]*,0\.000186744273[0-9]*,alive$' \
     jellett section ./folded.tt --direction down --start q=1,z=0.1 --returns 1
 expect 3 'q must lie above 0' jellett section ./folded.tt --direction down --start q=-1,z=0
+
+# Where x' = - u z lifted points of u > 0 are crossed downwards at z > 0, upwards at z < 0, so that neither direction has them all.
+sed -e 's/folded/mixed/; s/^eq x = - u/eq x = - u*z/; s/folded_cut/mixed_cut/' folded.tt > mixed.tt
+sed -e 's/folded/mixed/g' folded_cut.tt > mixed_cut.tt
+for direction in up down both; do
+    expect 3 'it is the other half that is crossed' \
+        jellett section ./mixed.tt --direction $direction --start q=1,z=0.1 --returns 1
+done
 
 # g' = p, p' = -1: orbits run through g = -1 at speed, which is no pole to come to; in the time of s they would come back in time.
 cat > ball.tt <<'T'
@@ -127,4 +135,32 @@ root u = sqrt(2*H - y^2 - v^2)
 lift into small.tt with x = 0, y = y, u = u, v = v
 T
 expect 0 '^0,1,6\.2831853071[0-9]*,' jellett section ./small.tt --level H=1/1000000 --start y=0.001,v=0 --returns 1
+
+# A section of more coordinates, or values, than one that a table describes may have: the table's own serves.
+write_wide() { # NAME DECAYING PARAMETERS
+    local name=$1 q k
+    q=$(seq 1 "$2") k=$(seq 1 "$3")
+    {
+        echo "model $name"
+        for i in $k; do printf 'param k%s\ndefault k%s = 1\n' "$i" "$i"; done
+        for i in x u $(seq -f 'q%.0f' 1 "$2"); do echo "state $i"; done
+        echo "eq x = u"
+        echo "eq u = -x$(for i in $k; do printf ' + k%s*x*u^2 - k%s*x*u^2' "$i" "$i"; done)"
+        for i in $q; do echo "eq q$i = -q$i"; done
+    } > "$name.tt"
+    sed '/^eq/d; /^state x/d; s/^model.*/&_cut/' "$name.tt" > "${name}_cut.tt"
+    echo "lift into $name.tt with x = 0, u = u$(for i in $q; do printf ', q%s = q%s' "$i" "$i"; done)" >> "${name}_cut.tt"
+    echo "section cut : by ${name}_cut.tt at x = 0 with u = u$(for i in $q; do printf ', q%s = q%s' "$i" "$i"; done)" >> "$name.tt"
+}
+write_wide wide 16 0
+zeros=$(printf 'q%s=0,' $(seq 1 16))
+expect 3 'has 17 coordinates, and 16 are the limit of sections that tables describe: ask for .*--section x=0' \
+    jellett section ./wide.tt --start "${zeros}u=1" --returns 1
+expect 0 ',alive$' jellett section ./wide.tt --section x=0 --start "${zeros}u=1" --returns 1
+write_wide many 1 65
+for cut in "" "--section cut"; do
+    # shellcheck disable=SC2086
+    expect 3 'has 65 parameters and levels, and 64 are the limit' jellett section ./many.tt $cut --start u=1,q1=0 --returns 1
+done
+expect 0 ',alive$' jellett section ./many.tt --section x=0 --start u=1,q1=0 --returns 1
 exit $status

@@ -122,18 +122,18 @@ run 0 simulate --track --set m=0.67395,R=0.470985,g=0,I1=0.0591889,I3=0.0591889,
     --start gamma3=-0.0607461,v_nu=-1.39643,omega_tau=3.62448,omega_n=-0.986603779295012,omega3=-1.73545
 tail -1 "$scratch/out" | grep -q ',pole+$' || fail "|a3| > R: $(tail -1 "$scratch/out")"
 
-# The chart without omega3 ends before b = a3 + R gamma3 vanishes: an error of omega3 is there one of omega_n divided by b, and up to
-# there the orbit is that of the level, within a tolerance of 1e-12 times a thousand for that and a thousand for steps and conditioning.
+# The chart without omega3 ends before b = a3 + R gamma3 vanishes: an error of omega3 is there one of omega_n divided by b. It ends where
+# I3^2 b^2 (1 + omega3^2) = 2e-6 G^2, nearer than 5e-3 for |G| < 1, and up to there the orbit is that of the level, within a tolerance of 1e-12 times a thousand for that and a thousand for steps and conditioning.
 for start in v_nu=0,omega_tau=0,omega_n=0.3,omega3=0.2 v_nu=2.4,omega_tau=-1.1,omega_n=0.26,omega3=-0.34 \
     v_nu=1.28,omega_tau=-0.25,omega_n=-1.1,omega3=-0.36 v_nu=0.16,omega_tau=-0.24,omega_n=0.59,omega3=-0.64; do
     run 4 simulate --tier level_omega3 --compare level --start "gamma3=0.3,$start" --until 10 --every 1/20
-    [ "$(last 11)" = left_domain ] && near "$(last 2)" -0.509 1e-9 || fail "level_omega3: $(tail -1 "$scratch/out")"
+    [ "$(last 11)" = left_domain ] && near "$(last 2)" -0.51 5e-3 || fail "level_omega3: $(tail -1 "$scratch/out")"
     awk -F, '/^[0-9]/ && $10 != "" && $10 > worst { worst = $10 } END { exit !(worst <= 1e-6) }' "$scratch/out" ||
         fail "level_omega3, $start: off before its end"
-    grep -q 'b = a3 + R gamma3 is below' "$scratch/err" || fail "level_omega3: $(cat "$scratch/err")"
+    grep -q 'G hardly contains omega3' "$scratch/err" || fail "level_omega3: $(cat "$scratch/err")"
 done
-run 4 simulate --tier level_omega3 --start gamma3=-0.51,v_nu=1,omega_tau=1,omega_n=0.3,omega3=0.2 --until 10 --every 5
-[ "$(last 10)" = left_domain ] || fail "level_omega3 from b = 0: $(tail -1 "$scratch/out")"
+run 3 simulate --tier level_omega3 --start gamma3=-0.51,v_nu=1,omega_tau=1,omega_n=0.3,omega3=0.2 --until 10 --every 5
+grep -q 'G does not contain omega3' "$scratch/err" || fail "level_omega3 from b = 0: $(cat "$scratch/err")"
 
 # A level of the balanced sphere without a state. F0 is least where Theta omega3^2 is largest: -0.16 here (I1 = 2/5, I3 = 3/5,
 # E = 1, G = 0: M^2 = 2.8 - 2.5 F0, and F0 >= -0.2*0.4 M^2/1.6).

@@ -108,7 +108,7 @@ jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,ome
 expect 3 'omega_n as well' jellett simulate --start gamma3=0,v_nu=0,omega_tau=0 --times 1
 expect 3 'strictly between -1 and 1' jellett simulate --start gamma3=1,v_nu=0,omega_tau=0,omega_n=0,omega3=0 --times 1
 expect 3 "no tier 'six'" "${generic[@]}" --times 1 --tier six
-expect 3 'a3 is not 0' "${generic[@]}" --times 1 --tier plane
+expect 3 'the reduction momentum serves where a3 = 0' "${generic[@]}" --times 1 --tier plane
 expect 3 'in one direction' "${generic[@]}" --times 1,0.5
 expect 2 'say when' "${generic[@]}"
 expect 3 'a3 = 0' jellett portrait --set a3=0.1 --level E=1,G=0,F0=0
@@ -143,6 +143,22 @@ for file in rod_orbit.csv rod_orbit.svg rod.csv rod.svg rod_periodic.csv full.cs
 done
 awk -F, '/^[0-9]/ { if ($(NF - 1) > 1e-9) bad = 1 } END { exit bad }' "$scratch/full.csv" || fail "quadratures and the full system differ"
 printf 'title = "x";\ncompute = ( { what = "simulate"; start = { gamma4 = 1; }; until = 1; } );\n' > "$scratch/bad.scene"
+# Plans look at starts and grids, and say what would follow the orbits.
+expect 3 "gamma3 must lie strictly between -1 and 1" jellett plan section --start eta=0.1,gamma3=3
+expect 3 "give gamma3 as well" jellett plan lyapunov --start eta=0.02
+expect 2 "leave out --batch for z=27" jellett plan section --batch lorenz --section z=27 --start x=1,y=2
+planned() { # WORDS OPTION...
+    local words=$1
+    shift
+    jellett plan "$@" > "$scratch/plan" || fail "jellett plan $*"
+    grep -qE "$words" "$scratch/plan" || fail "jellett plan $*: no '$words' in $(tail -2 "$scratch/plan")"
+}
+planned '^  starts 1 of --start, 100 of a grid, of which 50 are on the section$' \
+    section --level E=0.5 --start eta=0.1,gamma3=-0.6 --grid eta=-3:3:10,gamma3=-0.9:0.9:10
+planned '^  starts 384 of a grid' section --grid 24x16
+planned '^  method gauss, tolerance 1e-09, one orbit at a time$' section --grid 24x16 --tol 1e-9
+planned '^  many orbits at once by stepanov10 on .*; gauss from where an orbit comes near a pole$' section --batch --grid 24x16
+
 expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett run "$scratch/bad.scene"
 expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett plan "$scratch/bad.scene"
 printf 'compute = (\n { what = "simulate"; until = 1; } );\n' > "$scratch/bad.scene"

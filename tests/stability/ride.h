@@ -6,37 +6,50 @@
 
 #include "integrate/orbit.h"
 #include "kernel/descriptor.h"
-#include "kernel/instance.h"
-#include "top/tier.h"
+#include "scene/tier.h"
+#include "top/top.h"
 
 /* (5.1) of Kilin and Ivanova (2023). */
 static const jlt_top top_51 = { 1, 1, 1, 0.51, 1.0 / 3, 1.0 / 3 };
 
-enum { RIDE_COLUMNS = 24, RIDE_PARAMS = 16 };
+enum { RIDE_COLUMNS = 24 };
 
 typedef struct {
-    const jlt_tier *tier;
+    jlt_tier tier;
     jlt_tier_view view;
-    jlt_instance *instance;
+    jlt_instance *instance; /* the view's */
     jlt_field field;
     jlt_orbit *orbit;
+    double start[RIDE_COLUMNS]; /* in the tier's coordinates */
 } ride;
+
+/* A tier of the top, bound to x. */
+static inline jlt_status ride_look(jlt_tier_view *view, double *y, const char *tier, const jlt_top *top, const double *x)
+{
+    const double params[] = { top->m, top->R, top->g, top->a3, top->I1, top->I3 };
+    char refusal[JLT_TIER_TEXT_MAX];
+    jlt_tier found;
+
+    assert_true(jlt_tier_find(&found, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL, tier));
+    return jlt_tier_open(view, y, refusal, &found, params, x);
+}
 
 static inline void ride_open(ride *out, const char *tier, const jlt_top *top, const double *x, const jlt_method *method,
                              const jlt_options *options, int direction)
 {
-    double params[RIDE_PARAMS], y[RIDE_COLUMNS];
+    double y[JLT_WAY_VALUES_MAX];
 
-    *out = (ride){ .tier = jlt_tier_find(tier) };
-    assert_non_null(out->tier);
-    const jlt_descriptor *d = jlt_descriptor_find(out->tier->model, NULL, out->tier->time, out->tier->elimination);
-    assert_non_null(d);
-    assert_true(d->param_count <= RIDE_PARAMS && d->state_count <= RIDE_COLUMNS);
-    jlt_tier_look(&out->view, out->tier, d, top, x);
-    assert_ok(jlt_tier_params(params, &out->view));
-    assert_ok(jlt_instance_create(&out->instance, d, params));
+    *out = (ride){ .orbit = NULL };
+    assert_ok(ride_look(&out->view, y, tier, top, x));
+    out->tier = out->view.tier;
+    const jlt_descriptor *special = out->view.instance->descriptor;
+    const jlt_descriptor *d = jlt_descriptor_sibling(special, NULL, special->time, special->elimination); /* the general field, whatever the parameters */
+    assert_ok(jlt_instance_create(&out->instance, d, out->view.instance->params));
+    jlt_instance_destroy(out->view.instance);
+    out->view.instance = out->instance;
+    assert_true(d->state_count <= RIDE_COLUMNS);
+    memcpy(out->start, y, d->state_count * sizeof *y);
     assert_ok(jlt_field_of(&out->field, d, out->instance->block));
-    out->tier->embed(&out->view, y, x);
     jlt_options watched = *options;
     watched.invariants = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call,
                                             out->instance->block };
@@ -46,7 +59,7 @@ static inline void ride_open(ride *out, const char *tier, const jlt_top *top, co
 
 static inline void ride_states(const ride *self, double *x, const double *y)
 {
-    self->tier->extract(&self->view, x, y);
+    jlt_tier_extract(&self->view, x, y);
 }
 
 /* The largest drift of the integrals so far. */
@@ -62,7 +75,7 @@ static inline double ride_drift(const ride *self)
 static inline void ride_close(ride *self)
 {
     jlt_orbit_destroy(self->orbit);
-    jlt_instance_destroy(self->instance);
+    jlt_tier_close(&self->view);
 }
 
 #endif

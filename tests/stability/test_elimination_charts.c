@@ -59,6 +59,7 @@ static void the_level_keeps_its_digits_through_b_0_and_a_single_chart_shows_its_
 {
     static const char *const tiers[] = { "level", "level_plain", "level_omega_n", "level_omega3" };
     const double tolerance = 1e-13;
+    double by_level[8] = { 0 }; /* errors of the level, by method */
 
     for (size_t i = 0; i < 4; i++)
         for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
@@ -68,11 +69,12 @@ static void the_level_keeps_its_digits_through_b_0_and_a_single_chart_shows_its_
                       (double)c.steps / ORBITS, c.failed, c.least);
             print_message("%-13s %-8s error %.1e, drift of E %.1e, %.0f steps a return, %d fail, least |b| %.0e\n", tiers[i], name,
                           c.error, c.drift, (double)c.steps / ORBITS, c.failed, c.least);
+            if (i == 0) by_level[m] = c.error;
             if (i < 3) {
                 assert_int_equal(c.failed, 0);
                 assert_below(c.error, 10 * (double)c.steps / ORBITS * tolerance);
             } else {
-                assert_true(c.error > 100 * tolerance || c.failed > 0);
+                assert_true(c.error > 100 * by_level[m] || c.failed > 0);
                 assert_true(c.drift > 1e-3 * c.error);
             }
         }
@@ -102,23 +104,9 @@ static void a_start_on_b_0_is_like_any_other_but_in_the_chart_that_divides_by_it
         }
     }
 
-    const jlt_tier *tier = jlt_tier_find("level_omega3");
     const double x[JLT_TOP_STATES] = { -0.51, 0.3, 0.5, -2, 1.2 };
-    const jlt_descriptor *d = jlt_descriptor_find(tier->model, NULL, tier->time, tier->elimination);
     jlt_tier_view view;
-    double params[RIDE_PARAMS];
-    jlt_instance *instance = NULL;
-    jlt_field field;
-    jlt_orbit *orbit = NULL;
-    jlt_tier_look(&view, tier, d, &top_51, x);
-    assert_ok(jlt_tier_params(params, &view));
-    assert_ok(jlt_instance_create(&instance, d, params));
-    assert_ok(jlt_field_of(&field, d, instance->block));
-    tier->embed(&view, y, x);
-    assert_ok(jlt_orbit_create(&orbit, NULL, &field, NULL));
-    assert_int_equal(jlt_orbit_start(orbit, 0, y, +1), JLT_ERR_NONFINITE);
-    jlt_orbit_destroy(orbit);
-    jlt_instance_destroy(instance);
+    assert_int_equal(ride_look(&view, y, "level_omega3", &top_51, x), JLT_ERR_UNSUPPORTED);
 }
 
 static int prepare(void **state)

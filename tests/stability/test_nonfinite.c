@@ -28,7 +28,7 @@ static void orbits_refuse_them(void **unused)
         jlt_orbit *orbit = NULL;
         ride r;
         ride_open(&r, "five", &top_51, start, jlt_method_at(m), &(jlt_options){ .tolerance = 1e-10 }, +1);
-        r.tier->embed(&r.view, y, start);
+        memcpy(y, r.start, sizeof r.start);
         for (unsigned i = 0; i < r.field.dim; i++) {
             memcpy(changed, y, sizeof changed);
             changed[i] = *value;
@@ -206,7 +206,7 @@ static void scenes_refuse_them(void **unused)
             memcpy(p, params, sizeof p);
             memcpy(x, start, sizeof x);
             *(i < 6 ? &p[i] : &x[i - 6]) = *value;
-            const jlt_question question = { model, p, x, false, false, tiers[t] };
+            const jlt_question question = { model, p, x, false, false, tiers[t], NULL };
             jlt_status st = jlt_plan_make(&plan, &question);
             if (st == JLT_OK) st = jlt_course_create(&course, &plan, &question, &(jlt_course_options){ .tolerance = 1e-10 });
             if (st == JLT_OK) st = jlt_course_to(course, 1, &row);

@@ -188,7 +188,7 @@ static void batches_find_the_same_pairs(void **state)
             const jlt_event section = { .column = 2 };
             ride r;
             ride_open(&r, "level", &top_51, all[i].x, NULL, &(jlt_options){ .tolerance = 1e-13 }, +1);
-            r.tier->embed(&r.view, y, all[i].x);
+            memcpy(y, r.start, sizeof r.start);
             const jlt_batch_map map = batch_of(&r, 1e-13, 0);
             assert_ok(jlt_batch_section(&map, y, 1, 2, keep_row, keep_end, &rows, NULL));
             double off = 0;
@@ -242,7 +242,7 @@ static void a_start_on_the_section_is_no_crossing(void **state)
             batch_rows made = { 0 };
             ride r;
             ride_open(&r, "level", &top_51, x, NULL, &(jlt_options){ .tolerance = 1e-12 }, +1);
-            r.tier->embed(&r.view, y, x);
+            memcpy(y, r.start, sizeof r.start);
             y[2] = offsets[k];
             const jlt_batch_map map = batch_of(&r, 1e-12, 1);
             assert_ok(jlt_batch_section(&map, y, 1, 1, keep_row, keep_end, &made, NULL));

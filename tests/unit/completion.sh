@@ -8,8 +8,8 @@ trap 'rm -rf "$scratch"' EXIT
 cmake --install "$JLT_BINARY_DIR" --prefix "$scratch/tree" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
 export PATH=$scratch/tree/bin:$PATH HOME=$scratch
 share=$scratch/tree/share
-mkdir "$scratch/work" "$scratch/work/folder"
-cd "$scratch/work"
+mkdir "$scratch/here" "$scratch/here/folder"
+cd "$scratch/here"
 printf 'param k > 0\nstate x\nstate v\n' > own.tt
 touch motion.scene table.csv
 status=0
@@ -71,6 +71,9 @@ expect 'jellett section --section ' turning gamma3= v_nu= omega_tau= omega_n= om
 expect 'jellett section --direction ' up down both
 expect 'jellett section --contact=' --contact={ignore,report,end}
 expect 'jellett section --level ' E= G=
+expect 'jellett portrait --level ' E= G= F0=
+expect 'jellett fates --sweep=a' --sweep=a3=
+expect 'jellett rod --sweep omega' omega_tau= omega_n= omega3=
 expect 'jellett section --grid ' eta= gamma3=
 expect 'jellett section --grid 24' ''
 expect 'jellett simulate --method rk' rk8pd rkf45

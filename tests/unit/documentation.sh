@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The documentation keeps pace with the programs: every command that --help names is in the man page with its options, and in the
-# page of commands; every page is reached from README.md; every program and file that a page names exists; examples can be copied.
+# page of commands; man pages are well-formed; every page is reached from README.md; every program and file that a page names exists; examples can be copied.
 set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
@@ -12,7 +12,12 @@ for program in ttc jellett; do
     commands=$($program --help | awk -v name=$program '/^  [a-z][a-z-]*( |$)/ && $1 != name { print $1 }' | sort -u)
     [ -n "$commands" ] || fail "$program --help: no line '  COMMAND ...' found"
     for command in $commands; do
-        grep -qx "\.Ss $command" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
+        page=$JLT_BINARY_DIR/man/$program-$command.1
+        grep -qx "\.It Xr $program-$command 1" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
+        for section in NAME SYNOPSIS DESCRIPTION OPTIONS ENVIRONMENT FILES 'EXIT STATUS' 'SEE ALSO'; do
+            [ "$(grep -cx "\.Sh $section" "$page")" = 1 ] || fail "$page: no section $section"
+        done
+        ! grep -nE '^ +(jellett|ttc) ' "$page" > /dev/null || grep -qx '\.Sh EXAMPLES' "$page" || fail "$page: no examples"
         grep -qE "\b$program $command\b" tools/docs/commands.md || fail "tools/docs/commands.md: '$program $command' is not mentioned"
         # An indented example that argp has wrapped goes on at the left edge.
         $program "$command" --help | awk -v what="$program $command --help" '
@@ -22,10 +27,18 @@ for program in ttc jellett; do
         # Where an option's line is full, argp may write the margin of what follows before it: another length of either mends it.
         ! $program "$command" --help | grep -nE '^  -.,  +--' || fail "$program $command --help: an option stands behind the margin"
         for option in $($program "$command" --help | grep -oE -- '--[a-z][a-z-]*' | sort -u); do
-            grep -qF -- "${option//-/\\-}" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: $option is missing"
+            option=${option#-}
+            grep -qF -- "${option//-/\\-}" "$page" || fail "$page: -$option is missing"
         done
+        listed=$($program "$command" --help | grep -cE '^(  -., |      )--[a-z]')
+        [ "$(grep -c '^\.It Fl ' "$page")" = "$listed" ] || fail "$page: other options than --help lists"
     done
 done
+
+! grep -nE '^@|^  .{100}' "$JLT_BINARY_DIR"/man/*.1 || fail "^ a man page has what its template was to be replaced by, or a line that no terminal shows whole"
+if command -v mandoc > /dev/null; then
+    mandoc -T lint -W warning "$JLT_BINARY_DIR"/man/*.1 || status=1
+else echo "skipped: mandoc, which looks at man pages, is not installed"; fi
 
 # What a page types in code: scripts and files of the source exist, commands of the programs exist. (Transcripts of refusals, which are
 # run, type what does not.)

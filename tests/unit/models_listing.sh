@@ -18,7 +18,7 @@ cut -f 1-5,7-13,16-22 generated/counts.tsv | sort | comm -13 - "$scratch/counts"
 
 jq -r '.[] | .model as $m | .parameters[] | select(.default != null) | [$m, .name, .default] | map(tostring) | join("\t")' "$scratch/listed" |
     sort -u > "$scratch/defaults"
-for table in $(grep -L '^lift ' codegen/models/*.tt); do # tables of coordinates are no models
+for table in $(grep -L '^lift into ' codegen/models/*.tt); do # tables of coordinates are no models
     # default NAME = NUMBER, ... with numbers like 1/3
     awk -v model="$(basename "$table" .tt)" '/^default / { sub(/^default /, ""); sub(/#.*/, ""); n = split($0, items, ",")
         for (i = 1; i <= n; i++) { split(items[i], pair, "="); gsub(/ /, "", pair[1]); split(pair[2], of, "/")

@@ -44,4 +44,20 @@ static inline uint32_t symbol(const ttc_model *model, const char *name)
     return found;
 }
 
+/* Not a table with that line behind its head: a message says these words. */
+static inline void refuses(const char *head, const char *line, const char *words)
+{
+    char text[2000];
+    bool told = false;
+    snprintf(text, sizeof text, "%s%s\n", head, line);
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(text, strlen(text), "t.tt", diagnostics);
+    for (size_t i = 0; i < ttc_diagnostics_size(diagnostics); i++)
+        told |= strstr(ttc_diagnostics_at(diagnostics, i).message, words) != NULL;
+    if (model != NULL || !told) print_error("'%s' is not refused with '%s'\n", line, words);
+    assert_null(model);
+    assert_true(told);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
 #endif

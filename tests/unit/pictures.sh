@@ -105,6 +105,15 @@ base=(jellett drift --returns 4 --method dop853) && refuse --yrange --yrange=-1:
 base=(jellett lyapunov --returns 4) && refuse --xrange --xrange=0:1 && refuse --axes --axes=eta,gamma3
 base=(jellett separation) && refuse --xrange --xrange=0:1
 base=(jellett fates --sweep E=1:2:2) && refuse --axes --axes=eta,gamma3
+# The range of an axis in which nothing lies is told, and the table is there; gnuplot's own words are not shown.
+rm -f ./*
+jellett drift --returns 4 --method dop853 --xrange 1e5:1e6 --plot p.svg -o rows.csv 2> err
+[ $? -eq 3 ] && [ -s rows.csv ] && [ ! -e p.svg ] && grep -qF -- '--xrange' err && ! grep -qF 'plot $' err || fail "an empty range: $(cat err)"
+
+# The picture of a grid does not grow with its cells.
+jellett fates lorenz --section z=27 --grid x=-20:20:80,y=-20:20:80 --returns 1 --plot p.svg -o rows.csv 2> err
+[ "$(wc -c < p.svg)" -lt 100000 ] || fail "6400 cells are drawn in $(wc -c < p.svg) bytes"
+
 jellett eigen --size 8x6cm > out 2> err
 [ $? -eq 2 ] && grep -q -- '--plot' err || fail "options of a picture without one are not refused"
 exit $status

@@ -62,6 +62,7 @@ refuse 2 "lorenz has no condition to lose" jellett section lorenz --start x=1,y=
 refuse 2 "unrecognized option '--contact" jellett orbits --contact report
 refuse 2 "unrecognized option '--contact" jellett lyapunov --contact end
 refuse 2 "nothing runs" jellett fates --sweep ""
+refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep omega_n=1:2:4194304,v_nu=0:1:4194304,gamma3=0:0.1:2097152
 refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G=0:1:2097152,a3=0:1:2097152
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3

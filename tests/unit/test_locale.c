@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "cli/job.h"
 #include "core/digits.h"
 #include "core/random.h"
 #include "ext/number.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
-#include "scene/scene.h"
 
 static void a_row_has_points_and_as_many_digits_as_it_needs(void **unused)
 {
@@ -46,9 +46,12 @@ static void a_header_has_points(void **unused)
 static void json_has_points(void **unused)
 {
     char *text = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
 
     (void)unused;
-    assert_ok(jlt_json_text(&text, jlt_json_numbers((const double[]){ 0.5 }, 1)));
+    assert_ok(jlt_json_write(stream, jlt_json_numbers((const double[]){ 0.5 }, 1)));
+    fclose(stream);
     assert_non_null(strstr(text, "0.5"));
     free(text);
 }
@@ -75,7 +78,7 @@ static void scenes_are_read(void **unused)
     assert_true(descriptor >= 0);
     assert_int_equal(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
     close(descriptor);
-    const jlt_status st = jlt_scene_read(&scene, message, path, NULL);
+    const jlt_status st = jlt_scene_read(&scene, message, path, &jlt_job_program);
     unlink(path);
     assert_string_equal(message, "");
     assert_ok(st);

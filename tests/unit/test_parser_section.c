@@ -5,20 +5,6 @@
                    "integral F = p when k = 0\nroot s = sqrt(1 - x^2)\nlet twice = 2*p\n"
 #define POINTS "model q\nparam E\nstate a\nstate b\nangle c s = cos(a) sin(a)\n"
 
-static void refuses(const char *head, const char *line, const char *words)
-{
-    char text[2000];
-    bool told = false;
-    snprintf(text, sizeof text, "%s%s\n", head, line);
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = ttc_model_parse(text, strlen(text), "t.tt", diagnostics);
-    for (size_t i = 0; i < ttc_diagnostics_size(diagnostics); i++) told |= strstr(ttc_diagnostics_at(diagnostics, i).message, words) != NULL;
-    if (model != NULL || !told) print_error("'%s' is not refused with '%s'\n", line, words);
-    assert_null(model);
-    assert_true(told);
-    ttc_diagnostics_destroy(diagnostics);
-}
-
 static void poles_are_ends_of_intervals(void **unused)
 {
     (void)unused;
@@ -46,16 +32,16 @@ static void a_section_keeps_what_its_record_says(void **unused)
     assert_string_equal(claim->target, "q.tt");
     assert_int_equal(claim->when.items[0].symbol, symbol(model, "x"));
     prints(model, claim->when.items[0].expression, "1/2");
-    assert_int_equal(section->coordinate_count, 2);
-    assert_string_equal(section->coordinates[0], "a");
-    assert_true(section->is_angle[0]);
-    assert_false(section->is_angle[1]);
+    assert_int_equal(section->image.count, 2);
+    assert_string_equal(section->image.names[0], "a");
+    assert_int_equal(section->image.forms[0], TTC_GIVEN_ANGLE);
+    assert_int_equal(section->image.forms[1], TTC_GIVEN_PLAIN);
     prints(model, claim->entries[0], "p");
     prints(model, claim->entries[1], "twice");
     prints(model, claim->entries[2], "x + p");
     prints(model, claim->entries[3], "1");
-    assert_int_equal(section->level_count, 1);
-    assert_string_equal(section->levels[0], "E");
+    assert_int_equal(section->image.level_count, 1);
+    assert_string_equal(section->image.levels[0], "E");
     assert_string_equal(model->claims[claim->members[0]].name, "E");
     assert_int_equal(section->beside_count, 2);
     assert_int_equal(section->beside[1], symbol(model, "p"));

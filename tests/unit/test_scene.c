@@ -10,7 +10,8 @@
 
 #include <cmocka.h>
 
-#include "scene/scene.h"
+#include "cli/job.h"
+#include "scene/schema.h"
 
 static jlt_status read_text(jlt_scene **scene, char *message, const char *text)
 {
@@ -21,7 +22,7 @@ static jlt_status read_text(jlt_scene **scene, char *message, const char *text)
     assert_true(descriptor >= 0);
     assert_int_equal(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
     close(descriptor);
-    st = jlt_scene_read(scene, message, path, NULL);
+    st = jlt_scene_read(scene, message, path, &jlt_job_program);
     unlink(path);
     /* the path in front is random: drop it */
     if (strncmp(message, path, strlen(path)) == 0) memmove(message, message + strlen(path), strlen(message + strlen(path)) + 1);
@@ -61,6 +62,50 @@ static void a_scene_becomes_options_of_commands_with_exact_numbers(void **unused
     jlt_scene_destroy(scene);
 }
 
+static void an_entry_takes_what_its_command_takes(void **unused)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    jlt_scene *scene = NULL;
+
+    (void)unused;
+    assert_int_equal(read_text(&scene, message,
+                               "accuracy = { tier = \"five\"; };\n"
+                               "compute = ( { what = \"drift\"; returns = 7; tolerance = 1e-9; parameters = { a3 = 0.5; }; },\n"
+                               "            { what = \"orbits\"; hold = \"eta\"; line = { gamma3 = (0, \"pi/2\", 9); }; settle = 0; },\n"
+                               "            { what = \"continue\"; along = { E = (1, 2); }; generations = 2; } );\n"),
+                     JLT_OK);
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "returns"), "7");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "tol"), "1e-09");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "set"), "a3=0.5");
+    assert_null(jlt_scene_value(&scene->jobs[0], "tier")); /* drift follows no tier */
+    assert_string_equal(jlt_scene_value(&scene->jobs[1], "hold"), "eta");
+    assert_string_equal(jlt_scene_value(&scene->jobs[1], "line"), "gamma3=0:pi/2:9");
+    assert_string_equal(jlt_scene_value(&scene->jobs[1], "settle"), "0");
+    assert_string_equal(jlt_scene_value(&scene->jobs[2], "along"), "E=1:2");
+    assert_string_equal(jlt_scene_value(&scene->jobs[2], "generations"), "2");
+    jlt_scene_destroy(scene);
+}
+
+/* An argument of a form that no kind of value has would be taken for any text. */
+static void every_option_takes_a_kind_of_value_that_scenes_know(void **unused)
+{
+    const struct argp *options = NULL;
+    const char *command;
+
+    (void)unused;
+    for (size_t i = 0; (command = jlt_job_program.command(&options, i)) != NULL; i++) {
+        char names[1024] = "";
+        jlt_key key;
+        jlt_schema_key_names(names, sizeof names, options);
+        for (char *name = strtok(names, ", "); name != NULL; name = strtok(NULL, ", ")) {
+            assert_true(jlt_schema_key(&key, options, name));
+            const size_t lower = key.words != NULL ? strspn(key.words, "abcdefghijklmnopqrstuvwxyz|") : 0;
+            if (key.words != NULL && strstr(key.words, "=VALUE") == NULL && key.words[lower] != '\0')
+                fail_msg("%s --%s=%s: no kind of value of scene/schema.c", command, key.option, key.words);
+        }
+    }
+}
+
 static void every_mistake_is_named_with_its_line(void **unused)
 {
     static const struct {
@@ -71,7 +116,7 @@ static void every_mistake_is_named_with_its_line(void **unused)
         { "title = \"x\";", ": error: nothing to do: no 'compute'" },
         { "compute = { what = \"section\"; };", ":1: error: 'compute' takes a list in parentheses" },
         { "paramters = { m = 1; };\ncompute = ( { what = \"section\"; } );", ":1: error: unknown key 'paramters'" },
-        { "compute = (\n { what = \"sections\"; } );", ":2: error: unknown command \"sections\" (expected one of simulate" },
+        { "compute = (\n { what = \"sections\"; } );", ":2: error: unknown command \"sections\" (expected one of verify" },
         { "compute = ( { returns = 3; } );", ":1: error: an entry of 'compute' needs what" },
         { "compute = ( { what = \"section\";\n retruns = 3; } );", ":2: error: unknown key 'retruns' for section (it knows what" },
         { "compute = ( { what = \"section\";\n returns = 0; } );", ":2: error: 'returns' must be at least 1" },
@@ -109,6 +154,10 @@ static void every_mistake_is_named_with_its_line(void **unused)
           ":1: error: 'sweep' does not know 'M' (it knows m, R, g, a3, I1, I3, E, G)" },
         { "compute = ( { what = \"simulate\"; start = { gamma = 1; }; } );",
           ":1: error: 'start' does not know 'gamma' (it knows gamma3, v_nu" },
+        { "compute = ( { what = \"section\"; tolerance = 1; tol = 1; } );", ":1: error: unknown key 'tol' for section" },
+        { "accuracy = { method = \"gauss\"; };\ncompute = ( { what = \"section\"; method = \"gauss\"; } );",
+          ":2: error: 'method' is already given for the whole scene" },
+        { "compute = ( { what = \"rod\"; sweep = { E = 1; }; } );", ":1: error: 'sweep' does not know 'E' (it knows gamma3, v_nu" },
         { "compute = ( { what = \"section\"; direction = \"left\"; } );",
           ":1: error: 'direction' does not know 'left' (it knows up, down, both)" },
         { "accuracy = { method = \"euler\"; };\ncompute = ( { what = \"section\"; } );",
@@ -157,10 +206,10 @@ static void a_file_that_cannot_be_read_is_no_bad_scene(void **unused)
     jlt_scene *scene = NULL;
 
     (void)unused;
-    assert_int_equal(jlt_scene_read(&scene, message, "/tmp", NULL), JLT_ERR_IO);
+    assert_int_equal(jlt_scene_read(&scene, message, "/tmp", &jlt_job_program), JLT_ERR_IO);
     assert_null(scene);
     assert_string_equal(message, "/tmp: error: Is a directory");
-    assert_int_equal(jlt_scene_read(&scene, message, "/dev/zero", NULL), JLT_ERR_ARG); /* without an end */
+    assert_int_equal(jlt_scene_read(&scene, message, "/dev/zero", &jlt_job_program), JLT_ERR_ARG); /* without an end */
     assert_null(scene);
 }
 
@@ -170,7 +219,7 @@ static void a_missing_file_is_an_input_error_of_its_own(void **unused)
     jlt_scene *scene = NULL;
 
     (void)unused;
-    assert_int_equal(jlt_scene_read(&scene, message, "/nonexistent/x.scene", NULL), JLT_ERR_IO);
+    assert_int_equal(jlt_scene_read(&scene, message, "/nonexistent/x.scene", &jlt_job_program), JLT_ERR_IO);
     assert_null(scene);
     assert_string_equal(message, "/nonexistent/x.scene: error: No such file or directory");
 }
@@ -179,6 +228,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_scene_becomes_options_of_commands_with_exact_numbers),
+        cmocka_unit_test(an_entry_takes_what_its_command_takes),
+        cmocka_unit_test(every_option_takes_a_kind_of_value_that_scenes_know),
         cmocka_unit_test(every_mistake_is_named_with_its_line),
         cmocka_unit_test(numbers_and_methods_are_those_of_the_commands),
         cmocka_unit_test(a_file_that_cannot_be_read_is_no_bad_scene),

@@ -18,7 +18,7 @@ import sympy as sp
 KEYWORDS = {"model", "title", "source", "param", "state", "root", "angle", "let", "eq", "variant", "time", "eliminate",
             "default", "integral", "invariant", "measure", "reversor", "equilibria", "trace", "charpoly", "obstructs",
             "equal", "matrix", "leftnull", "reduction", "rate", "symmetry", "exp", "log", "domain",
-            "embedding", "positive", "observe", "valid", "periodic", "pole", "section"}
+            "embedding", "positive", "observe", "valid", "periodic", "pole", "section", "lift", "start", "turns", "tier"}
 
 
 def records(path):

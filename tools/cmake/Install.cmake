@@ -25,17 +25,19 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DE
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${JLT_INSTALL_DATA} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} COMPONENT programs
         FILES_MATCHING PATTERN "*.tt" PATTERN "*.scene" PATTERN "results" EXCLUDE)
-# Man pages quote what the programs say of their commands, so that they cannot disagree.
+# Man pages, one a command beside that of the program, are made of what the programs say of themselves, so that they cannot disagree.
 foreach(program ttc jellett)
   set(page ${CMAKE_BINARY_DIR}/man/${program}.1)
   set(template ${PROJECT_SOURCE_DIR}/tools/man/${program}.1.in)
-  add_custom_command(OUTPUT ${page} VERBATIM DEPENDS ${program} jellett-bench ${template} ${PROJECT_SOURCE_DIR}/tools/man/page
-    COMMAND bash ${PROJECT_SOURCE_DIR}/tools/man/page $<TARGET_FILE:${program}> ${template} > ${page})
+  add_custom_command(OUTPUT ${page} VERBATIM
+    DEPENDS ${program} jellett-bench ${template} ${PROJECT_SOURCE_DIR}/tools/man/pages ${PROJECT_SOURCE_DIR}/tools/man/page.awk
+            ${PROJECT_SOURCE_DIR}/tools/completion/complete
+    COMMAND bash ${PROJECT_SOURCE_DIR}/tools/man/pages $<TARGET_FILE:${program}> ${template} ${CMAKE_BINARY_DIR}/man)
   list(APPEND JLT_MAN_PAGES ${page})
 endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/man)
 add_custom_target(man ALL DEPENDS ${JLT_MAN_PAGES})
-install(FILES ${JLT_MAN_PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs FILES_MATCHING PATTERN "*.1")
 
 # Completion asks the programs what they have: one script that knows how, beside them in the build too, and one for each shell.
 configure_file(${PROJECT_SOURCE_DIR}/tools/completion/complete ${CMAKE_BINARY_DIR}/share/jellett/complete COPYONLY)

@@ -31,6 +31,13 @@ static bool may_leave(const trial *t, const family *f, const double *x)
     return f->truth.least_s < 1e-2L || (x != NULL && fabs(v->a3 + v->R * x[0]) < 1e-2 * v->R);
 }
 
+/* Coordinates of the half of M^2 end where v_slip goes to 0, as its table says; those with a state eliminated where the integral hardly
+ * contains it. */
+static bool ends_at_edges(const char *tier)
+{
+    return strcmp(tier, "plane") == 0 || strncmp(tier, "level_omega", strlen("level_omega")) == 0;
+}
+
 static void follow(trial *t, const family *f, const jlt_question *question, const jlt_method *method, bool plain)
 {
     jlt_plan plan;
@@ -64,6 +71,7 @@ static void follow(trial *t, const family *f, const jlt_question *question, cons
         if (!family_check(f, t, how, k, row) || pole) break;
     }
     if ((st == JLT_ERR_DOMAIN || st == JLT_ERR_BUDGET) && plain && may_leave(t, f, at.x)) sum.left++;
+    else if (st == JLT_ERR_DOMAIN && at.edge != NULL && ends_at_edges(question->tier)) sum.left++;
     else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && t->top.I3 == 0 && f->truth.end != ORACLE_ALIVE) sum.left++; /* omega3 = v_tau/(R s) is infinite there */
     else if (st != JLT_OK)
         trial_complain(t, "%s: %s; the oracle has %d rows, then %d", how, jlt_status_text(st), f->truth.count, f->truth.end);
@@ -100,7 +108,7 @@ void case_motion(trial *t)
              "--times %.17g,%.17g,%.17g", x[0], x[1], x[2], x[3], x[4], times[0], times[1], times[2]);
     family_follow(&f, t, &q, noise);
     for (size_t i = 0; f.sound && i < sizeof tiers / sizeof *tiers; i++) {
-        const jlt_question question = { model, params, x, false, false, tiers[i].name };
+        const jlt_question question = { model, params, x, false, false, tiers[i].name, NULL };
         if (tiers[i].noise == ORACLE_OMEGA_N_NOISE && v->I3 < 1e-3 * v->I1) continue; /* it divides by I3, as its name says */
         if (tiers[i].noise != noise || tiers[i].plain != f.question.plain) {
             f.question.plain = tiers[i].plain;

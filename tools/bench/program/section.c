@@ -10,7 +10,8 @@
 #include "integrate/batch_method.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
-#include "top/tier.h"
+#include "scene/tier.h"
+#include "top/top.h"
 
 /* A reference has rows orbit, return, t, gamma3, v_nu, omega_n, omega3; return 0 is the start. */
 enum { STATES = 32, COLUMNS = 7, FIRST_STATE = 3 };
@@ -25,13 +26,15 @@ typedef struct {
     const jlt_bench_options *options;
     tally *tally;
     const jlt_tier *tier;
+    jlt_top top;
     jlt_tier_view view;
-    jlt_instance *instance;
+    jlt_instance *instance; /* the view's */
     size_t section;  /* index of omega_tau */
     int root;        /* of s; -1: none */
     size_t orbits, checked;
     const double *reference;
     double (*start)[JLT_TOP_STATES];
+    double (*lifted)[STATES]; /* in the tier's coordinates */
 } problem;
 
 /* What the first pass finds. */
@@ -51,11 +54,11 @@ static void note(double *worst, double value)
 /* y: the tier's states at a return; t NaN where it is not known. */
 static void note_return(outcome *out, const problem *p, size_t orbit, size_t number, const double *y, double t)
 {
-    const jlt_top *top = &p->view.top;
+    const jlt_top *top = &p->top;
     const double *start = p->start[orbit], *expected = p->reference + (orbit * (p->checked + 1) + number) * COLUMNS;
     double x[JLT_TOP_STATES];
 
-    p->tier->extract(&p->view, x, y);
+    jlt_tier_extract(&p->view, x, y);
     note(&out->drift[0], jlt_top_energy(top, x) - jlt_top_energy(top, start));
     note(&out->drift[1], jlt_top_jellett(top, x) - jlt_top_jellett(top, start));
     if (number > p->checked) return;
@@ -88,10 +91,8 @@ static jlt_status scalar_pass(void *context, bool first)
 
     jlt_section_cost(run->section, &before, &evaluations);
     for (size_t orbit = 0; orbit < p->orbits; orbit++) {
-        double y[STATES];
         jlt_return row = { 0 };
-        p->tier->embed(&p->view, y, p->start[orbit]);
-        jlt_status st = jlt_section_start_state(run->section, &row, y, 1);
+        jlt_status st = jlt_section_start_state(run->section, &row, p->lifted[orbit], 1);
         size_t made = 0;
         while (st == JLT_OK && made < p->options->returns) {
             st = jlt_section_next(run->section, &row);
@@ -187,7 +188,7 @@ static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const proble
     run.by_orbit = calloc(p->orbits, sizeof *run.by_orbit);
     run.made = calloc(p->orbits, sizeof *run.made);
     if (run.starts == NULL || run.by_orbit == NULL || run.made == NULL) goto done;
-    for (size_t orbit = 0; orbit < p->orbits; orbit++) p->tier->embed(&p->view, run.starts + orbit * dim, p->start[orbit]);
+    for (size_t orbit = 0; orbit < p->orbits; orbit++) memcpy(run.starts + orbit * dim, p->lifted[orbit], dim * sizeof *run.starts);
     JLT_TRY(jlt_bench_clock(time, p->options->repeats, threads, batch_pass, &run));
     *out = run.outcome;
 done:
@@ -288,24 +289,34 @@ static jlt_exit run_tier(FILE *table, const problem *p)
     return code;
 }
 
-/* Bind a tier. EMPTY: it has no section omega_tau = 0, or does not serve. */
+/* Bind a tier, and every start. EMPTY: it has no section omega_tau = 0, or does not serve. */
 static jlt_status open_tier(problem *p, const jlt_tier *tier)
 {
-    static const jlt_top top = { .m = 1, .R = 1, .g = 1, .a3 = 0.51, .I1 = 1.0 / 3, .I3 = 1.0 / 3 }; /* (5.1) */
-    const jlt_descriptor *d = tier->model == NULL ? NULL : jlt_descriptor_find(tier->model, "", tier->time, tier->elimination);
-    double params[STATES];
-    size_t s;
-    jlt_status st = JLT_OK;
+    const double params[] = { p->top.m, p->top.R, p->top.g, p->top.a3, p->top.I1, p->top.I3 };
+    char refusal[JLT_TIER_TEXT_MAX];
+    double y[JLT_WAY_VALUES_MAX];
+    size_t s, level;
+    jlt_status st = JLT_ERR_EMPTY;
 
     p->tier = tier;
-    if (d == NULL || d->state_count > STATES || d->param_count > STATES || !jlt_descriptor_state(d, "omega_tau", &p->section))
-        return JLT_ERR_EMPTY;
-    if (tier->refuses != NULL && tier->refuses(&top, p->start[0]) != NULL) return JLT_ERR_EMPTY;
+    if (tier->table == NULL || tier->dimension >= STATES) return st;
+    for (size_t i = p->orbits; i-- > 0;) { /* the first one last: its view stays */
+        jlt_tier_close(&p->view);
+        st = jlt_tier_open(&p->view, y, refusal, tier, params, p->start[i]);
+        if (st != JLT_OK) return st == JLT_ERR_UNSUPPORTED ? JLT_ERR_EMPTY : st;
+        memcpy(p->lifted[i], y, p->view.instance->descriptor->state_count * sizeof *y);
+    }
+    const jlt_descriptor *d = p->view.instance->descriptor;
+    if (!jlt_descriptor_state(d, "omega_tau", &p->section)) return JLT_ERR_EMPTY;
     p->root = jlt_descriptor_state(d, "s", &s) ? (int)s : -1;
-    jlt_tier_look(&p->view, tier, d, &top, p->start[0]);
-    p->view.G = -0.56; /* without the rounding of the first start */
-    JLT_TRY(jlt_tier_params(params, &p->view));
-    JLT_TRY(jlt_instance_create(&p->instance, d, params));
+    if (jlt_descriptor_param(d, "G", &level)) { /* without the rounding of the first start */
+        memcpy(y, p->view.instance->params, d->param_count * sizeof *y);
+        y[level] = p->view.params[tier->way_count][level] = -0.56;
+        jlt_tier_view *view = &p->view;
+        jlt_instance_destroy(view->instance);
+        JLT_TRY(jlt_instance_create(&view->instance, d, y));
+    }
+    p->instance = p->view.instance;
 done:
     return st;
 }
@@ -323,7 +334,8 @@ static jlt_status read_grid(problem *p, const jlt_bench_table *table)
     p->orbits = table->rows / (checked + 1);
     p->reference = table->values;
     p->start = calloc(p->orbits, sizeof *p->start);
-    if (p->start == NULL) return JLT_ERR_NOMEM;
+    p->lifted = calloc(p->orbits, sizeof *p->lifted);
+    if (p->start == NULL || p->lifted == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < p->orbits; i++) {
         const double *row = table->values + i * (checked + 1) * COLUMNS + FIRST_STATE;
         const double x[JLT_TOP_STATES] = { row[0], row[1], 0, row[2], row[3] };
@@ -337,23 +349,26 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
     jlt_exit code = JLT_EXIT_DONE;
     jlt_bench_table reference = { 0 };
     tally rows = { .rows = 0 };
-    problem p = { .options = options, .tally = &rows };
-    const jlt_tier *tier;
+    problem p = { .options = options, .tally = &rows,
+                  .top = { .m = 1, .R = 1, .g = 1, .a3 = 0.51, .I1 = 1.0 / 3, .I3 = 1.0 / 3 } }; /* (5.1) */
+    jlt_tier tiers[JLT_TIERS_MAX];
+    const unsigned count = jlt_tier_list(tiers, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL);
 
     jlt_status st = jlt_bench_read(&reference, options->reference, COLUMNS);
     if (st == JLT_OK) st = read_grid(&p, &reference);
     if (st != JLT_OK) code = jlt_bench_unread(options->reference, st);
     jlt_progress_start(&rows.line, "rows");
-    for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL && code == JLT_EXIT_DONE; i++) {
+    for (unsigned i = 0; i < count && code == JLT_EXIT_DONE; i++) {
+        const jlt_tier *tier = &tiers[i];
         if (options->form != NULL && strcmp(tier->name, options->form) != 0) continue;
         st = open_tier(&p, tier);
         if (st == JLT_OK && options->list) list_methods(table, &p);
         else if (st == JLT_OK) code = run_tier(table, &p);
         else if (st != JLT_ERR_EMPTY) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", tier->name, jlt_status_text(st));
-        jlt_instance_destroy(p.instance);
-        p.instance = NULL;
+        jlt_tier_close(&p.view);
     }
     jlt_progress_end(&rows.line);
+    free(p.lifted);
     free(p.start);
     jlt_bench_clear(&reference);
     return code;

@@ -3,8 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "dynamics/map.h"
+#include "dynamics/map_batch.h"
 #include "dynamics/surface.h"
+#include "integrate/batch_method.h"
+#include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "top/top.h"
 
@@ -63,11 +65,27 @@ static const struct {
 
 typedef struct {
     jlt_map *map;
+    jlt_map_batch *batch;
+    jlt_map_images images; /* of the batch */
     derivative of;
     double step, error;
     const jlt_bench_table *reference;
     size_t failed;
 } slope_run;
+
+/* Compare DP at a start with the reference, relative to its largest entry. */
+static void note(slope_run *run, const double *row, const double *slope, jlt_status st)
+{
+    double size = 0, off = 0;
+
+    for (int k = 0; k < 4; k++) {
+        size = fmax(size, fabs(row[SLOPE + k]));
+        off = fmax(off, fabs(slope[k] - row[SLOPE + k]));
+    }
+    run->failed += st != JLT_OK;
+    if (st != JLT_OK) run->error = NAN;
+    else if (!(off / size <= run->error)) run->error = off / size;
+}
 
 static jlt_status pass(void *context, bool first)
 {
@@ -75,19 +93,69 @@ static jlt_status pass(void *context, bool first)
 
     for (size_t i = 0; i < run->reference->rows; i++) {
         const double *row = run->reference->values + i * COLUMNS;
-        double slope[4], size = 0, off = 0;
+        double slope[4];
         const jlt_status st = run->of(run->map, slope, row + START, run->step);
         if (st == JLT_ERR_NOMEM) return st;
-        if (!first) continue;
-        for (int k = 0; k < 4; k++) {
-            size = fmax(size, fabs(row[SLOPE + k]));
-            off = fmax(off, fabs(slope[k] - row[SLOPE + k]));
-        }
-        run->failed += st != JLT_OK;
-        if (st != JLT_OK) run->error = NAN;
-        else if (!(off / size <= run->error)) run->error = off / size;
+        if (first) note(run, row, slope, st);
     }
     return JLT_OK;
+}
+
+static jlt_status batch_pass(void *context, bool first)
+{
+    slope_run *run = context;
+    const size_t rows = run->reference->rows;
+    jlt_map_images *images = &run->images;
+
+    for (size_t i = 0; i < rows; i++) memcpy(images->q + 2 * i, run->reference->values + i * COLUMNS + START, 2 * sizeof *images->q);
+    const jlt_status st = jlt_map_batch_apply(run->batch, images, images->q, rows, 1);
+    for (size_t i = 0; first && st == JLT_OK && i < rows; i++)
+        note(run, run->reference->values + i * COLUMNS, images->slope + 4 * i, images->status[i]);
+    return st;
+}
+
+static void write_row(FILE *table, const char *method, const char *way, double tolerance, const slope_run *run, const jlt_bench_time *time)
+{
+    const double unit = 1e6 / (double)run->reference->rows;
+
+    fprintf(table, "jellett,%s,%s,1,%g", method, way, tolerance);
+    jlt_bench_number(table, "%.3e", run->error);
+    fprintf(table, ",%.4g,%.4g,%.4g,%zu\n", unit * time->median, unit * time->least, unit * time->largest, run->failed);
+}
+
+/* The system of (5.1) with its section. */
+static jlt_status open_system(jlt_system **out, jlt_surface *surface, const jlt_flow *flow)
+{
+    const jlt_claim *broken;
+    const jlt_status st = jlt_surface_find(surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL);
+
+    return st != JLT_OK ? st : jlt_surface_system(out, surface, surface->defaults, flow);
+}
+
+static jlt_status measure_batch(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference,
+                                const jlt_batch_method *method, size_t isa, double tolerance)
+{
+    jlt_status st = JLT_OK;
+    const jlt_flow flow = { .tolerance = tolerance, .direction = JLT_RISING };
+    jlt_system *system = NULL;
+    jlt_surface surface;
+    slope_run run = { .reference = reference };
+    jlt_bench_time time;
+    char name[64];
+
+    JLT_TRY(open_system(&system, &surface, &flow));
+    const jlt_kernel_batch *kernels = system->instance->descriptor->batches[isa];
+    if (kernels == NULL || !jlt_batch_isa_runs(kernels)) goto done;
+    JLT_TRY(jlt_map_batch_images(&run.images, 2, reference->rows));
+    JLT_TRY(jlt_map_batch_create(&run.batch, &system->flow, kernels, method, 1));
+    JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, batch_pass, &run));
+    snprintf(name, sizeof name, "%s %sx%u", method->name, kernels->isa, kernels->lanes);
+    write_row(table, name, "variational", tolerance, &run, &time);
+done:
+    jlt_map_batch_destroy(run.batch);
+    jlt_map_batch_images_clear(&run.images);
+    jlt_system_destroy(system);
+    return st;
 }
 
 static jlt_status measure(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference, const jlt_method *method,
@@ -97,27 +165,56 @@ static jlt_status measure(FILE *table, const jlt_bench_options *options, const j
     const jlt_flow flow = { .method = method, .tolerance = tolerance, .direction = JLT_RISING };
     jlt_system *system = NULL;
     jlt_surface surface;
-    const jlt_claim *broken;
     slope_run run = { .of = ways[way].of, .step = ways[way].factor * pow(tolerance, ways[way].exponent), .reference = reference };
     jlt_bench_time time;
 
-    JLT_TRY(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL));
-    JLT_TRY(jlt_surface_system(&system, &surface, surface.defaults, &flow));
+    JLT_TRY(open_system(&system, &surface, &flow));
     JLT_TRY(jlt_map_create(&run.map, &system->flow));
     JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, pass, &run));
-    const double unit = 1e6 / (double)reference->rows;
-    fprintf(table, "jellett,%s,%s,1,%g", method->name, ways[way].name, tolerance);
-    jlt_bench_number(table, "%.3e", run.error);
-    fprintf(table, ",%.4g,%.4g,%.4g,%zu\n", unit * time.median, unit * time.least, unit * time.largest, run.failed);
+    write_row(table, method->name, ways[way].name, tolerance, &run, &time);
 done:
     jlt_map_destroy(run.map);
     jlt_system_destroy(system);
     return st;
 }
 
+/* All ways of one method for single orbits. */
+static jlt_exit run_single(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference, const jlt_method *method)
+{
+    double tolerance;
+
+    for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
+        if (method->needs_jet && ways[way].of == variational) continue; /* the map would take another method */
+        for (size_t k = 0; (tolerance = jlt_bench_tolerance(options, k)) > 0; k++) {
+            const jlt_status st = measure(table, options, reference, method, way, tolerance);
+            if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
+        }
+    }
+    return JLT_EXIT_DONE;
+}
+
+/* Batches on all instruction sets there are. */
+static jlt_exit run_batch(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference, const jlt_batch_method *method)
+{
+    double tolerance;
+
+    for (size_t isa = 0; isa < JLT_ISA_COUNT; isa++)
+        for (size_t k = 0; (tolerance = jlt_bench_tolerance(options, k)) > 0; k++) {
+            const jlt_status st = measure_batch(table, options, reference, method, isa, tolerance);
+            if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
+        }
+    return JLT_EXIT_DONE;
+}
+
+static bool wanted(const jlt_bench_options *options, const char *method)
+{
+    return options->method == NULL || strcmp(method, options->method) == 0;
+}
+
 static jlt_exit run(FILE *table, const jlt_bench_options *options)
 {
     jlt_bench_table reference = { 0 };
+    const jlt_batch_method *batch;
     const jlt_method *method;
     jlt_exit code = JLT_EXIT_DONE;
 
@@ -125,16 +222,11 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
     if (read != JLT_OK) code = jlt_bench_unread(options->reference, read);
     for (size_t i = 0; code == JLT_EXIT_DONE && (method = jlt_method_at(i)) != NULL; i++) {
         if (options->list) fprintf(table, "%s\n", method->name);
-        if (options->list) continue;
-        if (options->method != NULL && strcmp(method->name, options->method) != 0) continue;
-        for (size_t way = 0; way < sizeof ways / sizeof *ways && code == JLT_EXIT_DONE; way++) {
-            double tolerance;
-            if (method->needs_jet && ways[way].of == variational) continue; /* the map would take another method */
-            for (size_t k = 0; code == JLT_EXIT_DONE && (tolerance = jlt_bench_tolerance(options, k)) > 0; k++) {
-                const jlt_status st = measure(table, options, &reference, method, way, tolerance);
-                if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
-            }
-        }
+        else if (wanted(options, method->name)) code = run_single(table, options, &reference, method);
+    }
+    for (size_t i = 0; code == JLT_EXIT_DONE && (batch = jlt_batch_method_at(i)) != NULL; i++) {
+        if (options->list) fprintf(table, "%s\n", batch->name);
+        else if (wanted(options, batch->name)) code = run_batch(table, options, &reference, batch);
     }
     jlt_bench_clear(&reference);
     return code;

@@ -64,11 +64,13 @@ static jlt_status pass(void *context, bool first)
 static jlt_status run_scene(FILE *table, const jlt_bench_options *options, size_t scene, const double *rows, double tolerance)
 {
     const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
-    const jlt_tier *tier;
+    jlt_tier tiers[JLT_TIERS_MAX];
+    const unsigned count = jlt_tier_list(tiers, model, NULL);
     jlt_status st = JLT_OK;
 
-    for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL; i++) {
-        tier_run run = { .question = { model, scenes[scene].params, rows + 1, false, false, tier->name },
+    for (unsigned i = 0; i < count; i++) {
+        const jlt_tier *tier = &tiers[i];
+        tier_run run = { .question = { model, scenes[scene].params, rows + 1, false, false, tier->name, NULL },
                          .options = { .tolerance = tolerance }, .rows = rows, .count = scenes[scene].rows };
         jlt_bench_time time;
         if (options->form != NULL && strcmp(options->form, tier->name) != 0) continue;

@@ -1,0 +1,371 @@
+/* Tables that serve in place of each other.
+ *
+ * A smaller table S, which has an embedding into the model B. In the ring of S: every point of it is embedded into B's
+ * domain, moves there as B says, and the two observe the same; and where the way holds at it, the way leads back to the
+ * point. In the ring of B, where the way holds: it leads into S's domain, and what it leads to is embedded as the point
+ * itself. So an orbit of S from there is the orbit of B.
+ *
+ * A larger table T, which has a reduction onto B. In the ring of B, where the way holds: it leads into T's domain and onto
+ * the zero levels that the reduction takes, and the reduction leads back to the point. */
+#include "prove/domain.h"
+#include "prove/prove_image.h"
+#include "prove/way_table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const ttc_way *way_of(const ttc_task *task)
+{
+    size_t i = 0;
+    while (task->model->claims + task->model->ways[i].claim != task->claim) i++;
+    return task->model->ways + i;
+}
+
+static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *way)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < way->where.count && ttc_task_open(task); i++) {
+        ttc_evaluate(valuation, &value, way->where.items[i].expression);
+        ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
+    }
+    ttc_ratio_clear(task->ring, &value);
+}
+
+/* left - right is zero; each has its valuation. */
+static void require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, ttc_valuation *of_right, ttc_id right,
+                          const char *what, const char *name)
+{
+    ttc_ratio difference;
+    ttc_ratio_init(task->ring, &difference);
+    ttc_evaluate(of_left, &difference, left);
+    ttc_prove_take_off(task, &difference, of_right, right);
+    if (ttc_task_open(task)) ttc_task_require_zero(task, &difference, "%s%s", what, name);
+    ttc_ratio_clear(task->ring, &difference);
+}
+
+static void require_back_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t owner,
+                                  const ttc_id *ids, size_t count, const char *where)
+{
+    unsigned char *used = ttc_model_support(model, ids, count);
+    if (used == NULL) ttc_task_unsettle(task, "out of memory");
+    else ttc_domain_require_divisors(task, valuation, model, TTC_DIVIDES_CLAIM, owner, used, where);
+    free(used);
+}
+
+/* Divisors of a reduction or embedding. */
+static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
+                             const char *where)
+{
+    const ttc_bindings *bindings = &model->claims[claim].bindings;
+    ttc_id *ids = calloc(bindings->count + 1, sizeof *ids);
+    for (size_t i = 0; ids != NULL && i < bindings->count; i++) ids[i] = bindings->items[i].expression;
+    if (ids == NULL) ttc_task_unsettle(task, "out of memory");
+    else require_back_divisors(task, valuation, model, claim, ids, bindings->count, where);
+    free(ids);
+}
+
+/* ---- in the smaller table ---- */
+
+static const ttc_claim *embedding_of(const ttc_task *task) { return task->model->claims + task->claim->family; }
+
+/* S's parameter that is B's by its name: the way gives it nothing else. */
+static uint32_t shared_param(const ttc_model *table, const ttc_image *image, const char *name)
+{
+    bool given = ttc_image_name(image, name) < image->count;
+    for (size_t i = 0; i < image->level_count; i++) given |= strcmp(image->levels[i], name) == 0;
+    return given ? UINT32_MAX : ttc_param_of(table, name);
+}
+
+typedef struct {
+    const ttc_model *table, *model;
+    const ttc_image *image;
+} translation;
+
+/* An expression of B in parameters that are S's as well, as one of S; TTC_NONE: it is not one of those alone. */
+static ttc_id translate(const translation *t, ttc_id id)
+{
+    const ttc_graph *from = t->model->graph;
+    ttc_graph *to = t->table->graph;
+    const ttc_kind kind = ttc_kind_of(from, id);
+    if (kind == TTC_SYMBOL) {
+        const uint32_t shared = shared_param(t->table, t->image, t->model->symbols[ttc_symbol_of(from, id)].name);
+        return shared == UINT32_MAX ? TTC_NONE : t->table->symbols[shared].node;
+    }
+    ttc_id value = ttc_number(to, ttc_coefficient(from, id));
+    for (size_t i = 0; value != TTC_NONE && i < ttc_part_count(from, id); i++) {
+        const ttc_part part = ttc_part_at(from, id, i);
+        const ttc_id translated = translate(t, part.id);
+        if (translated == TTC_NONE) return TTC_NONE;
+        value = kind == TTC_SUM ? ttc_add(to, value, ttc_scale(to, translated, part.coefficient))
+                                : ttc_multiply(to, value, ttc_power(to, translated, part.exponent));
+    }
+    return value;
+}
+
+static ttc_id in_table(const ttc_model *table, const ttc_task *outer, ttc_id id)
+{
+    const translation t = { table, outer->model, &way_of(outer)->image };
+    const ttc_id expanded = ttc_model_expand(outer->model, id);
+    return expanded == TTC_NONE ? TTC_NONE : translate(&t, expanded);
+}
+
+static const ttc_binding *condition_on(const ttc_claim *claim, uint32_t symbol)
+{
+    for (size_t i = 0; i < claim->when.count; i++)
+        if (claim->when.items[i].symbol == symbol) return claim->when.items + i;
+    return NULL;
+}
+
+/* Whether the embedding's expression for a parameter of B says what it is for S's: more than a number. */
+static bool is_told(const ttc_model *table, ttc_id given)
+{
+    return given != TTC_NONE && ttc_kind_of(table->graph, given) != TTC_NUMBER;
+}
+
+/* A parameter of B that S has not, and of which nothing is said: anything that B's own condition on it allows. */
+static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint32_t *spares)
+{
+    const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
+    ttc_ratio value;
+    if (*spares == TTC_SPARE_SYMBOLS) {
+        ttc_task_unsettle(task, "more than %d parameters of %s are not known in %s", TTC_SPARE_SYMBOLS,
+                          task->outer->model->name, task->model->name);
+        return;
+    }
+    const uint32_t spare = (uint32_t)task->model->symbol_count + (*spares)++;
+    const ttc_id name = ttc_symbol(task->model->graph, spare);
+    ttc_valuation_name(task->field, spare, entry->name);
+    ttc_valuation_bind(map, symbol, name);
+    if (entry->sign == TTC_ANY_SIGN) return;
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(task->field, &value, name);
+    ttc_conditions_add(&task->domain, &value, ttc_domain_relation(entry->sign));
+    ttc_ratio_clear(task->ring, &value);
+}
+
+/* A parameter of B, seen from S: that of its name, which obeys the condition of the way; what the condition says; or what the
+ * embedding says, where that is more than a number. */
+static void bind_parameter(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint32_t *spares)
+{
+    const ttc_model *table = task->model;
+    const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
+    const ttc_binding *condition = condition_on(task->outer->claim, symbol);
+    const uint32_t shared = shared_param(table, &way_of(task->outer)->image, entry->name);
+    const ttc_id given = ttc_given_for(embedding_of(task), entry->name);
+    const ttc_id value = condition == NULL ? TTC_NONE : in_table(table, task->outer, condition->expression);
+    if (condition != NULL && value == TTC_NONE)
+        ttc_task_unsettle(task, "what the condition says of %s is not known in %s", entry->name, table->name);
+    else if (shared != UINT32_MAX) ttc_valuation_bind(map, symbol, table->symbols[shared].node);
+    else if (condition != NULL) ttc_valuation_bind(map, symbol, value);
+    else if (is_told(table, given)) {
+        ttc_valuation_bind(map, symbol, given);
+        ttc_prove_constant(task, entry->name, given);
+    } else bind_free(task, map, symbol, spares);
+}
+
+static void bind_embedded(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *model = ttc_valuation_model(map);
+    uint32_t spares = 0;
+    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *entry = model->symbols + i;
+        const ttc_id given = ttc_given_for(embedding_of(task), entry->name);
+        if (entry->kind == TTC_PARAM) bind_parameter(task, map, i, &spares);
+        else if (given != TTC_NONE && (entry->kind == TTC_STATE || entry->kind == TTC_ROOT)) ttc_valuation_bind(map, i, given);
+    }
+}
+
+/* Conditions of the way, and what it gives for S's states and parameters, at the embedded point. */
+static void require_return(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *table = task->model, *model = task->outer->model;
+    const ttc_claim *claim = task->outer->claim;
+    const ttc_way *way = way_of(task->outer);
+    add_where(task, map, way);
+    require_back_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
+                          " in the way back from the embedding");
+    for (size_t i = 0; i < table->state_count && ttc_task_open(task); i++)
+        ttc_prove_return(task, map, claim, &way->image, i, true);
+    for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *entry = table->symbols + table->params[i];
+        bool is_root;
+        const ttc_id value = ttc_image_param(model, claim, &way->image, table, i, &is_root);
+        const ttc_id own = is_root ? ttc_power(table->graph, entry->node, 2) : entry->node;
+        ttc_ratio root;
+        require_equal(task, map, value, task->field, own, "the way back from the embedding leads elsewhere, in ", entry->name);
+        if (!is_root) continue;
+        ttc_ratio_init(task->ring, &root);
+        ttc_evaluate(task->field, &root, entry->node);
+        ttc_task_require(task, &root, TTC_IS_NONNEGATIVE, "negative, and no root: %s", entry->name);
+        ttc_ratio_clear(task->ring, &root);
+    }
+}
+
+static void prove_embedded(ttc_task *task)
+{
+    const ttc_model *model = task->outer->model;
+    ttc_valuation *map = ttc_valuation_map(model, task->field);
+    if (map == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    require_divisors(task, task->field, task->model, task->claim->family, " in the embedding");
+    ttc_task_enter_map(task, map);
+    bind_embedded(task, map);
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, model, " of the embedding");
+    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++)
+        if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, i))
+            ttc_domain_require_root(task, map, model->symbols + i);
+    ttc_prove_chain_rule(task, embedding_of(task), model, map);
+    ttc_prove_same_observations(task, model, map);
+    if (ttc_task_open(task)) require_return(task, map);
+    ttc_task_leave_map(task);
+    ttc_valuation_destroy(map);
+}
+
+/* The points of S that are meant: those that meet the condition of the way, as far as it is one on parameters that they share.
+ * False: memory is out. */
+static bool bind_conditions(const ttc_task *task, const ttc_model *table, ttc_bindings *when)
+{
+    const ttc_bindings *own = &task->claim->when;
+    when->items = calloc(own->count + 1, sizeof *when->items);
+    for (size_t i = 0; when->items != NULL && i < own->count; i++) {
+        const uint32_t shared = shared_param(table, &way_of(task)->image, task->model->symbols[own->items[i].symbol].name);
+        const ttc_id value = in_table(table, task, own->items[i].expression);
+        if (shared != UINT32_MAX && value != TTC_NONE)
+            when->items[when->count++] = (ttc_binding){ shared, value, own->items[i].place };
+    }
+    return when->items != NULL;
+}
+
+static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
+{
+    /* Without the embedding's expressions: that nothing vanishes that they divide by is to be shown. */
+    ttc_claim embedded = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = table->claims[back].place,
+                           .family = back };
+    ttc_task inner = { .model = table, .claim = &embedded, .role = TTC_DIVIDES_FIELD, .outer = task };
+    if (!bind_conditions(task, table, &embedded.when)) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    ttc_task_run(&inner, prove_embedded);
+    ttc_task_adopt(task, &inner);
+    free(embedded.when.items);
+}
+
+/* ---- in the model ---- */
+
+/* What leads back, at what the way leads to, gives the point itself: states, roots, and parameters that it tells; a
+ * reduction tells those of the table's own names as well, and a number is what it says. */
+static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *back)
+{
+    const ttc_model *model = task->model, *table = ttc_valuation_model(map);
+    const bool reduces = back->kind == TTC_CLAIM_REDUCTION;
+    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *entry = model->symbols + i;
+        const uint32_t theirs = ttc_param_of(table, entry->name);
+        ttc_id given = ttc_given_for(back, entry->name);
+        if (given == TTC_NONE && reduces && entry->kind == TTC_PARAM && theirs != UINT32_MAX)
+            given = table->symbols[theirs].node;
+        const bool counts = entry->kind == TTC_STATE || entry->kind == TTC_ROOT ||
+                            (entry->kind == TTC_PARAM && (reduces || is_told(table, given)));
+        if (given != TTC_NONE && counts)
+            require_equal(task, map, given, task->field, entry->node, "where the way leads is elsewhere, in ", entry->name);
+    }
+}
+
+/* What S takes for parameters stays what it is. It follows from the rest; but where it fails, it tells most. */
+static void require_constants(ttc_task *task, const ttc_model *table, const ttc_way *way)
+{
+    for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
+        bool is_root;
+        const ttc_id value = ttc_image_param(task->model, task->claim, &way->image, table, i, &is_root);
+        ttc_prove_constant(task, table->symbols[table->params[i]].name, value);
+    }
+}
+
+static void prove_descended(ttc_task *task, const ttc_model *table, const ttc_claim *back)
+{
+    ttc_valuation *map = ttc_valuation_map(table, task->field);
+    if (map == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    ttc_task_enter_map(task, map);
+    ttc_prove_bind_image(task, map, task->claim, &way_of(task)->image);
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, table, " where the way leads");
+    require_same(task, map, back);
+    ttc_task_leave_map(task);
+    ttc_valuation_destroy(map);
+}
+
+void ttc_prove_descent(ttc_task *task)
+{
+    const ttc_way *way = way_of(task);
+    char reason[240];
+    uint32_t back;
+    ttc_model *table = ttc_way_table(task->model, way, task->resolver, task->resolver_context, &back, reason, sizeof reason);
+    if (table == NULL) {
+        ttc_task_unsettle(task, "%s", reason);
+        return;
+    }
+    add_where(task, task->field, way);
+    require_constants(task, table, way);
+    if (ttc_task_open(task) && !task->is_lifted) look_at_table(task, table, back);
+    task->is_lifted |= ttc_task_open(task);
+    if (ttc_task_open(task)) prove_descended(task, table, table->claims + back);
+    ttc_model_destroy(table);
+}
+
+/* The conditions of the reduction, and the zero levels that it takes. */
+static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_claim *back)
+{
+    const ttc_model *table = ttc_valuation_model(map);
+    const ttc_id zero = ttc_integer(table->graph, 0);
+    for (size_t i = 0; i < back->when.count && ttc_task_open(task); i++)
+        require_equal(task, map, table->symbols[back->when.items[i].symbol].node, map, back->when.items[i].expression,
+                      "the lift does not meet the condition of its reduction on ",
+                      table->symbols[back->when.items[i].symbol].name);
+    for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++)
+        require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero, "the lift is off the zero level of ",
+                      table->claims[back->modulo[i]].name);
+}
+
+static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)
+{
+    const ttc_way *way = way_of(task);
+    ttc_valuation *map = ttc_valuation_map(table, task->field);
+    if (map == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    add_where(task, task->field, way);
+    ttc_task_enter_map(task, map);
+    ttc_prove_bind_image(task, map, task->claim, &way->image);
+    for (size_t k = 0; k < way->image.count; k++) {
+        uint32_t root;
+        if (ttc_model_find_symbol(table, way->image.names[k], &root) && table->symbols[root].kind == TTC_ROOT)
+            ttc_valuation_bind(map, root, task->claim->entries[2 * k]);
+    }
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, table, " of the lift");
+    for (uint32_t i = 0; i < table->symbol_count && ttc_task_open(task); i++)
+        if (table->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, i))
+            ttc_domain_require_root(task, map, table->symbols + i);
+    require_divisors(task, map, table, back, " in the reduction of the lift");
+    if (ttc_task_open(task)) require_reduction(task, map, table->claims + back);
+    require_same(task, map, table->claims + back);
+    ttc_task_leave_map(task);
+    ttc_valuation_destroy(map);
+}
+
+void ttc_prove_lift(ttc_task *task)
+{
+    char reason[240];
+    uint32_t back;
+    ttc_model *table = ttc_way_table(task->model, way_of(task), task->resolver, task->resolver_context, &back, reason,
+                                     sizeof reason);
+    if (table == NULL) ttc_task_unsettle(task, "%s", reason);
+    else prove_lifted(task, table, back);
+    ttc_model_destroy(table);
+}

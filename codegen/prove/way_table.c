@@ -1,0 +1,113 @@
+#include "prove/way_table.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+ttc_id ttc_given_for(const ttc_claim *claim, const char *name)
+{
+    for (size_t i = 0; i < claim->bindings.count; i++)
+        if (strcmp(claim->target_names[i], name) == 0) return claim->bindings.items[i].expression;
+    return TTC_NONE;
+}
+
+typedef struct {
+    const ttc_model *model, *table;
+    const ttc_way *way;
+    const char *file;
+    char *reason;
+    size_t size;
+} fitting;
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static bool refuse(const fitting *f, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(f->reason, f->size, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool descends(const fitting *f) { return f->model->claims[f->way->claim].kind == TTC_CLAIM_DESCENT; }
+
+static bool gives_states(const ttc_model *model, const ttc_claim *back)
+{
+    for (size_t i = 0; i < model->state_count; i++)
+        if (ttc_given_for(back, model->symbols[model->states[i]].name) == TTC_NONE) return false;
+    return true;
+}
+
+static bool find_back(const fitting *f, uint32_t *back)
+{
+    const ttc_claim_kind kind = descends(f) ? TTC_CLAIM_EMBEDDING : TTC_CLAIM_REDUCTION;
+    const char *slash = strrchr(f->model->file, '/'), *own = slash == NULL ? f->model->file : slash + 1;
+    for (int by_name = 1; by_name >= 0; by_name--)
+        for (uint32_t i = 0; i < f->table->claim_count; i++) {
+            const ttc_claim *claim = f->table->claims + i;
+            if (claim->kind != kind || (by_name && strcmp(claim->target, own) != 0) || !gives_states(f->model, claim)) continue;
+            *back = i;
+            return true;
+        }
+    return refuse(f, "%s has no %s that gives all states of %s", f->file, descends(f) ? "embedding" : "reduction onto a table",
+                  f->model->name);
+}
+
+static bool names_fit(const fitting *f)
+{
+    const ttc_image *image = &f->way->image;
+    if (!ttc_image_has_states(image, f->table, f->file, f->reason, f->size)) return false;
+    for (size_t k = 0; k < image->count; k++) {
+        uint32_t symbol;
+        const bool known = ttc_model_find_symbol(f->table, image->names[k], &symbol);
+        const ttc_symbol_kind kind = known ? f->table->symbols[symbol].kind : TTC_LET;
+        if (kind != TTC_STATE && kind != TTC_PARAM && (kind != TTC_ROOT || descends(f)))
+            return refuse(f, "%s is no state%s or parameter of %s", image->names[k], descends(f) ? "" : ", root", f->file);
+        if (kind == TTC_PARAM && image->forms[k] == TTC_GIVEN_ANGLE)
+            return refuse(f, "%s is a parameter of %s, and no angle", image->names[k], f->file);
+    }
+    for (size_t k = 0; k < image->level_count; k++)
+        if (ttc_param_of(f->table, image->levels[k]) == UINT32_MAX)
+            return refuse(f, "%s is no parameter of %s", image->levels[k], f->file);
+    for (size_t i = 0; i < f->table->param_count; i++) {
+        bool is_root;
+        if (ttc_image_param(f->model, f->model->claims + f->way->claim, image, f->table, i, &is_root) == TTC_NONE)
+            return refuse(f, "the parameter %s of %s is given no value", f->table->symbols[f->table->params[i]].name, f->file);
+    }
+    return true;
+}
+
+static bool roots_fit(const fitting *f, const ttc_claim *back)
+{
+    const ttc_model *model = f->model;
+    for (size_t i = 0; i < model->time_count; i++)
+        for (size_t k = 0; k < model->times[i].lifted_count; k++) {
+            const char *root = model->symbols[model->times[i].lifted[k]].name;
+            if (ttc_given_for(back, root) == TTC_NONE)
+                return refuse(f, "the root %s, a state in the time %s, is not given by %s of %s", root, model->times[i].name,
+                              back->name, f->file);
+        }
+    return true;
+}
+
+bool ttc_way_fits(const ttc_model *model, const ttc_way *way, const ttc_model *table, uint32_t *back, char *reason, size_t size)
+{
+    const fitting f = { model, table, way, model->claims[way->claim].target, reason, size };
+    if (table->equation_count == 0) return refuse(&f, "%s is a table of coordinates, in which nothing moves", f.file);
+    return find_back(&f, back) && names_fit(&f) && roots_fit(&f, table->claims + *back);
+}
+
+ttc_model *ttc_way_table(const ttc_model *model, const ttc_way *way, ttc_resolver resolver, void *context, uint32_t *back,
+                         char *reason, size_t size)
+{
+    const char *file = model->claims[way->claim].target;
+    ttc_diagnostics *ignored = resolver == NULL ? NULL : ttc_diagnostics_create();
+    ttc_model *table = ignored == NULL ? NULL : resolver(context, model, file, ignored);
+    ttc_diagnostics_destroy(ignored);
+    if (table == NULL) snprintf(reason, size, "the table %s could not be read", file);
+    else if (ttc_way_fits(model, way, table, back, reason, size)) return table;
+    ttc_model_destroy(table);
+    return NULL;
+}

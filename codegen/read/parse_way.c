@@ -1,0 +1,96 @@
+/* Records about tables that serve in place of each other: `tier`, `reduction NAME : by` and `lift NAME : into`. */
+#include "read/parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The tokens from `first` up to the one at hand, as they are written, with one blank where there is any. */
+static char *text_since(ttc_parser *parser, size_t first)
+{
+    const ttc_token *tokens = parser->tokens;
+    size_t size = 1;
+    for (size_t i = first; i < parser->at; i++) size += tokens[i].length + 1;
+    char *text = malloc(size), *at = text;
+    if (text == NULL) {
+        ttc_parse_no_memory(parser);
+        return NULL;
+    }
+    for (size_t i = first; i < parser->at; i++) {
+        if (i > first && tokens[i].text != tokens[i - 1].text + tokens[i - 1].length) *at++ = ' ';
+        memcpy(at, tokens[i].text, tokens[i].length);
+        at += tokens[i].length;
+    }
+    *at = '\0';
+    return text;
+}
+
+/* EXPR > 0, ... */
+static bool parse_inequalities(ttc_parser *parser, ttc_inequalities *list, const char *rule)
+{
+    do {
+        const size_t first = parser->at;
+        if (list->count >= TTC_REGION_LIMIT)
+            return ttc_parse_error(parser, ttc_token_place(ttc_parse_peek(parser)), "too many conditions (expected at most %d)",
+                                   TTC_REGION_LIMIT);
+        const ttc_id expression = ttc_parse_expression(parser);
+        if (expression == TTC_NONE || !ttc_parse_positive(parser, rule)) return false;
+        ttc_inequality *items = ttc_parse_extend(list->items, list->count, sizeof *items);
+        if (items == NULL) return ttc_parse_no_memory(parser);
+        list->items = items;
+        items[list->count] = (ttc_inequality){ expression, text_since(parser, first) };
+        if (items[list->count++].text == NULL) return false;
+    } while (ttc_parse_accept_mark(parser, ','));
+    return true;
+}
+
+static ttc_way *add_way(ttc_parser *parser)
+{
+    ttc_model *model = parser->model;
+    ttc_way *ways = ttc_parse_extend(model->ways, model->way_count, sizeof *ways);
+    if (ways == NULL) {
+        ttc_parse_no_memory(parser);
+        return NULL;
+    }
+    model->ways = ways;
+    ways[model->way_count] = (ttc_way){ .claim = (uint32_t)model->claim_count };
+    return ways + model->way_count++;
+}
+
+/* by FILE.tt with NAME = expr | atan2(expr, expr) | sqrt(expr) | INTEGRAL, ... [when PARAM = expr, ...] [where EXPR > 0,
+ * ...], or into FILE.tt with NAME = expr, ... [where EXPR > 0, ...] */
+bool ttc_parse_way(ttc_parser *parser, ttc_claim *claim)
+{
+    const bool descends = claim->kind == TTC_CLAIM_DESCENT;
+    const unsigned forms = 1u << TTC_GIVEN_PLAIN | (descends ? 1u << TTC_GIVEN_ANGLE | 1u << TTC_GIVEN_ROOT : 0u);
+    ttc_way *way = add_way(parser);
+    if (way == NULL || !ttc_parse_expect_keyword(parser, descends ? TTC_KEYWORD_BY : TTC_KEYWORD_INTO, "':'") ||
+        !ttc_parse_target_file(parser, &claim->target) || !ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") ||
+        !ttc_parse_image(parser, &way->image, claim, forms,
+                         descends ? "a state or parameter of the table" : "a state, root or parameter of the table"))
+        return false;
+    if (descends && ttc_parse_accept_keyword(parser, TTC_KEYWORD_WHEN)) {
+        if (!ttc_parse_bindings(parser, &claim->when, 1u << TTC_PARAM, "a parameter")) return false;
+        ttc_parse_check_constants(parser, &claim->when);
+    }
+    return !ttc_parse_accept_keyword(parser, TTC_KEYWORD_WHERE) ||
+           parse_inequalities(parser, &way->where, "a way serves where an expression is > 0");
+}
+
+/* NAME [while EXPR > 0, ...] "meaning" */
+bool ttc_parse_tier(ttc_parser *parser, const ttc_token *keyword)
+{
+    ttc_tier *tier = &parser->model->tier;
+    if (tier->name != NULL)
+        return ttc_parse_error(parser, ttc_token_place(keyword), "a second tier (first in line %u)",
+                               (unsigned)tier->place.line);
+    const ttc_token *name = ttc_parse_name(parser, "what the table is called among those that serve in its place");
+    if (name == NULL) return false;
+    tier->place = ttc_token_place(name);
+    tier->name = ttc_parse_copy(parser, name->text, name->length);
+    if (tier->name == NULL) return false;
+    if (ttc_parse_accept_keyword(parser, TTC_KEYWORD_WHILE) &&
+        !parse_inequalities(parser, &tier->conditions, "coordinates are good while an expression is > 0"))
+        return false;
+    if (ttc_parse_peek(parser)->kind != TTC_TOKEN_STRING) return ttc_parse_unexpected(parser, "a text in quotes");
+    return ttc_parse_meaning(parser, &tier->meaning);
+}

@@ -1,0 +1,274 @@
+#include "dynamics/map_batch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dynamics/linear.h"
+#include "dynamics/map_return.h"
+#include "integrate/batch.h"
+
+enum { D = JLT_CHART_DIM_MAX };
+
+/* Lanes end as far from a pole as the flow's own method judges it, and where a return takes ten times the usual steps. */
+static const double root_floor = 1e-9;
+static const size_t most_steps = 1000;
+
+/* What one thread works on: BLOCK points at a time, through all their returns. */
+enum { BLOCK = 256 };
+typedef struct {
+    const jlt_map_batch *batch;
+    const jlt_map_images *out;
+    jlt_map *alone;  /* for orbits that go on by themselves */
+    size_t *point;   /* in each lane, shape (BLOCK,) as those that follow */
+    double *starts;  /* (BLOCK, columns) */
+    double *flux;    /* at the starts */
+    bool *is_on_way; /* the lane has ended before its return, at the point that is now its start */
+} worker;
+
+struct jlt_map_batch {
+    jlt_flow flow;
+    jlt_batch_map map;
+    unsigned columns;
+    worker *workers; /* (threads,) */
+    unsigned threads;
+};
+
+bool jlt_map_batch_in_lanes(const jlt_map_batch *self) { return self->map.kernels != NULL; }
+
+jlt_status jlt_map_batch_images(jlt_map_images *out, unsigned d, size_t count)
+{
+    double *block = malloc(count * ((size_t)d * (d + 1) + 4) * sizeof *block);
+
+    *out = (jlt_map_images){ .status = malloc(count * sizeof *out->status), .q = block };
+    if (block == NULL || out->status == NULL) {
+        jlt_map_batch_images_clear(out);
+        return JLT_ERR_NOMEM;
+    }
+    out->slope = block + count * d;
+    out->T = out->slope + count * d * d;
+    out->determinant = out->T + count;
+    out->expansion = out->determinant + count;
+    out->defect = out->expansion + count;
+    return JLT_OK;
+}
+
+void jlt_map_batch_images_clear(jlt_map_images *self)
+{
+    free(self->q);
+    free(self->status);
+    *self = (jlt_map_images){ 0 };
+}
+
+/* Whether lanes can go the way: a section STATE = 0 that has no other turns, without an end in time, of not too many states. */
+static bool serves(const jlt_flow *flow)
+{
+    const jlt_chart *chart = flow->chart;
+    const jlt_batch_map map = { .dim = chart->states, .tangents = chart->dim };
+
+    if (chart->level != 0 || chart->turn != 0 || flow->t_max != 0) return false;
+    return chart->states <= JLT_BATCH_STATES_MAX && jlt_batch_columns(&map) <= JLT_BATCH_COLUMNS_MAX;
+}
+
+static jlt_status hire(worker *out, const jlt_map_batch *batch)
+{
+    out->batch = batch;
+    out->point = calloc(BLOCK, sizeof *out->point);
+    out->starts = calloc((size_t)BLOCK * batch->columns, sizeof *out->starts);
+    out->flux = calloc(BLOCK, sizeof *out->flux);
+    out->is_on_way = calloc(BLOCK, sizeof *out->is_on_way);
+    if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL) return JLT_ERR_NOMEM;
+    return jlt_map_create(&out->alone, &batch->flow);
+}
+
+jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
+                                const struct jlt_batch_method *method, unsigned threads)
+{
+    jlt_map_batch *self = NULL;
+    jlt_status st = JLT_OK;
+
+    *out = NULL;
+    if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    const jlt_batch_map map = {
+        .kernels = kernels != NULL && serves(flow) ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states, .tangents = flow->chart->dim,
+        .column = flow->chart->column, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
+        .method = method, .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
+        .max_steps = flow->max_steps != 0 && flow->max_steps < most_steps ? flow->max_steps : most_steps,
+        .interrupt = flow->interrupt,
+    };
+    self = calloc(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->flow = *flow;
+    self->map = map;
+    self->columns = jlt_batch_columns(&map);
+    self->threads = threads > 1 ? threads : 1;
+    self->workers = calloc(self->threads, sizeof *self->workers);
+    st = self->workers == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    for (unsigned i = 0; st == JLT_OK && i < self->threads; i++) st = hire(&self->workers[i], self);
+    if (st == JLT_OK) {
+        *out = self;
+        self = NULL; /* ownership moved to the caller */
+    }
+    jlt_map_batch_destroy(self);
+    return st;
+}
+
+void jlt_map_batch_destroy(jlt_map_batch *self)
+{
+    if (self == NULL) return;
+    for (unsigned i = 0; self->workers != NULL && i < self->threads; i++) {
+        worker *w = &self->workers[i];
+        jlt_map_destroy(w->alone);
+        free(w->point);
+        free(w->starts);
+        free(w->flux);
+        free(w->is_on_way);
+    }
+    free(self->workers);
+    free(self);
+}
+
+/* A return multiplied onto what is known of its point, whose image is there already. */
+static void add(const jlt_map_images *out, size_t point, unsigned d, const double *slope, double T, double expansion, double determinant,
+                double defect)
+{
+    jlt_linear_multiply(out->slope + point * d * d, slope, out->slope + point * d * d, d);
+    out->T[point] += T;
+    out->expansion[point] += expansion;
+    out->determinant[point] *= determinant;
+    if (fabs(defect) > fabs(out->defect[point])) out->defect[point] = defect;
+}
+
+/* Of a lane whose varied orbit has come back after a time t of the flow. */
+static void arrive(const worker *self, size_t lane, const double *varied, double t)
+{
+    const jlt_map_images *out = self->out;
+    const jlt_flow *flow = &self->batch->flow;
+    const unsigned n = flow->chart->states, d = flow->chart->dim;
+    const size_t point = self->point[lane];
+    double slope[D * D];
+    jlt_map_return arrival;
+
+    out->status[point] = jlt_map_return_end(&arrival, out->q + point * d, slope, flow, varied, self->flux[lane]);
+    if (out->status[point] != JLT_OK) return;
+    add(out, point, d, slope, ldexp(t, flow->units.time), varied[n * (1 + d)], arrival.determinant,
+        (fabs(arrival.determinant) - arrival.told) / arrival.size);
+}
+
+static int keep_row(void *context, size_t lane, size_t number, const double *x)
+{
+    const worker *self = context;
+
+    (void)number;
+    arrive(self, lane, x, x[self->batch->columns - 1]);
+    return 0;
+}
+
+static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns, const double *x)
+{
+    const worker *self = context;
+
+    (void)returns;
+    if (end == JLT_LANE_DONE) return 0;
+    memcpy(self->starts + lane * self->batch->columns, x, self->batch->columns * sizeof *x);
+    self->is_on_way[lane] = true;
+    return 0;
+}
+
+/* A lane that has ended before its return. */
+static void go_on(const worker *self, size_t lane)
+{
+    double *varied = self->starts + lane * self->batch->columns, t = 0;
+    const jlt_status st = jlt_map_resume(self->alone, varied, &t);
+
+    self->out->status[self->point[lane]] = st;
+    if (st == JLT_OK) arrive(self, lane, varied, varied[self->batch->columns - 1] + t);
+}
+
+/* A point that no lane serves. */
+static void go_alone(const worker *self, size_t point)
+{
+    const jlt_map_images *out = self->out;
+    const unsigned d = self->batch->flow.chart->dim;
+    jlt_image image;
+
+    if (out->status[point] != JLT_OK) return;
+    out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, 1);
+    if (out->status[point] != JLT_OK) return;
+    memcpy(out->q + point * d, image.q, d * sizeof *image.q);
+    add(out, point, d, image.slope, image.T, image.expansion, image.determinant, image.defect);
+}
+
+/* What orbits of points first .. first + count - 1 begin as; those without a state have their status. */
+static size_t lift(const worker *self, size_t first, size_t count)
+{
+    const jlt_map_images *out = self->out;
+    const unsigned d = self->batch->flow.chart->dim, columns = self->batch->columns;
+    size_t lanes = 0;
+
+    for (size_t i = first; i < first + count; i++) {
+        double *start = self->starts + lanes * columns;
+        if (out->status[i] != JLT_OK) continue;
+        out->status[i] = jlt_map_return_start(start, &self->flux[lanes], &self->batch->flow, out->q + i * d);
+        if (out->status[i] != JLT_OK) continue;
+        start[columns - 1] = 0;
+        self->is_on_way[lanes] = false;
+        self->point[lanes++] = i;
+        out->status[i] = JLT_ERR_NO_CONVERGENCE; /* until it has its return */
+    }
+    return lanes;
+}
+
+static jlt_status one_return(worker *self, size_t first, size_t count)
+{
+    const jlt_batch_map *map = &self->batch->map;
+
+    for (size_t i = first; map->kernels == NULL && i < first + count; i++) go_alone(self, i);
+    if (map->kernels == NULL) return JLT_OK;
+    const size_t lanes = lift(self, first, count);
+    if (lanes == 0) return JLT_OK;
+    const jlt_status st = jlt_batch_section(map, self->starts, lanes, 1, keep_row, keep_end, self, NULL);
+    for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++)
+        if (self->is_on_way[lane]) go_on(self, lane);
+    return st;
+}
+
+/* Blocks of points, until *next has passed the last. */
+static jlt_status work(worker *self, const jlt_map_images *out, size_t count, size_t block, size_t returns, size_t *next)
+{
+    jlt_status st = JLT_OK;
+
+    self->out = out;
+    for (;;) {
+        const size_t first = __atomic_fetch_add(next, block, __ATOMIC_RELAXED);
+        if (first >= count || st != JLT_OK) return st;
+        for (size_t number = 0; number < returns && st == JLT_OK; number++)
+            st = one_return(self, first, count - first < block ? count - first : block);
+    }
+}
+
+jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns)
+{
+    const unsigned d = self->flow.chart->dim;
+    const size_t share = (count + self->threads - 1) / self->threads, block = share < BLOCK ? share : BLOCK;
+    size_t next = 0;
+    int failure = JLT_OK;
+
+    if (returns == 0) return JLT_ERR_ARG;
+    if (count == 0) return JLT_OK;
+    memmove(out->q, q, count * d * sizeof *q);
+    for (size_t i = 0; i < count; i++) {
+        for (unsigned k = 0; k < d * d; k++) out->slope[i * d * d + k] = k % (d + 1) == 0;
+        out->T[i] = out->expansion[i] = out->defect[i] = 0;
+        out->determinant[i] = 1;
+        out->status[i] = JLT_OK;
+    }
+#if defined(_OPENMP)
+#pragma omp parallel for num_threads((int)self->threads) schedule(static, 1) reduction(max : failure)
+#endif
+    for (unsigned thread = 0; thread < self->threads; thread++) {
+        const int st = (int)work(&self->workers[thread], out, count, block, returns, &next);
+        if (st > failure) failure = st;
+    }
+    return (jlt_status)failure;
+}

@@ -1,0 +1,44 @@
+/** The return map and its derivative at many points at once: one in each lane of a vector, by the variational equations on batched
+ *  kernels. What comes out for a point depends neither on the others, nor on their order, nor on the number of threads.
+ *
+ *  A lane ends early near a pole, or when its orbit has all but come to rest. Such an orbit is followed on from there by the
+ *  flow's own method, alone, so that its fate is the one that a jlt_map finds. So are all orbits where no lanes can go: on sections
+ *  other than STATE = 0, or of a state with turns, with an end in time, or of many states. */
+#ifndef JLT_DYNAMICS_MAP_BATCH_H
+#define JLT_DYNAMICS_MAP_BATCH_H
+
+#include "dynamics/map.h"
+
+struct jlt_batch_method;
+
+typedef struct jlt_map_batch jlt_map_batch;
+
+/** Create it. kernels: those of the flow's field, see jlt_batch_isa_best, NULL where there are none; method: NULL for the cheaper one
+ *  for the tolerance; threads: 0 and 1 are the caller's alone. What the flow points to must live as long. Errors: as jlt_map_create. */
+JLT_CHECKED jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
+                                            const struct jlt_batch_method *method, unsigned threads);
+void jlt_map_batch_destroy(jlt_map_batch *self); /* NULL is legal */
+
+/** Whether points go in lanes, by a batch's method; if not, all go alone, by the flow's. */
+bool jlt_map_batch_in_lanes(const jlt_map_batch *self);
+
+/** Images of points, as of jlt_image: arrays of the caller, with an entry for each point. */
+typedef struct {
+    jlt_status *status;        /* what jlt_map_apply would return; of points with another status than OK nothing else is said */
+    double *q, *slope;         /* (count, dim), (count, dim, dim) */
+    double *T;                 /* time of all returns */
+    double *determinant;       /* of slope: product over the returns */
+    double *expansion;         /* integral of the divergence on the levels */
+    double *defect;            /* of det DP against flux and divergence, relative to the product of DP's row lengths; of the return
+                                  where it is largest */
+} jlt_map_images;
+
+/** Arrays of all images, of one block each, for so many points of a section with d coordinates. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_map_batch_images(jlt_map_images *out, unsigned d, size_t count);
+void jlt_map_batch_images_clear(jlt_map_images *self); /* legal on zeroed ones */
+
+/** P^returns and its derivative, returns >= 1, at points q, shape (count, dim), forwards. out->q may be q. An interrupt leaves
+ *  NO_CONVERGENCE in the status of points that are not done. Errors: ARG; NOMEM; as jlt_batch_section. */
+JLT_CHECKED jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns);
+
+#endif

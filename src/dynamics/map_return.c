@@ -1,0 +1,76 @@
+#include "dynamics/map_return.h"
+
+#include <math.h>
+
+#include "dynamics/chart_level.h"
+#include "dynamics/linear.h"
+#include "integrate/rest.h"
+
+jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *flow, const double *q)
+{
+    const jlt_chart *chart = flow->chart;
+    const unsigned n = chart->states, d = chart->dim;
+    double tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX], f[JLT_CHART_STATES_MAX];
+    jlt_status st = JLT_OK;
+
+    JLT_TRY(chart->lift(chart, varied, tangent, q));
+    for (unsigned k = 0; k < d; k++)
+        for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = tangent[i * d + k];
+    varied[n * (1 + d)] = 0;
+    if (jlt_rest_is_slower(flow->field, varied, JLT_REST_STILL)) return JLT_ERR_DOMAIN;
+    flow->field->call(varied, flow->field->p, f);
+    *flux = chart->flux(chart, varied, f);
+done:
+    return st;
+}
+
+static void project(const jlt_chart *chart, double *slope, double *q, const double *end, const double *f)
+{
+    const unsigned n = chart->states, d = chart->dim, c = chart->column;
+    double lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
+    unsigned i, j, k;
+
+    chart->lower(chart, q, lowering, end);
+    for (k = 0; k < d; k++) {
+        const double *y = end + n * (1 + k);
+        for (i = 0; i < d; i++) {
+            double sum = 0;
+            for (j = 0; j < n; j++)
+                if (j != c) sum += lowering[i * n + j] * (y[j] - f[j] / f[c] * y[c]);
+            slope[i * d + k] = sum;
+        }
+    }
+}
+
+double jlt_map_return_row_length(const double *row, unsigned d)
+{
+    double sum = 0;
+    for (unsigned j = 0; j < d; j++) sum += row[j] * row[j];
+    return sqrt(sum);
+}
+
+/* Product of the rows' lengths: what a determinant is at most, and what its rounding errors are relative to. */
+static double hadamard(const double *slope, unsigned d)
+{
+    double product = 1;
+    for (unsigned i = 0; i < d; i++) product *= jlt_map_return_row_length(slope + i * d, d);
+    return product;
+}
+
+jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied, double flux)
+{
+    const jlt_chart *chart = flow->chart;
+    const unsigned n = chart->states, d = chart->dim;
+
+    flow->field->call(varied, flow->field->p, out->f);
+    const double after = chart->flux(chart, varied, out->f);
+    project(chart, slope, q, varied, out->f);
+    for (unsigned i = 0; i < d * d; i++)
+        if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_chart_level_follows(chart, varied)) return JLT_ERR_NO_CONVERGENCE;
+    out->determinant = jlt_linear_determinant(slope, d);
+    out->size = hadamard(slope, d);
+    /* A crossing in the other direction turns the flux round; volume is counted positive. */
+    out->told = fabs(flux / after) * exp(varied[n * (1 + d)]);
+    return JLT_OK;
+}

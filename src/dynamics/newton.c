@@ -1,0 +1,141 @@
+#include "dynamics/newton.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dynamics/linear.h"
+#include "ext/eigen.h"
+
+enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
+
+static const double longest_step = 0.5;    /* in section coordinates */
+static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
+static const double accepted_most = 1e-9;  /* and absolute */
+static const double null_cutoff = 1e-11;   /* singular values of I - DP under this are a family of orbits */
+
+static double norm(const double *v, unsigned count)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < count; i++) sum += v[i] * v[i];
+    return sqrt(sum);
+}
+
+/* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
+static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
+{
+    double product[D * D] = { 0 }, carried[D] = { 0 }, system[D * D], free_delta[D];
+    unsigned columns[D], count = 0, i, j;
+    jlt_status st;
+    size_t k;
+
+    for (i = 0; i < d; i++) product[i * d + i] = 1;
+    for (k = 0; k < period; k++) {
+        const double *slope = at->slopes + k * d * d;
+        double next[D];
+        for (i = 0; i < d; i++) {
+            next[i] = at->miss[k * d + i];
+            for (j = 0; j < d; j++) next[i] += slope[i * d + j] * carried[j];
+        }
+        memcpy(carried, next, d * sizeof *next);
+        jlt_linear_multiply(product, slope, product, d);
+    }
+    for (j = 0; j < d; j++)
+        if (held == NULL || !held[j]) columns[count++] = j;
+    if (count == 0) return JLT_ERR_ARG;
+    for (i = 0; i < d; i++)
+        for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
+    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff);
+    if (st != JLT_OK) return st;
+    memset(delta, 0, d * sizeof *delta);
+    for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
+    for (k = 0; k + 1 < period; k++)
+        for (i = 0; i < d; i++) {
+            double *next = delta + (k + 1) * d + i;
+            *next = at->miss[k * d + i];
+            for (j = 0; j < d; j++) *next += at->slopes[(k * d + i) * d + j] * delta[k * d + j];
+        }
+    return JLT_OK;
+}
+
+jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart, const double *points, size_t period, const unsigned char *held)
+{
+    const size_t size = period * chart->dim;
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *out = (jlt_newton){ .chart = chart, .held = held, .period = period };
+    out->points = calloc(3 * size, sizeof *out->points);
+    if (out->points == NULL) goto done;
+    out->trial = out->points + size;
+    out->delta = out->trial + size;
+    memcpy(out->points, points, size * sizeof *points);
+    memcpy(out->trial, points, size * sizeof *points);
+    JLT_TRY(jlt_shooting_create(&out->now, chart->dim, period));
+    JLT_TRY(jlt_shooting_create(&out->then, chart->dim, period));
+done:
+    if (st != JLT_OK) jlt_newton_clear(out);
+    return st;
+}
+
+void jlt_newton_clear(jlt_newton *self)
+{
+    free(self->points);
+    jlt_shooting_clear(&self->now);
+    jlt_shooting_clear(&self->then);
+    *self = (jlt_newton){ 0 };
+}
+
+static bool end(jlt_newton *self, jlt_status status)
+{
+    self->status = status;
+    return false;
+}
+
+/* Whether the last points are an orbit; else the status of what was looked at last. */
+static bool judge(jlt_newton *self, jlt_status looked)
+{
+    if (self->now.residual <= fmin(accepted * self->now.scale, accepted_most)) return end(self, JLT_OK);
+    return end(self, looked != JLT_OK ? looked : JLT_ERR_NO_CONVERGENCE);
+}
+
+static bool try_step(jlt_newton *self)
+{
+    const unsigned d = self->chart->dim;
+
+    for (size_t k = 0; k < self->period; k++) {
+        for (unsigned i = 0; i < d; i++) self->trial[k * d + i] = self->points[k * d + i] + self->factor * self->delta[k * d + i];
+        jlt_chart_wrap(self->chart, self->trial + k * d);
+    }
+    return true;
+}
+
+static bool new_step(jlt_newton *self, jlt_status looked)
+{
+    const unsigned d = self->chart->dim;
+    double longest = 0;
+
+    if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, looked);
+    const jlt_status st = step(self->delta, &self->now, d, self->period, self->held);
+    if (st != JLT_OK) return end(self, st);
+    for (size_t k = 0; k < self->period; k++) longest = fmax(longest, norm(self->delta + k * d, d));
+    self->factor = longest > longest_step ? longest_step / longest : 1;
+    self->halving = 0;
+    return try_step(self);
+}
+
+bool jlt_newton_next(jlt_newton *self, jlt_status looked)
+{
+    const jlt_shooting last = self->now;
+
+    if (!self->has_begun && looked != JLT_OK) return end(self, looked);
+    if (self->has_begun && (looked != JLT_OK || !(self->then.residual < self->now.residual))) {
+        self->factor /= 2;
+        return ++self->halving == HALVINGS ? judge(self, looked) : try_step(self);
+    }
+    self->has_begun = true;
+    memcpy(self->points, self->trial, self->period * self->chart->dim * sizeof *self->points);
+    self->now = self->then;
+    self->then = last;
+    return new_step(self, looked);
+}

@@ -1,0 +1,30 @@
+/** Newton's method for all points of a periodic orbit at once (multiple shooting), a trial at a time: whoever drives it gives the
+ *  images of the points it asks about, so that many searches can go on side by side. Steps are halved until the residual falls, or
+ *  cannot fall any more. */
+#ifndef JLT_DYNAMICS_NEWTON_H
+#define JLT_DYNAMICS_NEWTON_H
+
+#include "dynamics/shooting.h"
+
+typedef struct {
+    const jlt_chart *chart;
+    const unsigned char *held;
+    size_t period;
+    double *points, *trial, *delta; /* (period, d) each, in one block; owned. trial: the points whose images are asked for */
+    jlt_shooting now, then;         /* at points; at trial, to be filled */
+    unsigned iteration, halving;
+    double factor;
+    bool has_begun;
+    jlt_status status;              /* of the whole search, once it has ended */
+} jlt_newton;
+
+/** Begin at points, shape (period, d); held: as jlt_periodic_find, which must live as long. Errors: NOMEM; *out is then empty. */
+JLT_CHECKED jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart, const double *points, size_t period,
+                                         const unsigned char *held);
+void jlt_newton_clear(jlt_newton *self); /* legal on a zeroed one */
+
+/** Go on with self->then, or the status for which it could not be filled. False: the search has ended, with self->status, and points are
+ *  the best; true: self->trial is to be looked at. */
+bool jlt_newton_next(jlt_newton *self, jlt_status looked);
+
+#endif

@@ -1,0 +1,27 @@
+/** One pass over the points of a periodic orbit: the returns' derivatives, and by how much each misses the next point. */
+#ifndef JLT_DYNAMICS_SHOOTING_H
+#define JLT_DYNAMICS_SHOOTING_H
+
+#include "dynamics/map.h"
+
+typedef struct {
+    double *slopes, *miss; /* (period, d, d) and (period, d), in one block; owned */
+    double residual, scale; /* largest |miss|, and |DP|, of a return; the latter 1 at least */
+    double T, expansion, determinant, defect;
+} jlt_shooting;
+
+/** Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_shooting_create(jlt_shooting *out, unsigned d, size_t period);
+void jlt_shooting_clear(jlt_shooting *self); /* legal on a zeroed one */
+
+/* Forget what was added. */
+void jlt_shooting_reset(jlt_shooting *self);
+
+/** Add return `index` of points (period, d): its image q and DP, time, expansion, determinant and defect as in jlt_image. */
+void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index, const double *q,
+                      const double *slope, const double measured[4]);
+
+/** All returns by a map. Errors: those of jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_shooting_of(jlt_shooting *out, jlt_map *map, const double *points, size_t period);
+
+#endif

@@ -1,0 +1,65 @@
+#include "scene/leg.h"
+
+#include <string.h>
+
+/* The image by a reversor runs back in time. */
+static int sense(const jlt_leg *self) { return self->view.mirror != NULL ? -1 : 1; }
+
+double jlt_leg_time(const jlt_leg *self, double t) { return sense(self) * t; }
+
+jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const double *params, const double *x, double t, int direction,
+                        const jlt_method *method, const jlt_options *to_orbit)
+{
+    jlt_options options = *to_orbit;
+    jlt_status st = JLT_OK;
+
+    *out = (jlt_leg){ .t = t, .direction = direction };
+    JLT_TRY(jlt_tier_open(&out->view, out->y, refusal, tier, params, x));
+    const jlt_instance *instance = out->view.instance;
+    JLT_TRY(jlt_tier_edges_open(&out->edges, &out->view));
+    JLT_TRY(jlt_field_of(&out->field, instance->descriptor, instance->block));
+    memcpy(out->params, instance->params, instance->descriptor->param_count * sizeof *out->params);
+    if (options.project)
+        JLT_TRY(jlt_conserved_of(&options.invariants, &out->conserved, instance->descriptor, instance->block, out->params));
+    JLT_TRY(jlt_orbit_create(&out->orbit, method, &out->field, &options));
+done:
+    if (st != JLT_OK) jlt_leg_close(out);
+    return st;
+}
+
+void jlt_leg_close(jlt_leg *self)
+{
+    jlt_orbit_destroy(self->orbit);
+    jlt_tier_edges_close(&self->edges);
+    jlt_tier_close(&self->view);
+    *self = (jlt_leg){ .t = 0 };
+}
+
+jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome, unsigned *edge)
+{
+    jlt_tier_edges *edges = &self->edges;
+    jlt_status st = JLT_OK;
+
+    *outcome = (jlt_outcome){ .end = JLT_END_TIME };
+    *edge = edges->count;
+    if (!self->started) {
+        self->started = true;
+        if (self->direction == 0) self->direction = t < self->t ? -1 : 1;
+        for (unsigned i = 0; i < edges->count; i++)
+            if (!(edges->events[i].value(edges->events[i].context, self->y) > 0)) {
+                *outcome = (jlt_outcome){ .end = JLT_END_TIME, .t = sense(self) * self->t, .x = self->y };
+                *edge = i;
+                return JLT_ERR_DOMAIN;
+            }
+        JLT_TRY(jlt_orbit_start(self->orbit, sense(self) * self->t, self->y, self->direction * sense(self)));
+    }
+    st = jlt_orbit_next(self->orbit, sense(self) * t, edges->events, edges->count, outcome);
+    if (outcome->x != NULL) memcpy(self->y, outcome->x, self->field.dim * sizeof *self->y);
+    if (st == JLT_OK && outcome->end == JLT_END_EVENT) {
+        *edge = outcome->crossing.event;
+        outcome->end = JLT_END_TIME;
+        st = JLT_ERR_DOMAIN;
+    }
+done:
+    return st;
+}

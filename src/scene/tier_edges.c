@@ -1,0 +1,108 @@
+/* Where coordinates of a tier end: where its table says so, and where an integral hardly contains the state that it eliminates. */
+#include "scene/tier.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "kernel/descriptor.h"
+
+static double table_room(void *context, const double *y)
+{
+    const jlt_tier_edge *edge = context;
+    const jlt_tier_view *view = edge->edges->view;
+    double values[JLT_TIER_EDGES_MAX];
+
+    edge->edges->general->tier_values(y, view->params[view->tier.way_count], values);
+    return values[edge->index];
+}
+
+/* The integral is slope*w + rest in the eliminated state w. */
+typedef struct {
+    double slope, w, rest;
+} linear;
+
+static linear split(const jlt_tier_edges *edges, const double *y)
+{
+    const jlt_descriptor *kernel = edges->view->instance->descriptor, *full = edges->full->descriptor;
+    double x[JLT_WAY_VALUES_MAX], values[JLT_WAY_VALUES_MAX], gradients[JLT_WAY_VALUES_MAX * JLT_TIER_EDGES_MAX];
+    linear out;
+
+    jlt_tier_extract(edges->view, x, y);
+    full->integral_values.call(x, edges->full->block, values);
+    full->integral_gradients.call(x, edges->full->block, gradients);
+    out.w = x[kernel->eliminated_state];
+    out.slope = gradients[kernel->level_integral * full->state_count + kernel->eliminated_state];
+    out.rest = values[kernel->level_integral] - out.slope * out.w;
+    return out;
+}
+
+/* w = (level - rest)/slope has an error of rounding (|level| + |rest|)/|slope|: more than three digits are lost where that is above a
+ * thousand roundings of max(1, |w|). */
+static double slope_room(void *context, const double *y)
+{
+    const linear l = split(((const jlt_tier_edge *)context)->edges, y);
+    const double level = l.slope * l.w + l.rest;
+
+    return l.slope * l.slope * (1 + l.w * l.w) - 1e-6 * (level * level + l.rest * l.rest);
+}
+
+/* Three tenths of the straight way to slope = 0: it may fall faster than it begins to. */
+static double slope_step(void *context, const double *y, const double *f, double direction)
+{
+    const jlt_tier_edges *edges = ((const jlt_tier_edge *)context)->edges;
+    const unsigned n = edges->view->instance->descriptor->state_count;
+    const double here = split(edges, y).slope;
+    double size = 0, ahead[JLT_WAY_VALUES_MAX], h, approach;
+
+    for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(f[i]) / fmax(1, fabs(y[i])));
+    if (!(size > 0)) return INFINITY;
+    h = 1e-7 / size; /* half of the digits are left in the difference */
+    for (unsigned i = 0; i < n; i++) ahead[i] = y[i] + direction * h * f[i];
+    approach = -(split(edges, ahead).slope - here) / h * (here < 0 ? -1 : 1);
+    return approach > 0 ? 0.3 * fabs(here) / approach : INFINITY;
+}
+
+static void add(jlt_tier_edges *self, double (*value)(void *, const double *))
+{
+    self->contexts[self->count] = (jlt_tier_edge){ self, self->count };
+    self->events[self->count] = (jlt_event){ .value = value, .context = &self->contexts[self->count] };
+    self->count++;
+}
+
+jlt_status jlt_tier_edges_open(jlt_tier_edges *out, const jlt_tier_view *view)
+{
+    const jlt_tier *tier = &view->tier;
+    jlt_status st = JLT_OK;
+
+    *out = (jlt_tier_edges){ .view = view, .general = jlt_descriptor_sibling(tier->table, NULL, tier->time, NULL) };
+    if (tier->elimination[0] != '\0') {
+        const jlt_descriptor *asked = tier->asked;
+        if (asked->integral_gradients.call == NULL || asked->integral_count > JLT_TIER_EDGES_MAX) return JLT_ERR_UNSUPPORTED;
+        JLT_TRY(jlt_instance_create(&out->full, asked, view->params[0]));
+        add(out, slope_room);
+        out->events[0].longest_step = slope_step;
+    } else if (out->general->tier_values != NULL) {
+        if (out->general->tier_condition_count > JLT_TIER_EDGES_MAX) return JLT_ERR_UNSUPPORTED;
+        while (out->count < out->general->tier_condition_count) add(out, table_room);
+    }
+done:
+    return st;
+}
+
+void jlt_tier_edges_close(jlt_tier_edges *self)
+{
+    jlt_instance_destroy(self->full);
+    self->full = NULL;
+}
+
+void jlt_tier_edge_text(char *text, const jlt_tier_edges *edges, unsigned index)
+{
+    const jlt_descriptor *kernel = edges->view->instance->descriptor, *table = edges->view->tier.table;
+
+    if (edges->full != NULL)
+        snprintf(text, JLT_TIER_TEXT_MAX, "%s hardly contains %s, and does not tell it", table->integrals[kernel->level_integral].name,
+                 table->states[kernel->eliminated_state].name);
+    else snprintf(text, JLT_TIER_TEXT_MAX, "%s does not hold, where the coordinates of the tier %s are good", edges->general->tier_conditions[index].text,
+                  edges->view->tier.name);
+}

@@ -1,0 +1,215 @@
+#include "scene/tier.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "kernel/descriptor.h"
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static jlt_status refuse(char *refusal, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(refusal, JLT_TIER_TEXT_MAX, format, arguments);
+    va_end(arguments);
+    return JLT_ERR_UNSUPPORTED;
+}
+
+static jlt_status refuse_param(char *refusal, const jlt_quantity *param)
+{
+    static const char *const conditions[] = { [JLT_ANY_SIGN] = "", [JLT_POSITIVE] = " > 0", [JLT_NONNEGATIVE] = " >= 0", [JLT_NONZERO] = " != 0" };
+
+    return refuse(refusal, "its table asks for %s%s", param->name, conditions[param->sign]);
+}
+
+/* From table to table. at: the state, which becomes that of the last; NULL: parameters alone. */
+static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
+{
+    const jlt_tier *tier = &view->tier;
+    jlt_status st = JLT_OK;
+
+    for (unsigned i = 0; i < tier->way_count; i++) {
+        const jlt_way *way = tier->ways[i];
+        const jlt_descriptor *target = i + 1 < tier->way_count ? tier->from[i + 1] : tier->table;
+        const jlt_way_condition *broken = jlt_way_broken(way, at, view->params[i]);
+        double next[JLT_WAY_VALUES_MAX];
+        size_t index;
+
+        if (way->param_count > JLT_WAY_VALUES_MAX || way->state_count > JLT_WAY_VALUES_MAX) return refuse(refusal, "its table is too large");
+        if (broken != NULL) return refuse(refusal, "the %s %s serves where %s", way->kind, way->name, broken->text);
+        if (at == NULL) {
+            jlt_way_params(way, view->params[i + 1], NULL, view->params[i]);
+            continue;
+        }
+        st = jlt_way_follow(way, next, view->params[i + 1], at, view->params[i]);
+        if (st == JLT_ERR_DOMAIN) return refuse(refusal, "an angle of the %s %s has no value at the start", way->kind, way->name);
+        if (st != JLT_OK) return refuse(refusal, "the %s %s leads nowhere from the start", way->kind, way->name);
+        if (jlt_descriptor_check_params(target, view->params[i + 1], &index) != JLT_OK) return refuse_param(refusal, &target->params[index]);
+        if (jlt_descriptor_check_state(target, next, &index) != JLT_OK)
+            return refuse(refusal, "%s would lie outside its interval", target->states[index].name);
+        memcpy(at, next, target->state_count * sizeof *at);
+    }
+    return st;
+}
+
+static bool is_eliminated(const jlt_tier *tier) { return tier->elimination[0] != '\0'; }
+
+/* The value of the integral by which a state is eliminated. x NULL: 0. */
+static jlt_status find_level(double *level, const jlt_tier_view *view, const jlt_descriptor *kernel, const double *x)
+{
+    double values[JLT_WAY_VALUES_MAX];
+    jlt_instance *full = NULL;
+    jlt_status st = JLT_OK;
+
+    *level = 0;
+    if (x == NULL) return JLT_OK;
+    if (view->tier.asked->integral_count > JLT_WAY_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
+    JLT_TRY(jlt_instance_create(&full, view->tier.asked, view->params[0]));
+    full->descriptor->integral_values.call(x, full->block, values);
+    *level = values[kernel->level_integral];
+done:
+    jlt_instance_destroy(full);
+    return st;
+}
+
+/* The kernel, bound to the parameters of the last table and the level. x: of the asked model. */
+static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *x)
+{
+    const jlt_tier *tier = &view->tier;
+    const jlt_descriptor *general = jlt_descriptor_sibling(tier->table, NULL, tier->time, tier->elimination), *kernel;
+    const double *of_table = view->params[tier->way_count];
+    double params[JLT_WAY_VALUES_MAX], level = 0;
+    jlt_status st = JLT_OK;
+    size_t index;
+
+    if (general == NULL || general->param_count > JLT_WAY_VALUES_MAX || general->state_count > JLT_WAY_VALUES_MAX)
+        return refuse(refusal, "its kernel is not built in, or too large");
+    if (general->tier_condition_count > JLT_TIER_EDGES_MAX) return refuse(refusal, "its coordinates end at more than %d edges", JLT_TIER_EDGES_MAX);
+    if (is_eliminated(tier)) st = find_level(&level, view, general, x);
+    if (st == JLT_ERR_UNSUPPORTED) return refuse(refusal, "more than %d integrals", JLT_WAY_VALUES_MAX);
+    if (st != JLT_OK) return st;
+    for (unsigned i = 0; i < general->param_count; i++)
+        params[i] = jlt_descriptor_param(tier->table, general->params[i].name, &index) ? of_table[index] : level;
+    kernel = jlt_descriptor_choose(tier->table, tier->time, tier->elimination, params);
+    if (kernel == NULL || kernel->rhs.call == NULL) return refuse(refusal, "its kernel is not built in");
+    st = jlt_instance_create(&view->instance, kernel, params);
+    if (st == JLT_ERR_DOMAIN && jlt_descriptor_check_params(kernel, params, &index) != JLT_OK)
+        return refuse_param(refusal, &kernel->params[index]);
+    if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_DOMAIN) && is_eliminated(tier))
+        return refuse(refusal, "%s does not contain %s at these parameters", tier->table->integrals[kernel->level_integral].name,
+                      tier->table->states[kernel->eliminated_state].name);
+    return st;
+}
+
+/* The kernel's states at the table's, and whether they are good there. */
+static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, const double *at)
+{
+    const jlt_tier *tier = &view->tier;
+    const jlt_descriptor *general = jlt_descriptor_sibling(tier->table, NULL, tier->time, NULL);
+    const double *params = view->params[tier->way_count];
+    double values[JLT_WAY_VALUES_MAX];
+    unsigned used = 0;
+
+    if (is_eliminated(tier)) {
+        for (unsigned i = 0; i < tier->table->state_count; i++)
+            if (i != view->instance->descriptor->eliminated_state) y[used++] = at[i];
+        view->instance->descriptor->eliminated.call(y, view->instance->block, values);
+        if (!isfinite(*values))
+            return refuse(refusal, "%s does not contain %s here", tier->table->integrals[view->instance->descriptor->level_integral].name,
+                          tier->table->states[view->instance->descriptor->eliminated_state].name);
+        return JLT_OK;
+    }
+    if (general->lifted != NULL) general->lifted(at, params, y);
+    else memcpy(y, at, general->state_count * sizeof *y);
+    if (general->tier_values == NULL) return JLT_OK;
+    general->tier_values(y, params, values);
+    for (unsigned k = 0; k < general->tier_condition_count; k++)
+        if (!(values[k] > 0)) return refuse(refusal, "its coordinates are good where %s", general->tier_conditions[k].text);
+    return JLT_OK;
+}
+
+/* The ways in the tier's time, as far as tables have it. False: a table on the way is too large. */
+static bool choose_backs(jlt_tier_view *view)
+{
+    const jlt_tier *tier = &view->tier;
+
+    for (unsigned i = 0; i < tier->way_count; i++) {
+        const jlt_descriptor *timed = jlt_descriptor_sibling(tier->from[i], NULL, tier->time, NULL);
+        const size_t index = (size_t)(tier->ways[i] - tier->from[i]->ways);
+        view->back[i] = timed != NULL && index < timed->way_count ? &timed->ways[index] : tier->ways[i];
+        if (timed != NULL && timed->state_count > JLT_WAY_VALUES_MAX) return false;
+    }
+    return true;
+}
+
+static jlt_status open_from(jlt_tier_view *view, double *y, char *refusal, const jlt_tier *tier, const double *params, const double *x,
+                            const signed char *mirror)
+{
+    double start[JLT_WAY_VALUES_MAX], at[JLT_WAY_VALUES_MAX];
+    jlt_status st = JLT_OK;
+
+    *view = (jlt_tier_view){ .tier = *tier, .mirror = mirror };
+    memcpy(view->params[0], params, tier->asked->param_count * sizeof *params);
+    for (unsigned i = 0; x != NULL && i < tier->asked->state_count; i++) at[i] = start[i] = mirror != NULL ? mirror[i] * x[i] : x[i];
+    JLT_TRY(follow_ways(view, x != NULL ? at : NULL, refusal));
+    JLT_TRY(bind_kernel(view, refusal, x != NULL ? start : NULL));
+    if (x != NULL) JLT_TRY(place(view, y, refusal, at));
+    if (!choose_backs(view)) st = refuse(refusal, "a table on the way is too large");
+done:
+    if (st != JLT_OK) jlt_tier_close(view);
+    return st;
+}
+
+static const signed char *reversor_of(const jlt_descriptor *asked)
+{
+    for (unsigned i = 0; i < asked->reversor_count; i++)
+        if (asked->claims[asked->reversors[i].claim].verdict == JLT_PROVED) return asked->reversors[i].signs;
+    return NULL;
+}
+
+jlt_status jlt_tier_open(jlt_tier_view *out, double *y, char *refusal, const jlt_tier *tier, const double *params, const double *x)
+{
+    const signed char *mirror = reversor_of(tier->asked);
+    char second[JLT_TIER_TEXT_MAX];
+    jlt_status st;
+
+    if (tier->table == NULL) return JLT_ERR_ARG;
+    if (tier->asked->state_count > JLT_WAY_VALUES_MAX || tier->asked->param_count > JLT_WAY_VALUES_MAX)
+        return refuse(refusal, "more than %d states or parameters", JLT_WAY_VALUES_MAX);
+    st = open_from(out, y, refusal, tier, params, x, NULL);
+    if (st != JLT_ERR_UNSUPPORTED || x == NULL || mirror == NULL || tier->way_count == 0 || tier->is_larger) return st;
+    st = open_from(out, y, second, tier, params, x, mirror);
+    if (st == JLT_OK) refusal[0] = '\0';
+    return st;
+}
+
+void jlt_tier_close(jlt_tier_view *self)
+{
+    jlt_instance_destroy(self->instance);
+    self->instance = NULL;
+}
+
+void jlt_tier_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    const jlt_tier *tier = &view->tier;
+    const jlt_descriptor *kernel = view->instance->descriptor;
+    double rooms[2][JLT_WAY_VALUES_MAX];
+
+    if (is_eliminated(tier)) {
+        const unsigned at = kernel->eliminated_state;
+        memcpy(x, y, at * sizeof *x);
+        memcpy(x + at + 1, y + at, (tier->asked->state_count - at - 1) * sizeof *x);
+        kernel->eliminated.call(y, view->instance->block, &x[at]);
+        return;
+    }
+    for (unsigned i = tier->way_count; i > 0; i--) {
+        view->back[i - 1]->back(y, view->params[i], rooms[i % 2]);
+        y = rooms[i % 2];
+    }
+    for (unsigned i = 0; i < tier->asked->state_count; i++) x[i] = view->mirror != NULL ? view->mirror[i] * y[i] : y[i];
+}
