@@ -119,25 +119,6 @@ section plain.csv --batch --tol 1e-10 --start eta=0.44,gamma3=-0.62 --returns 10
 awk -v a="$(drift projected.csv)" -v b="$(drift plain.csv)" 'BEGIN { exit !(a < 1e-10 && b > 20 * a) }' ||
     fail "--project: E is off by $(drift projected.csv), without it by $(drift plain.csv)"
 
-# g = g0 + p t - t^2/8: three orbits leave |g| < 1 before the first return, two of them over the top, and one after it.
-cat > fall.tt <<'T'
-model fall
-state g in (-1, 1)
-state p
-state h
-state q
-eq g = p
-eq p = - 1/4
-eq h = q
-eq q = - h
-T
-falling=(./fall.tt --section h=0 --returns 3)
-for at in g=0,p=0.1 g=0,p=0.75 g=-0.9,p=1 g=-0.9,p=0.95; do falling+=(--start "$at,q=1"); done
-section one.csv "${falling[@]}"
-section many.csv --batch "${falling[@]}"
-cmp -s <(cut -d, -f1,2,7 one.csv) <(cut -d, -f1,2,7 many.csv) || fail "where orbits leave an interval, orbits, returns or fates differ"
-[ "$(grep -c ',left_domain$' many.csv)" -eq 4 ] || fail "not all orbits leave the interval: $(cat many.csv)"
-
 # What batches cannot do is refused, with a word on what to do instead.
 refused() { # STATUS WORDS OPTION...
     local want=$1 words=$2 got
