@@ -42,6 +42,10 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
 /* The same of expressions in the field's symbols, on raw parameters, and an empty line after it. False when memory is out. */
 bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count);
 
+/* The same under the name of one of several, such as section0_lift of "section", 0 and "lift". */
+bool ttc_emit_numbered(ttc_text *text, const char *what, size_t number, const char *name, ttc_field *field, const ttc_id *ids,
+                       size_t count);
+
 /* The unsimplified field in complex arithmetic, a function named rhs_complex. */
 void ttc_emit_complex(ttc_text *text, ttc_field *field);
 

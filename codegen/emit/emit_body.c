@@ -277,3 +277,13 @@ bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const 
     ttc_program_destroy(program);
     return program != NULL;
 }
+
+bool ttc_emit_numbered(ttc_text *text, const char *what, size_t number, const char *name, ttc_field *field, const ttc_id *ids,
+                       size_t count)
+{
+    ttc_text function = { 0 };
+    ttc_text_format(&function, "%s%zu_%s", what, number, name);
+    const bool ok = !function.failed && ttc_emit_outputs(text, ttc_text_string(&function), field, ids, count);
+    ttc_text_clear(&function);
+    return ok;
+}

@@ -125,7 +125,7 @@ void ttc_emit_complex(ttc_text *text, ttc_field *field)
     }
     if (field->time != NULL) declare_all(&e, field->time->factor);
     for (size_t i = 0; i < model->state_count; i++) emit_equation(&e, model->equations + i);
-    for (size_t i = 0; field->time != NULL && i < field->time->lifted_count; i++) emit_lifted(&e, field->time->lifted[i]);
+    for (size_t i = 0; i < ttc_field_lifted_count(field); i++) emit_lifted(&e, field->time->lifted[i]);
     ttc_text_add(text, "static void rhs_complex(const double complex *restrict x, const double *restrict params,\n"
                        "                        double complex *restrict out)\n{\n");
     if (!e.reads_states) ttc_text_add(text, "    (void)x;\n");

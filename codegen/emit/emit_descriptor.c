@@ -50,7 +50,7 @@ static void describe_field(ttc_text *text, ttc_field *field)
         ttc_text_format(&line, "%s: dt = (", field->time->name);
         ttc_emit_formula(&line, field->graph, field->time->factor, ttc_emit_symbol_name, field);
         ttc_text_add(&line, ") dtau");
-        for (size_t i = 0; i < field->time->lifted_count; i++)
+        for (size_t i = 0; i < ttc_field_lifted_count(field); i++)
             ttc_text_format(&line, "%s%s", i == 0 ? "; states of their own: " : ", ",
                             field->model->symbols[field->time->lifted[i]].name);
         add_comment_line(text, "Time:", ttc_text_string(&line));

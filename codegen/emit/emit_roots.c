@@ -4,22 +4,9 @@
 
 #include <stdlib.h>
 
-static size_t lifted_count(const ttc_field *field) { return field->time == NULL ? 0 : field->time->lifted_count; }
-
-static bool emit_outputs(ttc_text *text, const char *name, ttc_field *field, ttc_id *ids, size_t count)
-{
-    ttc_program *program = ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
-    if (program != NULL) {
-        ttc_emit_function(text, name, program, field, NULL);
-        ttc_text_add(text, "\n");
-    }
-    ttc_program_destroy(program);
-    return program != NULL;
-}
-
 bool ttc_emit_roots(ttc_text *text, ttc_field *field)
 {
-    const size_t count = lifted_count(field), n = field->state_count;
+    const size_t count = ttc_field_lifted_count(field), n = field->state_count;
     const ttc_model *model = field->model;
     if (count == 0) return true;
     ttc_id *relations = calloc(count, sizeof *relations), *gradients = calloc(count * n, sizeof *gradients);
@@ -35,8 +22,8 @@ bool ttc_emit_roots(ttc_text *text, ttc_field *field)
             ok = gradients[i * n + j] != TTC_NONE;
         }
     }
-    ok = ok && emit_outputs(text, "root_relations", field, relations, count) &&
-         emit_outputs(text, "root_relation_gradients", field, gradients, count * n);
+    ok = ok && ttc_emit_outputs(text, "root_relations", field, relations, count) &&
+         ttc_emit_outputs(text, "root_relation_gradients", field, gradients, count * n);
     free(gradients);
     free(relations);
     return ok;
@@ -54,8 +41,8 @@ static void add_elimination(ttc_text *text, const ttc_field *field)
 
 void ttc_emit_root_member(ttc_text *text, const ttc_field *field)
 {
-    if (lifted_count(field) > 0)
+    if (ttc_field_lifted_count(field) > 0)
         ttc_text_format(text, "    .lifted_count = %zu, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,\n",
-                        lifted_count(field));
+                        ttc_field_lifted_count(field));
     if (field->elimination != NULL) add_elimination(text, field);
 }

@@ -6,12 +6,10 @@
 
 #include <stdlib.h>
 
-static bool is_served(const ttc_field *field) { return field->variant == NULL && field->elimination == NULL; }
-
 void ttc_emit_poles(ttc_text *text, const ttc_field *field)
 {
     const ttc_model *model = field->model;
-    if (!is_served(field) || model->pole_count == 0) return;
+    if (!ttc_field_is_general(field) || model->pole_count == 0) return;
     ttc_text_add(text, "static const jlt_pole poles[] = {\n");
     for (size_t i = 0; i < model->pole_count; i++) {
         ttc_text_format(text, "    { %u, \"", (unsigned)field->symbols[model->poles[i].state].position);
@@ -23,7 +21,7 @@ void ttc_emit_poles(ttc_text *text, const ttc_field *field)
 
 void ttc_emit_pole_member(ttc_text *text, const ttc_field *field)
 {
-    if (is_served(field) && field->model->pole_count > 0)
+    if (ttc_field_is_general(field) && field->model->pole_count > 0)
         ttc_text_format(text, "    .pole_count = %zu, .poles = poles,\n", field->model->pole_count);
 }
 
@@ -44,11 +42,7 @@ typedef struct {
 /* The expressions in `ids`, those of `field`. */
 static bool emit_program(section_emitter *e, const char *name, ttc_field *field, size_t count)
 {
-    ttc_text function = { 0 };
-    ttc_text_format(&function, "section%zu_%s", e->number, name);
-    const bool ok = !function.failed && ttc_emit_outputs(e->text, ttc_text_string(&function), field, e->ids, count);
-    ttc_text_clear(&function);
-    return ok;
+    return ttc_emit_numbered(e->text, "section", e->number, name, field, e->ids, count);
 }
 
 static ttc_id lifted(const section_emitter *e, size_t state)
@@ -250,7 +244,7 @@ bool ttc_emit_sections(ttc_text *text, ttc_kernels *kernels, size_t *count)
     ttc_text table = { 0 };
     bool ok = true;
     *count = 0;
-    for (size_t i = 0; ok && i < model->section_count && is_served(kernels->field); i++) {
+    for (size_t i = 0; ok && i < model->section_count && ttc_field_is_general(kernels->field); i++) {
         char reason[200];
         section_emitter e = { .text = text, .kernels = kernels, .section = model->sections + i, .number = *count };
         e.claim = model->claims + e.section->claim;

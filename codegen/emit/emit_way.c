@@ -8,10 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_served(const ttc_field *field) { return field->variant == NULL && field->elimination == NULL; }
-
-static bool has_lifted(const ttc_field *field) { return field->time != NULL && field->time->lifted_count > 0; }
-
 static void add_string(ttc_text *text, const char *value)
 {
     ttc_text_add(text, "\"");
@@ -23,7 +19,7 @@ static void add_string(ttc_text *text, const char *value)
 
 bool ttc_emit_lifted(ttc_text *text, const ttc_field *field)
 {
-    if (!has_lifted(field)) return true;
+    if (ttc_field_lifted_count(field) == 0) return true;
     ttc_field *plain = NULL;
     ttc_id *ids = calloc(field->state_count + 1, sizeof *ids);
     bool ok = ids != NULL && ttc_field_create(&plain, field->model, field->variant, NULL, field->elimination) == TTC_FIELD_OK;
@@ -47,7 +43,7 @@ static void add_inequalities(ttc_text *text, const ttc_inequalities *list)
 bool ttc_emit_tier(ttc_text *text, ttc_field *field)
 {
     const ttc_inequalities *conditions = &field->model->tier.conditions;
-    if (!is_served(field) || conditions->count == 0) return true;
+    if (!ttc_field_is_general(field) || conditions->count == 0) return true;
     ttc_id *ids = calloc(conditions->count, sizeof *ids);
     for (size_t i = 0; ids != NULL && i < conditions->count; i++)
         ids[i] = ttc_field_specialise(field, conditions->items[i].expression);
@@ -62,8 +58,8 @@ bool ttc_emit_tier(ttc_text *text, ttc_field *field)
 void ttc_emit_way_members(ttc_text *text, const ttc_field *field, size_t ways)
 {
     const ttc_tier *tier = &field->model->tier;
-    if (has_lifted(field)) ttc_text_add(text, "    .lifted = lifted,\n");
-    if (is_served(field) && tier->name != NULL) {
+    if (ttc_field_lifted_count(field) > 0) ttc_text_add(text, "    .lifted = lifted,\n");
+    if (ttc_field_is_general(field) && tier->name != NULL) {
         ttc_text_format(text, "    .tier = \"%s\", .tier_meaning = ", tier->name);
         add_string(text, tier->meaning);
         ttc_text_add(text, ",\n");
@@ -91,11 +87,7 @@ typedef struct {
 
 static bool emit_kernel(way_emitter *e, const char *name, ttc_field *field, size_t count)
 {
-    ttc_text function = { 0 };
-    ttc_text_format(&function, "way%zu_%s", e->number, name);
-    const bool ok = !function.failed && ttc_emit_outputs(e->text, ttc_text_string(&function), field, e->ids, count);
-    ttc_text_clear(&function);
-    return ok;
+    return ttc_emit_numbered(e->text, "way", e->number, name, field, e->ids, count);
 }
 
 static bool emit_coordinates(way_emitter *e)
@@ -221,7 +213,7 @@ bool ttc_emit_ways(ttc_text *text, ttc_kernels *kernels, size_t *count)
     ttc_text table = { 0 };
     bool ok = true;
     *count = 0;
-    for (size_t i = 0; ok && i < model->way_count && is_served(kernels->field); i++) {
+    for (size_t i = 0; ok && i < model->way_count && ttc_field_is_general(kernels->field); i++) {
         char reason[240];
         uint32_t back;
         way_emitter e = { .text = text, .kernels = kernels, .way = model->ways + i, .number = *count };

@@ -127,6 +127,10 @@ static bool holds_only_parameters(constancy *c, ttc_id id)
     return true;
 }
 
+bool ttc_field_is_general(const ttc_field *field) { return field->variant == NULL && field->elimination == NULL; }
+
+size_t ttc_field_lifted_count(const ttc_field *field) { return field->time == NULL ? 0 : field->time->lifted_count; }
+
 bool ttc_field_is_constant(const ttc_field *field, ttc_id expression)
 {
     constancy c = { field, calloc(ttc_graph_size(field->graph) + 1, 1) };

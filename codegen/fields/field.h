@@ -91,6 +91,12 @@ bool ttc_field_gather(ttc_field *field, ttc_id *rhs);
 /* Multiply term by term, so that factors cancel in each term of a sum on its own. */
 ttc_id ttc_field_distribute(ttc_field *field, ttc_id sum, ttc_id factor);
 
+/* True for the field of no variant that keeps all states, in any time. */
+bool ttc_field_is_general(const ttc_field *field);
+
+/* How many roots are states of the field, after the table's. */
+size_t ttc_field_lifted_count(const ttc_field *field);
+
 /* True when the expression holds parameters alone. */
 bool ttc_field_is_constant(const ttc_field *field, ttc_id expression);
 

@@ -138,7 +138,7 @@ static bool add_measure_kernels(ttc_kernels *k)
 {
     k->measures = claims_of_kind(k, TTC_CLAIM_MEASURE, &k->measure_count);
     if (k->measures == NULL) return false;
-    if (k->field->time != NULL && k->field->time->lifted_count > 0) k->measure_count = 0;
+    if (ttc_field_lifted_count(k->field) > 0) k->measure_count = 0;
     if (!reserve(k, TTC_KERNEL_MEASURE_VALUES, k->measure_count)
         || !reserve(k, TTC_KERNEL_MEASURE_DIVERGENCES, k->measure_count))
         return false;

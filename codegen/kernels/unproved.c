@@ -28,7 +28,7 @@ static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t numb
     else if (holds(k->measures, k->measure_count, number))
         add_kernels(text, TTC_KERNEL_MEASURE_VALUES, TTC_KERNEL_MEASURE_DIVERGENCES);
     else if (holds(k->families, k->family_count, family)) ttc_text_add(text, "equilibria");
-    else if (claim->kind == TTC_CLAIM_SECTION && k->field->variant == NULL && k->field->elimination == NULL)
+    else if (claim->kind == TTC_CLAIM_SECTION && ttc_field_is_general(k->field))
         ttc_text_add(text, "sections");
 }
 
