@@ -185,6 +185,14 @@ static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section
     ttc_valuation_destroy(map);
 }
 
+/* Levels are those of integrals: what is lost from them leaves the section's coordinates as well. */
+static void check_levels(ttc_task *task)
+{
+    for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
+        if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->members[i]) != TTC_PROVED)
+            ttc_task_unsettle(task, "it is on levels of %s, which is not proved", task->model->claims[task->claim->members[i]].name);
+}
+
 void ttc_prove_section(ttc_task *task)
 {
     const ttc_section *section = section_of(task);
@@ -197,5 +205,6 @@ void ttc_prove_section(ttc_task *task)
     if (!task->is_lifted) look_at_chart(task, chart);
     task->is_lifted = true;
     if (ttc_task_open(task)) prove_back(task, chart, section);
+    check_levels(task);
     ttc_model_destroy(chart);
 }

@@ -56,4 +56,8 @@ void claim_signs(maker *m);
 void claim_reductions(maker *m, FILE *target); /* writes the target as well */
 void claim_towers(maker *m);
 
+/* Whole tables: of tables that serve in place of each other, and of sections with coordinates. */
+void write_ways(maker *m, FILE *target);
+void write_section(maker *m, FILE *target);
+
 #endif
