@@ -269,7 +269,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.begins.start_count = o.start != NULL;
     o.motion.begins.grid = o.grid;
     const bool has_method = o.motion.flow.method != NULL;
-    if (!has_method) o.motion.flow.method = jlt_map_method();
+    if (!has_method) o.motion.flow.method = jlt_method_find(NULL);
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
     if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);

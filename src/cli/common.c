@@ -32,8 +32,7 @@ static const struct argp_option accuracy_table[] = {
     { "tol", 't', "VALUE", 0,
       "Tolerance: about what ten returns err by, in units of the problem, by every method; default 1e-12", 11 },
     { "method", METHOD, "METHOD", 0,
-      "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
-      "rkf45, msadams", 11 },
+      "gauss (default), dop853, taylor (derivatives by gauss), rk8pd, rkf45, msadams", 11 },
     { 0 },
 };
 

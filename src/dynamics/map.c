@@ -6,25 +6,15 @@
 
 #include "dynamics/linear.h"
 #include "dynamics/map_return.h"
+#include "dynamics/varied.h"
 #include "integrate/rest.h"
-
-enum { DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
 
 /* Below this a lifted root will not come back: orbits that only graze a pole stay far above it. */
 static const double root_floor = 1e-13;
 
-/* The block behind the varied field: states, tangent vectors by columns, integral of the divergence. */
-typedef struct {
-    const jlt_chart *chart;
-    const jlt_field *field;
-    jlt_kernel_function rhs_jacobian;
-} varied;
-
 struct jlt_map {
     jlt_flow flow;
-    varied block;
-    jlt_field field;
-    double scale[DIM_MAX];
+    jlt_varied varied;
     jlt_orbit *orbit;
     jlt_section *section; /* plain returns */
     bool is_slow; /* when the orbit was last looked at */
@@ -33,49 +23,6 @@ struct jlt_map {
     size_t steps;         /* before it */
     jlt_image image;      /* of the returns so far */
 };
-
-/* Field and Jacobian: (n,) and (n, n). */
-static void jacobian_at(const varied *block, const double *x, double *both)
-{
-    if (block->rhs_jacobian != NULL) {
-        block->rhs_jacobian(x, block->field->p, both);
-        return;
-    }
-    block->field->call(x, block->field->p, both);
-    block->field->jacobian(x, block->field->p, both + block->chart->states);
-}
-
-static void varied_call(const double *restrict x, const double *restrict p, double *restrict out)
-{
-    const varied *block = (const varied *)(const void *)p;
-    const jlt_chart *chart = block->chart;
-    const unsigned n = chart->states, columns = chart->dim;
-    double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)];
-    const double *jacobian = both + n;
-    double trace = 0;
-    unsigned i, j, k;
-
-    jacobian_at(block, x, both);
-    memcpy(out, both, n * sizeof *out);
-    for (k = 0; k < columns; k++) {
-        const double *y = x + n * (1 + k);
-        double *dy = out + n * (1 + k);
-        for (i = 0; i < n; i++) {
-            double sum = 0;
-            for (j = 0; j < n; j++) sum += jacobian[i * n + j] * y[j];
-            dy[i] = sum;
-        }
-    }
-    for (i = 0; i < n; i++) trace += jacobian[i * n + i];
-    out[n * (1 + columns)] = trace;
-}
-
-static void varied_time(const double *restrict x, const double *restrict p, double *restrict out)
-{
-    const varied *block = (const varied *)(const void *)p;
-
-    block->field->time_rate(x, block->field->p, out);
-}
 
 /* What never comes back to the section: a pole it falls into, or a place where it comes to rest. */
 static int watch(void *context, jlt_orbit *orbit)
@@ -91,37 +38,12 @@ static int watch(void *context, jlt_orbit *orbit)
         self->most = fmax(self->most, size);
         self->least = fmin(self->least, size);
     }
-    self->swing = fmax(self->swing, fabs(stepper->x[self->field.dim - 1]));
+    self->swing = fmax(self->swing, fabs(stepper->x[self->varied.field.dim - 1]));
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;
     self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, jlt_rest_slow(stepper->asked));
     return was_slow && self->is_slow;
-}
-
-static jlt_status make_field(jlt_map *self)
-{
-    const jlt_field *plain = self->flow.field;
-    unsigned i;
-
-    if (plain->jacobian == NULL && self->flow.rhs_jacobian == NULL) return JLT_ERR_UNSUPPORTED;
-    self->block = (varied){ self->flow.chart, plain, self->flow.rhs_jacobian };
-    self->field = (jlt_field){ .dim = plain->dim * (1 + self->flow.chart->dim) + 1,
-                               .call = varied_call,
-                               .p = (const double *)(const void *)&self->block,
-                               .time_rate = plain->time_rate != NULL ? varied_time : NULL,
-                               .root = -1,
-                               .scale = self->scale };
-    for (i = 0; i < self->field.dim; i++) self->scale[i] = 1;
-    for (i = 0; i < plain->dim; i++)
-        if (plain->scale != NULL) self->scale[i] = plain->scale[i];
-        else if ((int)i == plain->root) self->scale[i] = 0;
-    return JLT_OK;
-}
-
-const jlt_method *jlt_map_method(void)
-{
-    return jlt_method_find("dop853");
 }
 
 jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
@@ -134,11 +56,11 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->flow = *flow;
-    if (self->flow.method == NULL) self->flow.method = jlt_map_method();
+    if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
-    JLT_TRY(make_field(self));
+    JLT_TRY(jlt_varied_make(&self->varied, self->flow.field, self->flow.rhs_jacobian, self->flow.chart->dim));
     /* The varied field has no jet. */
-    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_map_method() : self->flow.method, &self->field,
+    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_method_find(NULL) : self->flow.method, &self->varied.field,
                              &(jlt_options){ .tolerance = flow->tolerance,
                                              .max_steps = self->flow.max_steps,
                                              .interrupt = flow->interrupt }));
@@ -194,7 +116,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
     double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)], lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
     double q[JLT_CHART_DIM_MAX], gradient = 0, fastest = 0, aside = 0, all = 1;
 
-    jacobian_at(&self->block, end, both);
+    jlt_varied_linear(&self->varied, end, both);
     chart->lower(chart, q, lowering, end);
     for (unsigned i = 0; i < n; i++) {
         gradient += fabs(both[n + c * n + i]) * fmax(1, fabs(end[i]));
@@ -215,7 +137,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
 static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
 {
     const unsigned n = self->flow.chart->states, d = self->flow.chart->dim;
-    double start[DIM_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], flux;
+    double start[JLT_VARIED_DIM_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], flux;
     jlt_map_return arrival;
     jlt_outcome outcome;
     jlt_status st = JLT_OK;
@@ -246,7 +168,7 @@ jlt_status jlt_map_resume(jlt_map *self, double *x, double *t)
 
     JLT_TRY(jlt_orbit_start(self->orbit, 0, x, 1));
     JLT_TRY(to_section(self, &outcome, 1));
-    memcpy(x, outcome.x, self->field.dim * sizeof *x);
+    memcpy(x, outcome.x, self->varied.field.dim * sizeof *x);
     *t = outcome.t;
 done:
     return st;

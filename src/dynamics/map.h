@@ -26,13 +26,9 @@ typedef struct {
 
 typedef struct jlt_map jlt_map;
 
-/** The default method of maps, dop853. For one orbit alone the variational equations have no kernel on vectors, without which gauss,
- *  the default for plain orbits, is slow (many points go on vectors together, see map_batch.h); of the other methods dop853 gives
- *  multipliers most accurately. */
-const jlt_method *jlt_map_method(void);
-
-/** Create the map of a flow, which is copied; what it points to must live as long. A flow without a method gets the default. So
- *  do derivatives when the flow's method needs a jet, since the variational equations have none.
+/** Create the map of a flow, which is copied; what it points to must live as long. A flow without a method gets the default, gauss,
+ *  which takes its nodes on vectors here as for plain orbits. So do derivatives when the flow's method needs a jet, since the
+ *  variational equations have none.
  *  Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */

@@ -12,7 +12,7 @@ enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
 static const double longest_step = 0.5;    /* in section coordinates */
 static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
 static const double accepted_most = 1e-9;  /* and absolute */
-static const double null_cutoff = 1e-11;   /* singular values of I - DP under this are a family of orbits */
+static const double null_cutoff = 1e-11;   /* singular values of I - DP under this, relative to I or to itself, are a family of orbits */
 
 static double norm(const double *v, unsigned count)
 {
@@ -46,7 +46,7 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     if (count == 0) return JLT_ERR_ARG;
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
-    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff);
+    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff / fmin(1, norm(system, d * count)));
     if (st != JLT_OK) return st;
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];

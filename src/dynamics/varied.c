@@ -1,0 +1,98 @@
+#include "dynamics/varied.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "dynamics/varied_batch.h"
+#include "integrate/batch.h"
+#include "integrate/gauss_batch.h"
+
+void jlt_varied_linear(const jlt_varied *self, const double *x, double *both)
+{
+    const jlt_field *plain = self->plain;
+
+    if (self->rhs_jacobian != NULL) {
+        self->rhs_jacobian(x, plain->p, both);
+        return;
+    }
+    plain->call(x, plain->p, both);
+    plain->jacobian(x, plain->p, both + plain->dim);
+}
+
+static void call(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const jlt_varied *self = (const jlt_varied *)(const void *)p;
+    const unsigned n = self->plain->dim, columns = self->tangents;
+    double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)];
+    const double *jacobian = both + n;
+    double trace = 0;
+    unsigned i, j, k;
+
+    jlt_varied_linear(self, x, both);
+    memcpy(out, both, n * sizeof *out);
+    for (k = 0; k < columns; k++) {
+        const double *y = x + n * (1 + k);
+        double *dy = out + n * (1 + k);
+        for (i = 0; i < n; i++) {
+            double sum = 0;
+            for (j = 0; j < n; j++) sum += jacobian[i * n + j] * y[j];
+            dy[i] = sum;
+        }
+    }
+    for (i = 0; i < n; i++) trace += jacobian[i * n + i];
+    out[n * (1 + columns)] = trace;
+}
+
+static void time_rate(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const jlt_varied *self = (const jlt_varied *)(const void *)p;
+
+    self->plain->time_rate(x, self->plain->p, out);
+}
+
+/* Rows are as long as there are nodes in a step. */
+static void call_on_lanes(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
+{
+    const jlt_varied *self = (const jlt_varied *)(const void *)p;
+    const jlt_kernel_batch *kernels = self->plain->batch;
+    _Alignas(64) double both[JLT_BATCH_STATES_MAX * (1 + JLT_BATCH_STATES_MAX) * JLT_GAUSS_BATCH_NODES];
+
+    kernels->rhs_jacobian(x, self->plain->p, both, stride);
+    self->products->product(x, both, out, stride, self->plain->dim, self->tangents);
+}
+
+static void time_rate_on_lanes(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
+{
+    const jlt_varied *self = (const jlt_varied *)(const void *)p;
+
+    self->plain->batch->time_factor(x, self->plain->p, out, stride);
+}
+
+jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian, unsigned tangents)
+{
+    const jlt_kernel_batch *kernels = plain->batch;
+
+    if (plain->jacobian == NULL && rhs_jacobian == NULL) return JLT_ERR_UNSUPPORTED;
+    self->plain = plain;
+    self->rhs_jacobian = rhs_jacobian;
+    self->tangents = tangents;
+    self->field = (jlt_field){ .dim = plain->dim * (1 + tangents) + 1,
+                               .call = call,
+                               .p = (const double *)(const void *)self,
+                               .time_rate = plain->time_rate != NULL ? time_rate : NULL,
+                               .root = -1,
+                               .scale = self->scale };
+    if (kernels != NULL && kernels->rhs_jacobian != NULL && plain->dim <= JLT_BATCH_STATES_MAX) {
+        self->batch = (jlt_kernel_batch){ .isa = kernels->isa,
+                                          .lanes = kernels->lanes,
+                                          .rhs = call_on_lanes,
+                                          .time_factor = plain->time_rate != NULL ? time_rate_on_lanes : NULL };
+        self->products = jlt_varied_batch_find(kernels);
+        self->field.batch = &self->batch;
+    }
+    for (unsigned i = 0; i < self->field.dim; i++) self->scale[i] = 1;
+    for (unsigned i = 0; i < plain->dim; i++)
+        if (plain->scale != NULL) self->scale[i] = plain->scale[i];
+        else if ((int)i == plain->root) self->scale[i] = 0;
+    return JLT_OK;
+}

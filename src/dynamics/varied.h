@@ -1,0 +1,27 @@
+/** The variational equations of a field along an orbit, as a field of its own: states, tangent vectors one after another, and the
+ *  integral of the divergence. */
+#ifndef JLT_DYNAMICS_VARIED_H
+#define JLT_DYNAMICS_VARIED_H
+
+#include "dynamics/chart.h"
+
+enum { JLT_VARIED_DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
+
+typedef struct {
+    const jlt_field *plain;
+    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the plain field's block; NULL: two calls */
+    unsigned tangents;
+    jlt_field field;                  /* f and J Y and the trace of J; its parameters are this structure */
+    jlt_kernel_batch batch;           /* the same on vectors, for the method gauss, */
+    const struct jlt_varied_batch *products; /* and what multiplies there */
+    double scale[JLT_VARIED_DIM_MAX]; /* tangent vectors are measured against 1 or their size */
+} jlt_varied;
+
+/** Make the field in place: it points into *self, which must stay where it is, as must `plain`. On vectors it goes where the plain
+ *  field has kernels for that and at most JLT_BATCH_STATES_MAX states. Errors: UNSUPPORTED, no Jacobian is known. */
+JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian, unsigned tangents);
+
+/** Field and Jacobian of the plain field: (n,) and (n, n). */
+void jlt_varied_linear(const jlt_varied *self, const double *x, double *both);
+
+#endif
