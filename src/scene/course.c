@@ -44,6 +44,8 @@ struct jlt_course {
     double *seen; /* what it observes there */
     double least, lost_at;
     const char *lost; /* the condition, NULL: none */
+    double unknown_at;
+    const char *unknown;
 
     double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX];
     double params[JLT_PLAN_PARAMS_MAX], start[JLT_PLAN_STATES_MAX];
@@ -95,12 +97,25 @@ unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quanti
     return jlt_observed_count(self->observed);
 }
 
+/* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no value. */
+static bool is_inside(const jlt_course *self, const double *x)
+{
+    double restored[JLT_PLAN_STATES_MAX];
+    size_t index;
+
+    jlt_units_restore(restored, x, self->question.model->states, self->states, &self->units);
+    return jlt_descriptor_check_state(self->question.model, restored, &index) == JLT_OK;
+}
+
 static void note_conditions(jlt_course *self, double t, const double *x)
 {
-    /* NaN at a pole where the level does not tell the rotation: nothing is known there. */
     unsigned condition = 0;
     const double value = jlt_observed_least(self->observed, &condition, x);
 
+    if (isnan(value) && self->unknown == NULL && is_inside(self, x)) {
+        self->unknown_at = t;
+        self->unknown = jlt_observed_condition(self->observed, condition);
+    }
     if (value < self->least) self->least = value;
     if (value <= 0 && isnan(self->lost_at)) {
         self->lost_at = t;
@@ -164,7 +179,7 @@ static void copy_question(jlt_course *self, const jlt_plan *plan, const jlt_ques
     self->question.start = self->told_start;
     self->states = question->model->state_count;
     self->least = INFINITY;
-    self->lost_at = NAN;
+    self->lost_at = self->unknown_at = NAN;
     self->taken = plan->chosen;
     self->is_rod = plan->candidates[plan->chosen].tier.table == NULL;
 }
@@ -249,6 +264,7 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
     jlt_units_restore(self->row, self->x, self->question.model->states, self->states, units);
     row->t = ldexp(t, units->time);
     row->lost_at = ldexp(row->lost_at, units->time);
+    row->unknown_at = ldexp(row->unknown_at, units->time);
     for (unsigned i = 0; i < 2; i++) {
         row->attitude.centre[i] = ldexp(row->attitude.centre[i], units->length);
         row->attitude.contact[i] = ldexp(row->attitude.contact[i], units->length);
@@ -270,6 +286,8 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     row->least = self->least;
     row->lost_at = self->lost_at;
     row->lost = self->lost;
+    row->unknown_at = self->unknown_at;
+    row->unknown = self->unknown;
     if (self->question.attitude) {
         row->has_attitude = true;
         jlt_attitude_of(&row->attitude, &self->top, self->leg->view.instance->descriptor, self->leg->y);
@@ -348,8 +366,8 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
     jlt_status st = JLT_OK;
 
     row->x = NULL; /* until a point is reached */
-    row->lost_at = NAN;
-    row->lost = NULL;
+    row->lost_at = row->unknown_at = NAN;
+    row->lost = row->unknown = NULL;
     t = ldexp(t, -self->units.time);
     if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
     if (t == self->t) {
