@@ -305,7 +305,7 @@ static jlt_status change_tier(jlt_course *self)
     jlt_units_restore(here, self->x, self->question.model->states, self->states, &self->units);
     for (unsigned i = self->taken + 1; st == JLT_ERR_DOMAIN && i < self->plan.count; i++) {
         const unsigned from = self->taken;
-        if (!jlt_plan_serves(&self->plan.candidates[i], &self->question, here)) continue;
+        if (!jlt_plan_serves(&self->plan.candidates[i].tier, &self->plan.candidates[i], &self->question, here)) continue;
         if (self->options.project && self->plan.candidates[i].descriptor->unproved != NULL) continue;
         st = open_leg(self, i, self->x, self->t);
         if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* it does not serve in the course's units */

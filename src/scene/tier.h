@@ -11,7 +11,7 @@
 #include "kernel/instance.h"
 #include "kernel/way.h"
 
-enum { JLT_TIERS_MAX = 24, JLT_TIER_WAYS_MAX = 4, JLT_TIER_NAME_MAX = 64, JLT_TIER_TEXT_MAX = 256, JLT_TIER_EDGES_MAX = 8 };
+enum { JLT_TIERS_MAX = 24, JLT_TIER_WAYS_MAX = 4, JLT_TIER_NAME_MAX = 144 /* two names of a table, and more */, JLT_TIER_TEXT_MAX = 256, JLT_TIER_EDGES_MAX = 8 };
 
 typedef struct {
     char name[JLT_TIER_NAME_MAX], meaning[JLT_TIER_TEXT_MAX];
@@ -26,8 +26,12 @@ typedef struct {
     const jlt_descriptor *from[JLT_TIER_WAYS_MAX];
 } jlt_tier;
 
-/** The tiers of a model, from the smallest, with tables that are built in and `others`, NULL for none. Out: tiers, shape (JLT_TIERS_MAX,). Returns their number. */
+/** The tiers of a model, from the smallest, with tables that are built in and `others`, NULL for none; each by the first way to its table.
+ *  Where tables give one name to their tiers, these are called MODEL.NAME. Out: tiers, shape (JLT_TIERS_MAX,). Returns their number. */
 unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_way_tables *others);
+
+/** A tier of the list by another way to its table: `number` counts them from 1. False: there are not so many. */
+bool jlt_tier_by_way(jlt_tier *out, const jlt_tier *tier, unsigned number, const jlt_way_tables *others);
 
 /** One of them, by name; "model" is the model's own field in t. False when there is none. */
 bool jlt_tier_find(jlt_tier *out, const jlt_descriptor *asked, const jlt_way_tables *others, const char *name);
