@@ -140,10 +140,12 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
     jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
     const jlt_course_options *o = &self->options;
     const jlt_options to_orbit = { .tolerance = o->tolerance, .max_steps = o->max_steps, .interrupt = o->interrupt, .project = o->project };
+    jlt_tier tier = self->plan.candidates[candidate].tier;
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_leg_open(next, refusal, &self->plan.candidates[candidate].tier, self->params, x, t, self->direction,
+    tier.units = self->units;
+    JLT_TRY(jlt_leg_open(next, refusal, &tier, self->params, x, t, self->direction,
                          o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
     if (self->leg != NULL) jlt_leg_close(self->leg);
     self->leg = next;
@@ -300,6 +302,7 @@ static jlt_status change_tier(jlt_course *self)
 {
     double here[JLT_PLAN_STATES_MAX];
     jlt_status st = JLT_ERR_DOMAIN;
+    bool serves;
 
     if (self->plan.forced || self->change_count == CHANGES_MAX) return st;
     jlt_units_restore(here, self->x, self->question.model->states, self->states, &self->units);
@@ -307,7 +310,8 @@ static jlt_status change_tier(jlt_course *self)
         const unsigned from = self->taken;
         if (!jlt_plan_serves(&self->plan.candidates[i].tier, &self->plan.candidates[i], &self->question, here)) continue;
         if (self->options.project && self->plan.candidates[i].descriptor->unproved != NULL) continue;
-        st = open_leg(self, i, self->x, self->t);
+        st = jlt_course_units_serve(&serves, &self->plan.candidates[i].tier, self->told_params, here, &self->units);
+        if (st == JLT_OK) st = serves ? open_leg(self, i, self->x, self->t) : JLT_ERR_DOMAIN;
         if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* it does not serve in the course's units */
         if (st != JLT_OK) continue;
         change *c = &self->changes[self->change_count++];
