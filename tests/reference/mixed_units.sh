@@ -58,4 +58,42 @@ for L in 1 1000 1e6 1e-6; do
     grep -q "from t = ${end:0:9}[0-9]* on the tier near in place of circle" err || fail "L = $L: $(cat err)"
     near "$(tail -1 out | cut -d, -f2)" "$(awk 'BEGIN { printf "%.17g", -10*cos(3) }')" || fail "L = $L: $(tail -1 out)"
 done
+
+# A section whose coordinates are metres and metres a second without saying so: its returns are those of the table's own states.
+cat > stiff.tt <<'T'
+model stiff
+param L > 0 [m]
+param w > 0 [rad/s]
+default L = 1000, w = 1
+state a [m]
+state b [m/s]
+state h [m]
+state q [m/s]
+eq a = b
+eq b = - w^2*a - w^2*a^3/L^2
+eq h = q
+eq q = - 4*w^2*h
+integral N = (4*w^2*h^2 + q^2)/2
+section cut : by stiff_cut.tt at h = 0 with u = a, v = b, N = N
+T
+cat > stiff_cut.tt <<'T'
+model stiff_cut
+param N > 0
+param L > 0 [m]
+param w > 0 [rad/s]
+default N = 1, w = 1, L = 1
+state u
+state v
+root q = sqrt(2*N*L/L)
+lift into stiff.tt with a = u, b = v, h = 0, q = q
+T
+ttc prove stiff.tt > proofs || fail "claims: $(cat proofs)"
+for L in 1000 3e5; do
+    run 0 section ./stiff.tt --set L=$L --section h=0 --start a=-200,b=0.5,q=1.4142135623730951 --returns 2
+    own=$(tail -1 out)
+    run 0 section ./stiff.tt --set L=$L --start u=-200,v=0.5 --returns 2
+    for column in 3 4 5; do
+        near "$(tail -1 out | cut -d, -f$column)" "$(echo "$own" | cut -d, -f$column)" || fail "section, L = $L: $(tail -1 out), not $own"
+    done
+done
 exit $status
