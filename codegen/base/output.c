@@ -123,7 +123,7 @@ static int stage(passage *p, const ttc_output_file *file)
     struct stat status;
     int error = p->parent == NULL ? 0 : make_folder(p->parent, &p->makes_parent);
     if (error != 0) return error;
-    if (stat(p->target, &status) == 0 && S_ISDIR(status.st_mode)) return EISDIR;
+    if (stat(p->target, &status) == 0 && !S_ISREG(status.st_mode)) return S_ISDIR(status.st_mode) ? EISDIR : EEXIST;
     if (is_unchanged(p->target, &file->text)) return 0;
     p->is_staged = true;
     return write_file(p->staged, &file->text);

@@ -1,18 +1,36 @@
 #include "base/source.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* A pipe or a device may have no end, and to open one may wait for ever. NULL after a report. */
+static FILE *open_regular(const char *path, ttc_diagnostics *diagnostics)
+{
+    struct stat status;
+    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    FILE *file = NULL;
+    if (descriptor < 0 || fstat(descriptor, &status) != 0)
+        ttc_report(diagnostics, TTC_IO_ERROR, 0, 0, "cannot open the file: %s", strerror(errno));
+    else if (S_ISDIR(status.st_mode))
+        ttc_report(diagnostics, TTC_IO_ERROR, 0, 0, "cannot read the file: %s", strerror(EISDIR));
+    else if (!S_ISREG(status.st_mode))
+        ttc_report(diagnostics, TTC_IO_ERROR, 0, 0, "cannot read the file: it is a pipe or a device (expected a regular file)");
+    else if ((file = fdopen(descriptor, "rb")) == NULL)
+        ttc_report(diagnostics, TTC_IO_ERROR, 0, 0, "cannot open the file: %s", strerror(errno));
+    if (file == NULL && descriptor >= 0) close(descriptor);
+    return file;
+}
 
 char *ttc_source_read(const char *path, size_t *length, ttc_diagnostics *diagnostics)
 {
     char *text = NULL;
     int error = 0;
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        ttc_report(diagnostics, TTC_IO_ERROR, 0, 0, "cannot open the file: %s", strerror(errno));
-        return NULL;
-    }
+    FILE *file = open_regular(path, diagnostics);
+    if (file == NULL) return NULL;
     text = malloc((size_t)TTC_SOURCE_LIMIT + 2);
     if (text != NULL) {
         errno = 0;

@@ -115,7 +115,7 @@ static const struct argp parser = {
 
 /* Counts for the closing words. */
 typedef struct {
-    size_t orbits, empty, rows, invalid, failed;
+    size_t orbits, empty, rows, invalid, unknown, failed;
     size_t lost[JLT_OBSERVED_CONDITIONS_MAX]; /* of the invalid: by condition, the one that is lost most */
 } totals;
 
@@ -203,6 +203,7 @@ static jlt_status run_orbit(follower *f, const double *q, size_t index)
     }
     jlt_section_picture_end(f->picture, at.fate);
     if (at.least <= 0) sum->lost[at.lost]++, sum->invalid++;
+    if (isnan(at.least)) sum->unknown++;
     if (jlt_section_failed(at.fate)) sum->failed++;
     sum->orbits++;
 done:
@@ -232,6 +233,9 @@ static jlt_exit closing_words(const follower *f)
                 "jellett: %zu of %zu orbits lose %s, and the model does not hold from there on; they were followed all the same "
                 "(--contact end stops them there)\n",
                 sum->invalid, sum->orbits, lost);
+    if (sum->unknown > 0)
+        fprintf(stderr, "jellett: of %zu of %zu orbits it is not known whether the model holds: a condition of it has no value there\n",
+                sum->unknown, sum->orbits);
     if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }

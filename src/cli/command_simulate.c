@@ -57,7 +57,7 @@ static const struct argp parser = {
     "One orbit: states at given times, drift of the integrals, what is observed along it, and what ends it."
     "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), what the table observes, the tiers "
     "compared, and fate: alive, lost_NAME (a condition of the model has been broken since the start, for the top lost_contact: the "
-    "plane would have had to pull), "
+    "plane would have had to pull), unknown_NAME (that condition has had no value since the start, and none has been broken), "
     "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none). Where the "
     "tier's coordinates end before the orbit does the last row says left_domain, where the method fails budget, nonfinite, "
     "no_convergence or no_progress, and the status is 4. A field is a number or empty: what is not known, or has no limit.\n\n"
@@ -240,6 +240,7 @@ static void write_fate(FILE *file, const jlt_course_row *row, jlt_status st)
     if (st != JLT_OK) fprintf(file, ",%s\n", jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown");
     else if (row->end == JLT_END_POLE) fputs(row->side > 0 ? ",pole+\n" : ",pole-\n", file);
     else if (!isnan(row->lost_at)) fprintf(file, ",lost_%s\n", row->lost);
+    else if (row->unknown != NULL) fprintf(file, ",unknown_%s\n", row->unknown);
     else fputs(",alive\n", file);
 }
 
@@ -344,6 +345,9 @@ static void closing_words(const jlt_simulate_request *r)
         fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
                 "does not hold\n",
                 row->lost, row->lost_at, row->least);
+    if (row->unknown != NULL)
+        fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): whether the model holds there is not known\n",
+                row->unknown, row->unknown_at);
 }
 
 static jlt_exit run(int argc, char **argv)

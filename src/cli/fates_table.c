@@ -127,9 +127,11 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
     if (sum->low.starts > 0)
         fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts, system->surface->section->turn_meaning,
                 turned, error, kept, kept_error, conditions(system));
-    if (has_conditions(system) && !options->flow.end_where_invalid && jlt_shares_held(sum) < sum->all.starts)
-        fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)",
-                sum->all.starts - jlt_shares_held(sum), conditions(system));
+    const size_t lost = sum->all.starts - jlt_shares_held(sum) - sum->all.unknown;
+    if (has_conditions(system) && !options->flow.end_where_invalid && lost > 0)
+        fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)", lost, conditions(system));
+    if (sum->all.unknown > 0)
+        fprintf(stream, "; of %zu it is not known whether they do, as a condition has no value on the way", sum->all.unknown);
     if (sum->empty > 0) fprintf(stream, "; %zu points of the grid have no state", sum->empty);
     fputc('\n', stream);
 }

@@ -26,6 +26,7 @@ void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)
     count->starts++;
     count->by_fate[end->fate]++;
     if (end->least > 0) count->valid[end->fate]++;
+    if (isnan(end->least)) count->unknown++;
 }
 
 void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held)

@@ -26,6 +26,7 @@ typedef struct {
     size_t starts;                /* that were added */
     size_t by_fate[JLT_FATE_COUNT]; /* index: jlt_fate */
     size_t valid[JLT_FATE_COUNT]; /* of these, those on which the model held throughout */
+    size_t unknown;               /* those of which that is not known, as a condition had no value */
 } jlt_fates_count;
 
 /* Count one start. */

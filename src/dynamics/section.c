@@ -90,7 +90,7 @@ static void note_conditions(jlt_section *self, const double *x)
     unsigned which = 0;
     const double least = self->flow.observed != NULL ? jlt_observed_least(self->flow.observed, &which, x) : INFINITY;
 
-    if (!(least < self->least)) return;
+    if (isnan(least) ? !(self->least > 0) : !(least < self->least || (isnan(self->least) && least <= 0))) return;
     self->least = least;
     self->condition = which;
 }

@@ -136,11 +136,37 @@ static jlt_units units_of(const jlt_chart_section *chart)
     return units;
 }
 
+/* Whether the coordinates mean the same states in these units, in which the flow's chart is: a coordinate without a unit may be lifted to a
+ * state by a number of metres. */
+static bool lifts_alike(const jlt_chart_section *rows, const jlt_chart_section *flow, const jlt_units *units)
+{
+    const size_t all = jlt_chart_section_points(rows, 8), some = all < 64 ? all : 64;
+
+    for (size_t i = 0; i < some; i++) {
+        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], y[JLT_CHART_STATES_MAX];
+        jlt_chart_section_point(rows, q, i * 2654435761u % all, 8);
+        const jlt_status here = rows->base.lift(&rows->base, x, NULL, q), there = flow->base.lift(&flow->base, y, NULL, q);
+        if (here != there) return false;
+        for (unsigned k = 0; here == JLT_OK && k < rows->base.states; k++)
+            if (k != rows->base.column && ldexp(y[k], jlt_units_exponent(units, rows->table->states[k].unit)) != x[k]) return false;
+    }
+    return true;
+}
+
+/* Parameters and levels in these units. */
+static void count_values(double *out, const jlt_surface *surface, const double *values, const jlt_units *units)
+{
+    const unsigned params = surface->table->param_count;
+
+    jlt_units_count(out, values, surface->table->params, params, units);
+    jlt_units_count(out + params, values + params, surface->section->levels, surface->section->level_count, units);
+}
+
 static jlt_status open_system(surface_system *self, const jlt_flow *options)
 {
     const jlt_section_chart *section = self->surface.section;
     const jlt_descriptor *descriptor;
-    double values[JLT_CHART_VALUES_MAX];
+    double values[JLT_CHART_VALUES_MAX] = { 0 };
     bool scales = false;
     size_t index;
     jlt_units units;
@@ -152,13 +178,12 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
     units = units_of(&self->rows);
     JLT_TRY(jlt_instance_scales(&scales, descriptor, values, &units));
-    if (!scales) units = (jlt_units){ 0 };
-    JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &units, options));
-    jlt_units_count(values, values, self->surface.table->params, self->surface.table->param_count, &units);
-    jlt_units_count(values + self->surface.table->param_count, values + self->surface.table->param_count, section->levels,
-                    section->level_count, &units);
     self->flow = self->rows;
-    memcpy(self->flow.values, values, sizeof values);
+    count_values(self->flow.values, &self->surface, values, &units);
+    if (!scales || !lifts_alike(&self->rows, &self->flow, &units)) units = (jlt_units){ 0 };
+    JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &units, options));
+    self->flow = self->rows;
+    count_values(self->flow.values, &self->surface, values, &units);
     self->base.flow.chart = &self->flow.base;
     st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_crossing_met(&self->base) ? JLT_OK : JLT_ERR_ARG;
 done:

@@ -47,6 +47,8 @@ typedef struct {
 
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
+    bool at_edge;         /* the orbit is about to leave the domain of its field, and no point of it is left to come to */
+    unsigned approaches;  /* steps that were shortened because they would have left it */
     size_t steps, rejected;
     size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not */
     void *state;          /* the method's own */
@@ -101,8 +103,8 @@ JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const doub
 JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
 
 /** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
- *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the step
- *  led to the edge of the field's domain or beyond. */
+ *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the orbit
+ *  is at an end of the field's domain: within the tolerance of it, or of JLT_FIELD_NEAREST, and it goes on beyond. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
 
 /** Make the polynomial of the last step, once. Cost: none (gauss, taylor), 3 evaluations (dop853), 15

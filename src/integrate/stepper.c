@@ -4,10 +4,11 @@
 #include <string.h>
 
 #include "core/memory.h"
+#include "integrate/edge.h"
 #include "integrate/method.h"
 #include "integrate/step_control.h"
 
-enum { WIDTH = 8 };
+enum { WIDTH = 8, ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
 
 static void evaluate(const jlt_field *field, const double *x, double *f)
 {
@@ -111,6 +112,8 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     memset(self->x_low, 0, self->stride * sizeof *self->x_low);
     self->tau = t;
     self->tau_low = 0;
+    self->approaches = 0;
+    self->at_edge = false;
     self->direction = direction < 0 ? -1 : 1;
     self->h_next = first_step > 0 ? first_step : 0;
     evaluate(self->field, self->x, self->f);
@@ -131,18 +134,7 @@ jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
     return self->method->start(self);
 }
 
-static bool leaves_domain(const jlt_stepper *self)
-{
-    const jlt_quantity *domain = self->field->domain;
-
-    for (unsigned i = 0; domain != NULL && i < self->field->dim; i++) {
-        const double low = domain[i].low, high = domain[i].high;
-        if (isfinite(low) && !(self->x[i] - low > JLT_FIELD_NEAREST * fabs(low))) return true;
-        if (isfinite(high) && !(high - self->x[i] > JLT_FIELD_NEAREST * fabs(high))) return true;
-    }
-    return false;
-}
-
+/* The step was not taken: once more at its start. */
 static jlt_status step_back(jlt_stepper *self)
 {
     const size_t size = self->stride * sizeof *self->x;
@@ -150,17 +142,43 @@ static jlt_status step_back(jlt_stepper *self)
     memcpy(self->f, self->f_start, size);
     memset(self->x_low, 0, size);
     forget_step(self);
-    const jlt_status st = self->method->start(self);
-    return st == JLT_OK ? JLT_ERR_DOMAIN : st;
+    return self->method->start(self);
+}
+
+/* After a step that led out of an interval: one that ends before, and within the tolerance of the end where the polynomial of the longer
+ * one was good enough. A point from where no such step can be made is at the end. */
+static jlt_status approach_edge(jlt_stepper *self)
+{
+    jlt_status st = JLT_OK;
+
+    for (int attempt = 0; attempt < ATTEMPTS_MAX && self->approaches < APPROACHES_MAX; attempt++) {
+        double theta;
+        const double length = fabs(self->h);
+        self->dense_ready = false;
+        JLT_TRY(jlt_edge_find(&theta, self));
+        JLT_TRY(step_back(self));
+        self->rejected++;
+        if (!(theta > 0) || self->method->step(self, theta * length) != JLT_OK) return JLT_ERR_DOMAIN;
+        const double left = jlt_edge_distance(self);
+        if (left > 0) {
+            self->approaches++;
+            self->at_edge = left <= jlt_edge_near(self);
+            return JLT_OK;
+        }
+    }
+    JLT_TRY(step_back(self));
+    st = JLT_ERR_DOMAIN;
+done:
+    return st;
 }
 
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
     static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
-    jlt_status st = self->method->step(self, jlt_smaller(limit, longest));
+    jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : self->method->step(self, jlt_smaller(limit, longest));
+    if (st == JLT_OK && !(jlt_edge_distance(self) > 0)) st = approach_edge(self);
     if (st != JLT_OK) return st;
-    if (leaves_domain(self)) return step_back(self);
 
     const double move = self->h + self->tau_low;
     self->tau_start = tau;

@@ -81,11 +81,18 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
 
     if (d->valid_count == 0) return least;
     d->valid_values.call(in_table(observed, room, x), observed->general->block, values);
+    unsigned of = d->valid_count;
     for (unsigned i = 0; i < d->valid_count; i++)
         if (values[i] < least) {
             least = values[i];
-            if (condition != NULL) *condition = i;
+            of = i;
         }
+    for (unsigned i = 0; i < d->valid_count && least > 0; i++)
+        if (isnan(values[i])) {
+            least = NAN;
+            of = i;
+        }
+    if (condition != NULL && of < d->valid_count) *condition = of;
     return least;
 }
 

@@ -27,9 +27,9 @@ const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed);
  *  is allocated. */
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x);
 
-/** The least of the values that the `valid` conditions have at x, shape (states,): the model holds where it is positive.
- *  INFINITY when there are no conditions, or none can be evaluated there. Out: *condition, unless NULL: the index of the
- *  condition that has the least value; it stays as it is when the result is INFINITY. */
+/** The least of the values that the `valid` conditions have at x, shape (states,): the model holds where it is positive. NaN where none
+ *  is broken and one has no value, so that nobody knows; INFINITY when there are no conditions. Out: *condition, unless NULL: the index
+ *  of the condition that this is the value of; it stays as it is when the result is INFINITY. */
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
 /** The value of one of these conditions at x; the index must be below jlt_observed_conditions. */

@@ -54,6 +54,25 @@ const jlt_way_condition *jlt_way_broken(const jlt_way *way, const double *x, con
     return NULL;
 }
 
+const jlt_way *jlt_way_to(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *table, const double *x,
+                          const double *params)
+{
+    const jlt_claim *lacking;
+
+    *broken = NULL;
+    for (unsigned i = 0; i < from->way_count; i++) {
+        const jlt_way *way = &from->ways[i];
+        if (strcmp(way->sha256, table->sha256) != 0 || strcmp(way->time, table->time) != 0) continue;
+        if (jlt_way_broken(way, x, params) != NULL) continue;
+        if (jlt_way_holds(&lacking, from, way, table)) {
+            *broken = NULL;
+            return way;
+        }
+        if (*broken == NULL) *broken = lacking;
+    }
+    return NULL;
+}
+
 jlt_status jlt_way_follow(const jlt_way *way, double *y, double *other, const double *x, const double *params)
 {
     double pairs[2 * JLT_WAY_VALUES_MAX];

@@ -28,6 +28,11 @@ bool jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, const j
  *  that must be 0 alone, which speak of parameters. */
 const jlt_way_condition *jlt_way_broken(const jlt_way *way, const double *x, const double *params);
 
+/** The first proved way from a field to that of a table, in the time of the latter, whose conditions x and params meet, as for
+ *  jlt_way_broken; NULL when there is none. Out: *broken: then the claim of a way that is not proved, NULL where none leads there. */
+const jlt_way *jlt_way_to(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *table, const double *x,
+                          const double *params);
+
 /** Where the way leads. Out: y, shape (way->coordinate_count,), without lifted roots; other, shape (way->param_count,), the
  *  parameters there. Errors: UNSUPPORTED, more values than are served; DOMAIN, an angle has no value at x; NONFINITE. */
 JLT_CHECKED jlt_status jlt_way_follow(const jlt_way *way, double *y, double *other, const double *x, const double *params);

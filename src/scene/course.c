@@ -44,6 +44,8 @@ struct jlt_course {
     double *seen; /* what it observes there */
     double least, lost_at;
     const char *lost; /* the condition, NULL: none */
+    double unknown_at;
+    const char *unknown;
 
     double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX];
     double params[JLT_PLAN_PARAMS_MAX], start[JLT_PLAN_STATES_MAX];
@@ -95,12 +97,25 @@ unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quanti
     return jlt_observed_count(self->observed);
 }
 
+/* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no value. */
+static bool is_inside(const jlt_course *self, const double *x)
+{
+    double restored[JLT_PLAN_STATES_MAX];
+    size_t index;
+
+    jlt_units_restore(restored, x, self->question.model->states, self->states, &self->units);
+    return jlt_descriptor_check_state(self->question.model, restored, &index) == JLT_OK;
+}
+
 static void note_conditions(jlt_course *self, double t, const double *x)
 {
-    /* NaN at a pole where the level does not tell the rotation: nothing is known there. */
     unsigned condition = 0;
     const double value = jlt_observed_least(self->observed, &condition, x);
 
+    if (isnan(value) && self->unknown == NULL && is_inside(self, x)) {
+        self->unknown_at = t;
+        self->unknown = jlt_observed_condition(self->observed, condition);
+    }
     if (value < self->least) self->least = value;
     if (value <= 0 && isnan(self->lost_at)) {
         self->lost_at = t;
@@ -125,10 +140,12 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
     jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
     const jlt_course_options *o = &self->options;
     const jlt_options to_orbit = { .tolerance = o->tolerance, .max_steps = o->max_steps, .interrupt = o->interrupt, .project = o->project };
+    jlt_tier tier = self->plan.candidates[candidate].tier;
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_leg_open(next, refusal, &self->plan.candidates[candidate].tier, self->params, x, t, self->direction,
+    tier.units = self->units;
+    JLT_TRY(jlt_leg_open(next, refusal, &tier, self->params, x, t, self->direction,
                          o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
     if (self->leg != NULL) jlt_leg_close(self->leg);
     self->leg = next;
@@ -164,7 +181,7 @@ static void copy_question(jlt_course *self, const jlt_plan *plan, const jlt_ques
     self->question.start = self->told_start;
     self->states = question->model->state_count;
     self->least = INFINITY;
-    self->lost_at = NAN;
+    self->lost_at = self->unknown_at = NAN;
     self->taken = plan->chosen;
     self->is_rod = plan->candidates[plan->chosen].tier.table == NULL;
 }
@@ -249,6 +266,7 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
     jlt_units_restore(self->row, self->x, self->question.model->states, self->states, units);
     row->t = ldexp(t, units->time);
     row->lost_at = ldexp(row->lost_at, units->time);
+    row->unknown_at = ldexp(row->unknown_at, units->time);
     for (unsigned i = 0; i < 2; i++) {
         row->attitude.centre[i] = ldexp(row->attitude.centre[i], units->length);
         row->attitude.contact[i] = ldexp(row->attitude.contact[i], units->length);
@@ -270,6 +288,8 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     row->least = self->least;
     row->lost_at = self->lost_at;
     row->lost = self->lost;
+    row->unknown_at = self->unknown_at;
+    row->unknown = self->unknown;
     if (self->question.attitude) {
         row->has_attitude = true;
         jlt_attitude_of(&row->attitude, &self->top, self->leg->view.instance->descriptor, self->leg->y);
@@ -282,14 +302,16 @@ static jlt_status change_tier(jlt_course *self)
 {
     double here[JLT_PLAN_STATES_MAX];
     jlt_status st = JLT_ERR_DOMAIN;
+    bool serves;
 
     if (self->plan.forced || self->change_count == CHANGES_MAX) return st;
     jlt_units_restore(here, self->x, self->question.model->states, self->states, &self->units);
     for (unsigned i = self->taken + 1; st == JLT_ERR_DOMAIN && i < self->plan.count; i++) {
         const unsigned from = self->taken;
-        if (!jlt_plan_serves(&self->plan.candidates[i], &self->question, here)) continue;
+        if (!jlt_plan_serves(&self->plan.candidates[i].tier, &self->plan.candidates[i], &self->question, here)) continue;
         if (self->options.project && self->plan.candidates[i].descriptor->unproved != NULL) continue;
-        st = open_leg(self, i, self->x, self->t);
+        st = jlt_course_units_serve(&serves, &self->plan.candidates[i].tier, self->told_params, here, &self->units);
+        if (st == JLT_OK) st = serves ? open_leg(self, i, self->x, self->t) : JLT_ERR_DOMAIN;
         if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* it does not serve in the course's units */
         if (st != JLT_OK) continue;
         change *c = &self->changes[self->change_count++];
@@ -348,8 +370,8 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
     jlt_status st = JLT_OK;
 
     row->x = NULL; /* until a point is reached */
-    row->lost_at = NAN;
-    row->lost = NULL;
+    row->lost_at = row->unknown_at = NAN;
+    row->lost = row->unknown = NULL;
     t = ldexp(t, -self->units.time);
     if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
     if (t == self->t) {

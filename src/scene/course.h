@@ -30,6 +30,8 @@ typedef struct {
     double least;             /* least value of the model's conditions over accepted steps since the start; INFINITY: none */
     double lost_at;           /* time at which `least` was first seen not to be positive; NaN: never */
     const char *lost;         /* the condition that was broken then; NULL: none */
+    double unknown_at;        /* time at which a condition was first seen to have no value, and none to be broken; NaN: never */
+    const char *unknown;      /* that condition; NULL: none */
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: which one, +1 or -1 */
@@ -49,7 +51,7 @@ void jlt_course_destroy(jlt_course *self); /* NULL is legal */
 /** Go on to time t, in the table's unit; the start is at 0, and times go in one direction. *row is filled whenever JLT_OK is
  *  returned.
  *  Errors: those of jlt_orbit_next, and DOMAIN, the tier's coordinates end before t: the row then holds the last point reached,
- *  or has x NULL and lost_at NaN when there is none; ARG (t turns back). */
+ *  or has x NULL, lost_at and unknown_at NaN when there is none; ARG (t turns back). */
 JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
 
 /** The kernel that is integrated, bound to its parameters and levels; with quadratures the asked model's own. */

@@ -3,26 +3,39 @@
 #include <math.h>
 #include <string.h>
 
-/* Whether the chosen tier is the same in these units: it serves, and its parameters are those that it has in the table's. */
-static jlt_status fits_tier(bool *fits, const jlt_plan *plan, const jlt_question *question, const jlt_units *units)
+/* Whether values in the table's units are these in the others. */
+static bool agree(const double *told, const double *counted, const jlt_quantity *of, unsigned count, const jlt_units *units)
 {
-    const jlt_descriptor *model = question->model;
-    const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
-    double params[JLT_PLAN_PARAMS_MAX], x[JLT_PLAN_STATES_MAX], y[JLT_WAY_VALUES_MAX], counted[JLT_WAY_VALUES_MAX];
+    double restored[JLT_WAY_VALUES_MAX];
+
+    jlt_units_restore(restored, counted, of, count, units);
+    return memcmp(restored, told, count * sizeof *told) == 0;
+}
+
+jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x, const jlt_units *units)
+{
+    const jlt_descriptor *model = tier->asked;
+    double counted_params[JLT_PLAN_PARAMS_MAX], counted_x[JLT_PLAN_STATES_MAX], y[2][JLT_WAY_VALUES_MAX], back[2][JLT_WAY_VALUES_MAX];
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_tier_view told = { .instance = NULL }, view = { .instance = NULL };
+    jlt_tier there = *tier;
     jlt_status st = JLT_OK;
 
-    *fits = tier->way_count == 0; /* the level by which a state is eliminated has no unit */
-    if (*fits) return st;
-    jlt_units_count(params, question->params, model->params, model->param_count, units);
-    jlt_units_count(x, question->start, model->states, model->state_count, units);
-    JLT_TRY(jlt_tier_open(&told, y, refusal, tier, question->params, question->start));
-    st = jlt_tier_open(&view, y, refusal, tier, params, x);
+    *serves = tier->way_count == 0; /* the level by which a state is eliminated has no unit */
+    if (*serves) return st;
+    there.units = *units;
+    jlt_units_count(counted_params, params, model->params, model->param_count, units);
+    jlt_units_count(counted_x, x, model->states, model->state_count, units);
+    JLT_TRY(jlt_tier_open(&told, y[0], refusal, tier, params, x));
+    st = jlt_tier_open(&view, y[1], refusal, &there, counted_params, counted_x);
     if (st == JLT_OK && view.instance->descriptor == told.instance->descriptor) {
         const jlt_descriptor *kernel = view.instance->descriptor;
-        jlt_units_count(counted, told.instance->params, kernel->params, kernel->param_count, units);
-        *fits = memcmp(counted, view.instance->params, kernel->param_count * sizeof *counted) == 0;
+        jlt_tier_extract(&told, back[0], y[0]);
+        jlt_tier_extract(&view, back[1], y[1]);
+        if (agree(told.instance->params, view.instance->params, kernel->params, kernel->param_count, units)
+            && agree(y[0], y[1], kernel->states, kernel->state_count, units)
+            && agree(back[0], back[1], model->states, model->state_count, units))
+            JLT_TRY(jlt_instance_scales(serves, kernel, told.instance->params, units));
     }
     if (st == JLT_ERR_UNSUPPORTED) st = JLT_OK;
 done:
@@ -49,7 +62,8 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     jlt_units_of_rate(&units, fmax(jlt_units_rate(&units, question->start, model->states, model->state_count, 0),
                                    jlt_units_rate(&units, f, model->states, model->state_count, 1)));
     JLT_TRY(jlt_instance_scales(&scales, model, question->params, &units));
-    if (scales) JLT_TRY(fits_tier(&scales, plan, question, &units));
+    const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
+    if (scales && tier->way_count > 0) JLT_TRY(jlt_course_units_serve(&scales, tier, question->params, question->start, &units));
     if (scales) *out = units;
 done:
     jlt_instance_destroy(instance);

@@ -9,14 +9,6 @@
 #include "integrate/rest.h"
 #include "kernel/descriptor.h"
 
-/* The one way from the asked table to that of the section, in the section's time. */
-static const jlt_way *way_to(const jlt_descriptor *field, const jlt_descriptor *table)
-{
-    for (unsigned i = 0; field != NULL && i < field->way_count; i++)
-        if (strcmp(field->ways[i].sha256, table->sha256) == 0 && strcmp(field->ways[i].time, table->time) == 0) return &field->ways[i];
-    return NULL;
-}
-
 /* Parameters of the asked table among the values of the section. */
 static bool read_params(double *params, const jlt_descriptor *asked, const jlt_system *system)
 {
@@ -57,17 +49,17 @@ jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, 
 {
     const jlt_surface *surface = system->surface;
     const jlt_descriptor *field = jlt_descriptor_sibling(surface->asked, NULL, surface->table->time, NULL);
-    const jlt_way *way = way_to(field, surface->table);
+    const jlt_way *way;
     const jlt_claim *broken;
     double told[JLT_WAY_VALUES_MAX];
     size_t column;
     jlt_status st = JLT_ERR_UNSUPPORTED;
 
     *out = (jlt_drift_whole){ .level = surface->section->level, .time = system->units.time };
-    if (way == NULL || !jlt_way_holds(&broken, field, way, surface->table) || field->param_count > JLT_WAY_VALUES_MAX || field->state_count > JLT_WAY_VALUES_MAX) return st;
+    if (field == NULL || field->param_count > JLT_WAY_VALUES_MAX || field->state_count > JLT_WAY_VALUES_MAX) return st;
     if (!jlt_descriptor_state(field, surface->table->states[surface->section->column].name, &column)) return st;
     if (!find_integrals(out, field, surface) || !read_params(told, field, system)) return st;
-    if (jlt_way_broken(way, NULL, told) != NULL) return st;
+    if ((way = jlt_way_to(&broken, field, surface->table, NULL, told)) == NULL) return st;
     out->column = (unsigned)column;
     JLT_TRY(lift(out->start, way, system, q));
     out->level = ldexp(out->level, -jlt_units_exponent(&system->units, field->states[column].unit));

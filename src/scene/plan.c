@@ -54,7 +54,7 @@ static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
 }
 
 /* Errors: NOMEM. */
-static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
+static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
     jlt_candidate c = { .tier = *tier };
     const char *refusal = NULL;
@@ -70,6 +70,19 @@ static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_ques
     if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
     *out = c;
 done:
+    return st;
+}
+
+/* A tier serves by the first of the ways to its table by which it does; where it does by none, the first says why. Errors: NOMEM. */
+static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
+{
+    jlt_status st = judge_way(out, tier, question);
+    jlt_candidate c = *out;
+    jlt_tier other;
+
+    for (unsigned i = 1; st == JLT_OK && c.refusal[0] != '\0' && jlt_tier_by_way(&other, tier, i, question->others); i++)
+        st = judge_way(&c, &other, question);
+    if (st == JLT_OK && c.refusal[0] == '\0') *out = c;
     return st;
 }
 
@@ -101,13 +114,15 @@ done:
     return st;
 }
 
-bool jlt_plan_serves(const jlt_candidate *candidate, const jlt_question *question, const double *start)
+bool jlt_plan_serves(jlt_tier *by, const jlt_candidate *candidate, const jlt_question *question, const double *start)
 {
     jlt_question there = *question;
     jlt_candidate again;
 
     there.start = start;
-    return !candidate->tier.by_name && judge(&again, &candidate->tier, &there) == JLT_OK && again.refusal[0] == '\0';
+    if (candidate->tier.by_name || judge(&again, &candidate->tier, &there) != JLT_OK || again.refusal[0] != '\0') return false;
+    *by = again.tier;
+    return true;
 }
 
 const char *jlt_plan_tier(const jlt_plan *plan)

@@ -41,8 +41,9 @@ void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
  *  its refusal says why); NOMEM. */
 JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);
 
-/** Whether a candidate serves for an orbit of the question from another start, shape (states,), as where an orbit leaves what a smaller tier covers. */
-bool jlt_plan_serves(const jlt_candidate *candidate, const jlt_question *question, const double *start);
+/** Whether a candidate serves for an orbit of the question from another start, shape (states,), as where an orbit leaves what a smaller
+ *  tier covers. Out: by, its tier by the way that leads there from it. */
+bool jlt_plan_serves(jlt_tier *by, const jlt_candidate *candidate, const jlt_question *question, const double *start);
 
 /** Name of the chosen tier. */
 const char *jlt_plan_tier(const jlt_plan *plan);

@@ -68,21 +68,26 @@ static void add_eliminations(list *l, const jlt_tier *of)
     }
 }
 
-static bool is_reached(const jlt_tier *reached, unsigned count, const jlt_descriptor *table)
+static bool is_same(const jlt_descriptor *a, const jlt_descriptor *b)
 {
-    for (unsigned i = 0; i < count; i++)
-        if (strcmp(reached[i].table->sha256, table->sha256) == 0) return true;
-    return false;
+    return strcmp(a->sha256, b->sha256) == 0;
 }
 
-/* Where one more way leads from a table that was reached; false: nowhere, or nowhere new. */
-static bool go_on(jlt_tier *out, const jlt_tier *at, const jlt_way *way, const jlt_tier *reached, unsigned count,
-                  const jlt_way_tables *others)
+/* Whether the way to a table has passed this one, or ends there. */
+static bool has_passed(const jlt_tier *at, const jlt_descriptor *table)
+{
+    for (unsigned i = 0; i < at->way_count; i++)
+        if (is_same(at->from[i], table)) return true;
+    return is_same(at->table, table);
+}
+
+/* Where one more way leads from a table that was reached; false: nowhere, or in a circle. */
+static bool go_on(jlt_tier *out, const jlt_tier *at, const jlt_way *way, const jlt_way_tables *others)
 {
     const jlt_descriptor *target = jlt_way_target(way, others);
     const bool is_lift = strcmp(way->kind, "lift") == 0;
 
-    if (target == NULL || at->way_count == JLT_TIER_WAYS_MAX || is_reached(reached, count, target)) return false;
+    if (target == NULL || at->way_count == JLT_TIER_WAYS_MAX || has_passed(at, target)) return false;
     if (at->is_larger || (is_lift && at->way_count > 0)) return false;
     *out = *at;
     out->table = target;
@@ -93,22 +98,61 @@ static bool go_on(jlt_tier *out, const jlt_tier *at, const jlt_way *way, const j
     return true;
 }
 
-unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_way_tables *others)
+enum { REACHED_MAX = 4 * JLT_TIERS_MAX };
+
+/* Every table that ways lead to from the asked one, by every way, the shortest first. Returns their number. */
+static unsigned reach(jlt_tier reached[REACHED_MAX], const jlt_descriptor *asked, const jlt_way_tables *others)
 {
-    jlt_tier reached[JLT_TIERS_MAX];
-    list l = { .tiers = tiers };
     unsigned count = 1;
 
     reached[0] = (jlt_tier){ .asked = asked, .table = asked, .dimension = asked->state_count, .time = "", .elimination = "" };
     for (unsigned i = 0; i < count; i++)
-        for (unsigned k = 0; k < reached[i].table->way_count && count < JLT_TIERS_MAX; k++)
-            count += go_on(&reached[count], &reached[i], &reached[i].table->ways[k], reached, count, others);
+        for (unsigned k = 0; k < reached[i].table->way_count && count < REACHED_MAX; k++)
+            count += go_on(&reached[count], &reached[i], &reached[i].table->ways[k], others);
+    return count;
+}
+
+static bool is_first(const jlt_tier *reached, unsigned index)
+{
+    for (unsigned i = 0; i < index; i++)
+        if (is_same(reached[i].table, reached[index].table)) return false;
+    return true;
+}
+
+/* Tiers of different tables get different names. */
+static void tell_apart(list *l)
+{
+    char names[JLT_TIERS_MAX][JLT_TIER_NAME_MAX];
+
+    for (unsigned i = 0; i < l->count; i++) snprintf(names[i], sizeof names[i], "%s", l->tiers[i].name);
+    for (unsigned i = 0; i < l->count; i++) {
+        unsigned alike = 0, before = 0;
+        for (unsigned k = 0; k < l->count; k++) {
+            if (k == i || strcmp(names[k], names[i]) != 0) continue;
+            alike++;
+            before += k < i && l->tiers[k].table != NULL && l->tiers[i].table != NULL
+                      && strcmp(l->tiers[k].table->model, l->tiers[i].table->model) == 0;
+        }
+        if (alike == 0 || l->tiers[i].table == NULL) continue;
+        if (before == 0) snprintf(l->tiers[i].name, JLT_TIER_NAME_MAX, "%.63s.%.72s", l->tiers[i].table->model, names[i]);
+        else snprintf(l->tiers[i].name, JLT_TIER_NAME_MAX, "%.63s.%.72s~%u", l->tiers[i].table->model, names[i], before + 1);
+    }
+}
+
+unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_way_tables *others)
+{
+    jlt_tier reached[REACHED_MAX];
+    list l = { .tiers = tiers };
+    const unsigned count = reach(reached, asked, others);
+
     if (jlt_rod_is_known(asked)) {
         jlt_tier *tier = add(&l, &(jlt_tier){ .name = "quadrature", .asked = asked, .time = "", .elimination = "" });
         snprintf(tier->meaning, sizeof tier->meaning, "%s", jlt_rod_meaning);
     }
-    for (unsigned i = 0; i < count; i++) add_forms(&l, &reached[i]);
+    for (unsigned i = 0; i < count; i++)
+        if (is_first(reached, i)) add_forms(&l, &reached[i]);
     add_eliminations(&l, &reached[0]);
+    tell_apart(&l);
     for (unsigned i = 1; i < l.count; i++) { /* few: by insertion, which keeps the order of equals */
         const jlt_tier moved = tiers[i];
         unsigned k = i;
@@ -116,6 +160,23 @@ unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_w
         tiers[k] = moved;
     }
     return l.count;
+}
+
+bool jlt_tier_by_way(jlt_tier *out, const jlt_tier *tier, unsigned number, const jlt_way_tables *others)
+{
+    jlt_tier reached[REACHED_MAX];
+    const unsigned count = tier->table != NULL ? reach(reached, tier->asked, others) : 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        if (!is_same(reached[i].table, tier->table) || number-- > 0) continue;
+        *out = *tier;
+        out->is_larger = reached[i].is_larger;
+        out->way_count = reached[i].way_count;
+        memcpy(out->ways, reached[i].ways, sizeof out->ways);
+        memcpy(out->from, reached[i].from, sizeof out->from);
+        return true;
+    }
+    return false;
 }
 
 bool jlt_tier_find(jlt_tier *out, const jlt_descriptor *asked, const jlt_way_tables *others, const char *name)

@@ -11,7 +11,7 @@
 #include "kernel/instance.h"
 #include "kernel/way.h"
 
-enum { JLT_TIERS_MAX = 24, JLT_TIER_WAYS_MAX = 4, JLT_TIER_NAME_MAX = 64, JLT_TIER_TEXT_MAX = 256, JLT_TIER_EDGES_MAX = 8 };
+enum { JLT_TIERS_MAX = 24, JLT_TIER_WAYS_MAX = 4, JLT_TIER_NAME_MAX = 144 /* two names of a table, and more */, JLT_TIER_TEXT_MAX = 256, JLT_TIER_EDGES_MAX = 8 };
 
 typedef struct {
     char name[JLT_TIER_NAME_MAX], meaning[JLT_TIER_TEXT_MAX];
@@ -21,13 +21,19 @@ typedef struct {
     const char *time, *elimination; /* of its kernel; "" where it has none */
     bool by_name;                  /* a comparison: never chosen by the planner */
     bool is_larger;                /* it tells more than was asked */
+    jlt_units units;               /* those in which it is opened, all zero: the table's. Conditions are judged in the table's, since
+                                      terms and numbers of one may have different dimensions */
     unsigned way_count;            /* from the asked table to that of the tier, each from where the one before leads */
     const jlt_way *ways[JLT_TIER_WAYS_MAX];
     const jlt_descriptor *from[JLT_TIER_WAYS_MAX];
 } jlt_tier;
 
-/** The tiers of a model, from the smallest, with tables that are built in and `others`, NULL for none. Out: tiers, shape (JLT_TIERS_MAX,). Returns their number. */
+/** The tiers of a model, from the smallest, with tables that are built in and `others`, NULL for none; each by the first way to its table.
+ *  Where tables give one name to their tiers, these are called MODEL.NAME. Out: tiers, shape (JLT_TIERS_MAX,). Returns their number. */
 unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_way_tables *others);
+
+/** A tier of the list by another way to its table: `number` counts them from 1. False: there are not so many. */
+bool jlt_tier_by_way(jlt_tier *out, const jlt_tier *tier, unsigned number, const jlt_way_tables *others);
 
 /** One of them, by name; "model" is the model's own field in t. False when there is none. */
 bool jlt_tier_find(jlt_tier *out, const jlt_descriptor *asked, const jlt_way_tables *others, const char *name);
@@ -44,8 +50,8 @@ typedef struct {
     double params[JLT_TIER_WAYS_MAX + 1][JLT_WAY_VALUES_MAX]; /* of the asked table, then of each that a way leads to */
 } jlt_tier_view;
 
-/** Bind a tier to the orbit of the asked model from x, shape (states,), with params, shape (params,), both in one system of units, and the
- *  table's or one in which the asked field may be counted. It is not asked whether a proof leads there. Where the start is in no place that
+/** Bind a tier to the orbit of the asked model from x, shape (states,), with params, shape (params,), both in tier->units, the
+ *  table's or others in which the asked field may be counted. It is not asked whether a proof leads there. Where the start is in no place that
  *  the tier serves, but its image by a proved reversor is, that is taken.
  *  Out: *out, to be closed where OK is returned. y, shape (states of its kernel,): the tier's coordinates of the start. refusal, shape
  *  (JLT_TIER_TEXT_MAX,): why it does not serve, where UNSUPPORTED is returned. x NULL: parameters alone are looked at, and levels have
@@ -58,11 +64,16 @@ void jlt_tier_close(jlt_tier_view *self);
 /** The asked model's states, x, shape (states,), at the tier's coordinates y. */
 void jlt_tier_extract(const jlt_tier_view *view, double *x, const double *y);
 
+/** Values of the table's record `tier` at its coordinates y, shape (conditions,), as they are in the table's units. general: the table's
+ *  general field in the tier's time. */
+void jlt_tier_conditions(double *values, const jlt_tier_view *view, const jlt_descriptor *general, const double *y);
+
 typedef struct jlt_tier_edges jlt_tier_edges;
 
 typedef struct {
     const jlt_tier_edges *edges;
     unsigned index;
+    int exponent; /* the value is told in the tier's units, where all its terms have one dimension */
 } jlt_tier_edge;
 
 /** Where coordinates of a tier end before the domain of its kernel does: events whose value is > 0 where they are good. */

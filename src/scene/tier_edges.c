@@ -10,11 +10,25 @@
 static double table_room(void *context, const double *y)
 {
     const jlt_tier_edge *edge = context;
-    const jlt_tier_view *view = edge->edges->view;
     double values[JLT_TIER_EDGES_MAX];
 
-    edge->edges->general->tier_values(y, view->params[view->tier.way_count], values);
-    return values[edge->index];
+    jlt_tier_conditions(values, edge->edges->view, edge->edges->general, y);
+    return ldexp(values[edge->index], edge->exponent);
+}
+
+/* By which power of two a condition's value grows with the change to the tier's units: events are looked for with numbers of the order of
+ * 1. 0 where terms of different dimensions make it no such power. */
+static int exponent_of(const jlt_tier_edges *edges, unsigned index)
+{
+    const jlt_tier_view *view = edges->view;
+    double y[JLT_WAY_VALUES_MAX], plain[JLT_TIER_EDGES_MAX], counted[JLT_TIER_EDGES_MAX];
+    int of_plain, of_counted;
+
+    for (unsigned i = 0; i < edges->general->state_count; i++) y[i] = 0.83 / (i + 1.7); /* no state in particular */
+    jlt_tier_conditions(plain, view, edges->general, y);
+    edges->general->tier_values(y, view->params[view->tier.way_count], counted);
+    if (!isfinite(plain[index]) || !isfinite(counted[index])) return 0;
+    return frexp(plain[index], &of_plain) == frexp(counted[index], &of_counted) ? of_counted - of_plain : 0;
 }
 
 /* The integral is slope*w + rest in the eliminated state w. */
@@ -65,7 +79,7 @@ static double slope_step(void *context, const double *y, const double *f, double
 
 static void add(jlt_tier_edges *self, double (*value)(void *, const double *))
 {
-    self->contexts[self->count] = (jlt_tier_edge){ self, self->count };
+    self->contexts[self->count] = (jlt_tier_edge){ self, self->count, self->full == NULL ? exponent_of(self, self->count) : 0 };
     self->events[self->count] = (jlt_event){ .value = value, .context = &self->contexts[self->count] };
     self->count++;
 }

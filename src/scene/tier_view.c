@@ -27,6 +27,35 @@ static jlt_status refuse_param(char *refusal, const jlt_quantity *param)
     return refuse(refusal, "its table asks for %s%s", param->name, conditions[param->sign]);
 }
 
+static bool is_counted(const jlt_tier *tier) { return tier->units.mass != 0 || tier->units.length != 0 || tier->units.time != 0; }
+
+/* The condition of a way that is broken, judged in the table's units. at: a state of the table that it leaves; NULL: any. */
+static const jlt_way_condition *find_broken(const jlt_tier_view *view, unsigned number, const double *at)
+{
+    const jlt_tier *tier = &view->tier;
+    const jlt_descriptor *from = tier->from[number];
+    double x[JLT_WAY_VALUES_MAX], params[JLT_WAY_VALUES_MAX];
+
+    if (!is_counted(tier)) return jlt_way_broken(tier->ways[number], at, view->params[number]);
+    jlt_units_restore(params, view->params[number], from->params, from->param_count, &tier->units);
+    if (at != NULL) jlt_units_restore(x, at, from->states, from->state_count, &tier->units);
+    return jlt_way_broken(tier->ways[number], at != NULL ? x : NULL, params);
+}
+
+void jlt_tier_conditions(double *values, const jlt_tier_view *view, const jlt_descriptor *general, const double *y)
+{
+    const double *params = view->params[view->tier.way_count];
+    double table_y[JLT_WAY_VALUES_MAX], table_params[JLT_WAY_VALUES_MAX];
+
+    if (is_counted(&view->tier)) {
+        jlt_units_restore(table_y, y, general->states, general->state_count, &view->tier.units);
+        jlt_units_restore(table_params, params, general->params, general->param_count, &view->tier.units);
+        y = table_y;
+        params = table_params;
+    }
+    general->tier_values(y, params, values);
+}
+
 /* From table to table. at: the state, which becomes that of the last; NULL: parameters alone. */
 static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
 {
@@ -36,7 +65,7 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
     for (unsigned i = 0; i < tier->way_count; i++) {
         const jlt_way *way = tier->ways[i];
         const jlt_descriptor *target = i + 1 < tier->way_count ? tier->from[i + 1] : tier->table;
-        const jlt_way_condition *broken = jlt_way_broken(way, at, view->params[i]);
+        const jlt_way_condition *broken = find_broken(view, i, at);
         double next[JLT_WAY_VALUES_MAX];
         size_t index;
 
@@ -127,7 +156,7 @@ static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, con
     if (general->lifted != NULL) general->lifted(at, params, y);
     else memcpy(y, at, general->state_count * sizeof *y);
     if (general->tier_values == NULL) return JLT_OK;
-    general->tier_values(y, params, values);
+    jlt_tier_conditions(values, view, general, y);
     for (unsigned k = 0; k < general->tier_condition_count; k++)
         if (!(values[k] > 0)) return refuse(refusal, "its coordinates are good where %s", general->tier_conditions[k].text);
     return JLT_OK;

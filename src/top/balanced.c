@@ -1,55 +1,172 @@
 #include "top/balanced.h"
 
 #include <math.h>
+#include <string.h>
 
-static double theta(const jlt_top *top, double gamma3, double s)
+#include "kernel/descriptor.h"
+#include "kernel/way.h"
+
+static const char surface[] = "spherical_top_balanced", half[] = "spherical_top_plane", family[] = "spin", variant[] = "balanced";
+static const char third[] = "F0";
+
+/* Coordinates of the surface's table, and those of its half. */
+enum { GAMMA3, V_SLIP, PSI, SINE, COORDINATES };
+enum { HALF_GAMMA3, HALF_PSI, HALF_SINE, HALF_COORDINATES };
+
+/* ---- what the tables say ---- */
+
+static bool has(const jlt_descriptor *table, const char *const *states, unsigned count)
 {
-    return top->I1 * top->I3 + top->m * top->R * top->R * (top->I1 * s * s + top->I3 * gamma3 * gamma3);
+    if (table == NULL || table->state_count != count || table->param_count > JLT_WAY_VALUES_MAX) return false;
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(table->states[i].name, states[i]) != 0) return false;
+    return true;
 }
 
-/* The momentum about the contact point along tau (reversed) and nu: M sin psi and M cos psi. */
-static void momentum(const jlt_top *top, double *sine, double *cosine, const double *x)
+/* The field of a table of the surface in the time of s; NULL where it is not the one that is known here. */
+static const jlt_descriptor *surface_field(void)
 {
-    const double s = jlt_top_sine(x[JLT_TOP_GAMMA3]), mR2 = top->m * top->R * top->R;
-    *sine = top->m * top->R * x[JLT_TOP_V_NU] - top->I1 * x[JLT_TOP_OMEGA_TAU];
-    *cosine = x[JLT_TOP_GAMMA3] * (top->I1 + mR2) * x[JLT_TOP_OMEGA_N] + s * (top->I3 + mR2) * x[JLT_TOP_OMEGA3];
+    static const char *const states[COORDINATES] = { "gamma3", "v_slip", "psi", "s" };
+    const jlt_way *way = jlt_top_way(surface);
+    const jlt_descriptor *table = way == NULL ? NULL : jlt_descriptor_find(surface, NULL, way->time, NULL);
+
+    return has(table, states, COORDINATES) ? table : NULL;
+}
+
+static const jlt_way *half_way(const jlt_descriptor **field)
+{
+    static const char *const states[HALF_COORDINATES] = { "gamma3", "psi", "s" };
+    const jlt_descriptor *table = surface_field();
+
+    for (unsigned i = 0; table != NULL && i < table->way_count; i++) {
+        *field = jlt_descriptor_find(half, NULL, table->ways[i].time, NULL);
+        if (strcmp(table->ways[i].model, half) == 0 && has(*field, states, HALF_COORDINATES)) return &table->ways[i];
+    }
+    return NULL;
+}
+
+static const jlt_equilibria *spin(void)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
+
+    for (unsigned i = 0; table != NULL && i < table->equilibria_count; i++)
+        if (strcmp(table->equilibria[i].name, family) == 0) return &table->equilibria[i];
+    return NULL;
+}
+
+bool jlt_balanced_serves(const jlt_claim **broken)
+{
+    const jlt_descriptor *field, *table = surface_field();
+    const jlt_way *way;
+
+    if (!jlt_top_serves(broken, surface, (const char *const[]){ "E", "G", third, NULL })) return false;
+    way = half_way(&field);
+    if (way == NULL || spin() == NULL || spin()->trace == NULL || spin()->charpoly == NULL) return false;
+    if (!jlt_way_holds(broken, table, way, field)) return false;
+    *broken = NULL;
+    return true;
+}
+
+/* Parameters of a table of the surface at these levels. */
+static void write_levels(double *params, const jlt_descriptor *table, const jlt_top *top, const jlt_balanced_levels *levels)
+{
+    const char *const names[] = { "G", "M", third };
+    const double values[] = { levels->G, levels->M, levels->F0 };
+    size_t index;
+
+    jlt_top_write(params, table, top);
+    for (int i = 0; i < 3; i++)
+        if (jlt_descriptor_param(table, names[i], &index)) params[index] = values[i];
+}
+
+static double energy(const jlt_top *top, const double *x)
+{
+    return jlt_top_integral(top, variant, "E", x);
 }
 
 static double third_integral(const jlt_top *top, const double *x)
 {
-    const double s = jlt_top_sine(x[JLT_TOP_GAMMA3]);
-    const double v_slip = x[JLT_TOP_V_NU] + top->R * x[JLT_TOP_OMEGA_TAU];
-    return top->m * top->I1 * top->I1 * v_slip * v_slip
-           + (top->I1 - top->I3) * theta(top, x[JLT_TOP_GAMMA3], s) * x[JLT_TOP_OMEGA3] * x[JLT_TOP_OMEGA3];
+    return jlt_top_integral(top, variant, third, x);
+}
+
+void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x)
+{
+    const jlt_way *way = jlt_top_way(surface);
+    double y[JLT_WAY_VALUES_MAX] = { NAN, NAN, NAN }, other[JLT_WAY_VALUES_MAX];
+
+    if (surface_field() != NULL) jlt_top_look(way, y, other, top, x);
+    *gamma3 = x[JLT_TOP_GAMMA3];
+    *v_slip = y[V_SLIP];
+    *psi = y[PSI];
+}
+
+void jlt_balanced_to_state(const jlt_top *top, const jlt_balanced_levels *levels, double *x, double gamma3, double s,
+                           double v_slip, double psi)
+{
+    const jlt_descriptor *table = surface_field();
+    const double y[COORDINATES] = { [GAMMA3] = gamma3, [V_SLIP] = v_slip, [PSI] = psi, [SINE] = s };
+    double params[JLT_WAY_VALUES_MAX];
+
+    for (int i = 0; i < JLT_TOP_STATES; i++) x[i] = NAN;
+    if (table == NULL) return;
+    write_levels(params, table, top, levels);
+    jlt_top_return(jlt_top_way(surface), x, y, params);
+}
+
+double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi)
+{
+    const jlt_descriptor *table;
+    const jlt_way *way = half_way(&table);
+    const double y[HALF_COORDINATES] = { [HALF_GAMMA3] = gamma3, [HALF_PSI] = psi, [HALF_SINE] = s };
+    double params[JLT_WAY_VALUES_MAX], back[COORDINATES];
+
+    if (way == NULL) return NAN;
+    write_levels(params, table, top, levels);
+    way->back(y, params, back);
+    return back[V_SLIP];
 }
 
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x)
 {
-    double sine, cosine;
+    const jlt_descriptor *table = surface_field();
+    double y[JLT_WAY_VALUES_MAX], other[JLT_WAY_VALUES_MAX];
+    size_t M;
 
-    momentum(top, &sine, &cosine, x);
-    out->E = jlt_top_energy(top, x);
-    out->G = jlt_top_jellett(top, x);
-    out->F0 = third_integral(top, x);
-    out->M = hypot(sine, cosine);
+    *out = (jlt_balanced_levels){ energy(top, x), jlt_top_jellett(top, x), third_integral(top, x), NAN };
+    if (table == NULL || !jlt_descriptor_param(table, "M", &M)) return;
+    jlt_top_look(jlt_top_way(surface), y, other, top, x);
+    out->M = other[M];
 }
 
-/* v_slip^2 >= 0 somewhere: Theta omega3^2 is 0 at the equator, where cos psi = 0; and with u = (s, gamma3), cos psi = +-1, it is
- * (a u)^2/(u D u) for a = (I1 M, (I1 + m R^2) |G|/R) and D = diag(I1 (I3 + m R^2), I3 (I1 + m R^2)), whose maximum is a D^-1 a. */
+/* ---- the length of the momentum ---- */
+
+/* The state on these levels at the equator where all of M is across the axis, for a velocity v_slip. */
+static void across(double *x, const jlt_top *top, const jlt_balanced_levels *levels, double v_slip)
+{
+    jlt_balanced_to_state(top, levels, x, 0, 1, v_slip, acos(0));
+}
+
+/* v_slip^2 >= 0 somewhere: where I1 < I3, F0 is least at v_slip = 0 for one gamma3 and cos psi = +-1. With u = (s, gamma3) it is there
+ * -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. */
 static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels)
 {
-    const double mR2 = top->m * top->R * top->R, vertical = levels->G / top->R;
+    double equator[JLT_TOP_STATES], pole[JLT_TOP_STATES];
 
-    if (top->I1 >= top->I3) return 0;
-    return (top->I1 - top->I3)
-           * (top->I1 * levels->M * levels->M / (top->I3 + mR2) + (top->I1 + mR2) * vertical * vertical / top->I3);
+    jlt_balanced_to_state(top, levels, equator, 0, 1, 0, 0);
+    jlt_balanced_to_state(top, levels, pole, 1, 0, 0, 0);
+    return fmin(0, third_integral(top, equator) + third_integral(top, pole));
 }
 
 jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top)
 {
-    const double J1 = top->I1 + top->m * top->R * top->R;
-    const double left = 2 * levels->E - levels->G * levels->G / (top->R * top->R * top->I1);
-    const double M2 = J1 * left - levels->F0 / top->I1;
+    double slipping[JLT_TOP_STATES], upright[JLT_TOP_STATES], tilting[JLT_TOP_STATES];
+
+    across(slipping, top, &(jlt_balanced_levels){ 0 }, 1);
+    across(upright, top, &(jlt_balanced_levels){ .G = 1 }, 0);
+    across(tilting, top, &(jlt_balanced_levels){ .M = 1 }, 0);
+    const double of_F0 = energy(top, slipping) / third_integral(top, slipping);
+    const double rest = levels->E - of_F0 * levels->F0 - energy(top, upright) * levels->G * levels->G;
+    const double M2 = rest / energy(top, tilting);
 
     if (!(M2 >= 0)) return JLT_ERR_EMPTY;
     levels->M = sqrt(M2);
@@ -57,113 +174,86 @@ jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top
     return JLT_OK;
 }
 
-static void spin_rates(const jlt_top *top, const jlt_balanced_levels *levels, double *omega_n, double *omega3,
-                       double gamma3, double s, double psi)
-{
-    const double mR2 = top->m * top->R * top->R, Theta = theta(top, gamma3, s);
-    const double along = levels->M * cos(psi), vertical = levels->G / top->R;
-    *omega_n = ((top->I3 + mR2) * s * vertical + top->I3 * gamma3 * along) / Theta;
-    *omega3 = (top->I1 * s * along - (top->I1 + mR2) * gamma3 * vertical) / Theta;
-}
-
-static double slip2(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi)
-{
-    double omega_n, omega3;
-
-    spin_rates(top, levels, &omega_n, &omega3, gamma3, s, psi);
-    return (levels->F0 - (top->I1 - top->I3) * theta(top, gamma3, s) * omega3 * omega3) / (top->m * top->I1 * top->I1);
-}
-
-double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi)
-{
-    return sqrt(slip2(top, levels, gamma3, s, psi));
-}
-
-void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x)
-{
-    double sine, cosine;
-
-    momentum(top, &sine, &cosine, x);
-    *gamma3 = x[JLT_TOP_GAMMA3];
-    *v_slip = x[JLT_TOP_V_NU] + top->R * x[JLT_TOP_OMEGA_TAU];
-    *psi = atan2(sine, cosine);
-}
-
-void jlt_balanced_to_state(const jlt_top *top, const jlt_balanced_levels *levels, double *x, double gamma3, double s,
-                           double v_slip, double psi)
-{
-    const double mR = top->m * top->R, J1 = top->I1 + mR * top->R, across = levels->M * sin(psi);
-
-    x[JLT_TOP_GAMMA3] = gamma3;
-    x[JLT_TOP_V_NU] = (top->I1 * v_slip + top->R * across) / J1;
-    x[JLT_TOP_OMEGA_TAU] = (mR * v_slip - across) / J1;
-    spin_rates(top, levels, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], gamma3, s, psi);
-}
+/* ---- fixed points ---- */
 
 static void classify(jlt_fixed_point *point, const jlt_top *top, double gamma3, double v0, double w0)
 {
-    const double s = jlt_top_sine(gamma3), Theta = theta(top, gamma3, s);
-    const double mR2 = top->m * top->R * top->R;
-    double half, root2;
+    const jlt_descriptor *table = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
+    const jlt_equilibria *known = spin();
+    double params[JLT_WAY_VALUES_MAX], polynomial[JLT_TOP_STATES + 1], half_trace, root2;
 
     *point = (jlt_fixed_point){ .x = { gamma3, v0, 0, 0, w0 } };
     jlt_balanced_from_state(top, &gamma3, &point->v_slip, &point->psi, point->x);
-    point->trace = -top->m * top->R * top->I3 * gamma3 * v0 / (s * Theta);
-    point->determinant = top->I3 * top->I3 * w0 * w0 * (top->I3 + mR2) / (top->I1 * Theta);
-    half = point->trace / 2;
-    root2 = half * half - point->determinant;
+    jlt_top_write(params, table, top);
+    known->trace(point->x, params, &point->trace);
+    known->charpoly(point->x, params, polynomial); /* (q0 lambda^2 + q1 lambda + q2) lambda^3 */
+    point->determinant = polynomial[2] / polynomial[0];
+    half_trace = point->trace / 2;
+    root2 = half_trace * half_trace - point->determinant;
     point->focus = root2 < 0;
     if (point->focus) {
-        point->re[0] = point->re[1] = half;
+        point->re[0] = point->re[1] = half_trace;
         point->im[0] = sqrt(-root2);
         point->im[1] = -point->im[0];
     } else {
-        const double far = half + copysign(sqrt(root2), half); /* the other by the product: nothing cancels */
+        const double far = half_trace + copysign(sqrt(root2), half_trace); /* the other by the product: nothing cancels */
         point->re[0] = far;
         point->re[1] = far != 0 ? point->determinant / far : 0;
     }
     point->kind = point->trace < 0 ? JLT_FIXED_ATTRACTING : point->trace > 0 ? JLT_FIXED_REPELLING : JLT_FIXED_CENTRE;
 }
 
-/* G != 0: omega_n = 0 gives w0 = -G/(R I3 gamma3), and the two levels are linear in u = gamma3^2. */
+/* The integrals on the family at a tilt, by their values at unit velocities. */
+typedef struct {
+    double E_v, E_w, F_v, F_w, G_w;
+} family_levels;
+
+static family_levels levels_at(const jlt_top *top, double gamma3)
+{
+    const double along[JLT_TOP_STATES] = { [JLT_TOP_GAMMA3] = gamma3, [JLT_TOP_V_NU] = 1 };
+    const double about[JLT_TOP_STATES] = { [JLT_TOP_GAMMA3] = gamma3, [JLT_TOP_OMEGA3] = 1 };
+
+    return (family_levels){ energy(top, along), energy(top, about), third_integral(top, along), third_integral(top, about),
+                            jlt_top_jellett(top, about) };
+}
+
+static unsigned both_ways(jlt_fixed_point *out, const jlt_top *top, double gamma3, double v2, double w0)
+{
+    classify(&out[0], top, gamma3, sqrt(v2), w0);
+    if (v2 == 0) return 1;
+    classify(&out[1], top, gamma3, -sqrt(v2), w0);
+    return 2;
+}
+
+/* G != 0 gives omega3 = G/G_w, and the level of E, with v_nu^2 from that of F0, times u = gamma3^2 is constant + slope u = 0. */
 static unsigned tilted(jlt_fixed_point *out, const jlt_top *top, const jlt_balanced_levels *levels)
 {
-    const double mR2 = top->m * top->R * top->R, I1 = top->I1, I3 = top->I3;
-    const double w = levels->G / (top->R * I3), w2 = w * w; /* |w0 gamma3| */
-    const double J3 = I3 + mR2, share = mR2 / (I1 * I1);
-    /* M^2 u = J3^2 (1 - u) w2 + share (F0 u - (I1 - I3) Theta(u) w2), Theta(u) = I1 J3 + m R^2 (I3 - I1) u */
-    const double constant = J3 * J3 * w2 - share * (I1 - I3) * I1 * J3 * w2;
-    const double slope = levels->M * levels->M + J3 * J3 * w2 - share * (levels->F0 + (I1 - I3) * (I1 - I3) * mR2 * w2);
-    const double u = constant / slope;
+    const family_levels equator = levels_at(top, 0), pole = levels_at(top, 1);
+    const double w = levels->G / pole.G_w, w2 = w * w, share = pole.E_v / pole.F_v; /* w: omega3 gamma3 */
+    const double constant = w2 * (equator.E_w - share * equator.F_w);
+    const double slope = share * levels->F0 - levels->E + w2 * (pole.E_w - equator.E_w - share * (pole.F_w - equator.F_w));
+    const double u = -constant / slope;
     unsigned count = 0;
 
     if (!(u > 0 && u < 1)) return 0;
     for (int side = -1; side <= 1; side += 2) {
-        const double gamma3 = side * sqrt(u), w0 = -w / gamma3;
-        const double Theta = theta(top, gamma3, sqrt(1 - u));
-        const double v2 = (levels->F0 - (I1 - I3) * Theta * w0 * w0) / (top->m * I1 * I1);
-        if (!(v2 >= 0)) continue;
-        classify(&out[count++], top, gamma3, sqrt(v2), w0);
-        if (v2 > 0) classify(&out[count++], top, gamma3, -sqrt(v2), w0);
+        const double gamma3 = side * sqrt(u), w0 = w / gamma3;
+        const double v2 = (levels->F0 - levels_at(top, gamma3).F_w * w0 * w0) / pole.F_v;
+        if (v2 >= 0) count += both_ways(out + count, top, gamma3, v2, w0);
     }
     return count;
 }
 
-/* G = 0: the equator, w0 and v0 free there, both from M and F0. */
+/* G = 0: the equator, v_nu and omega3 free there, both from E and F0. */
 static unsigned equatorial(jlt_fixed_point *out, const jlt_top *top, const jlt_balanced_levels *levels)
 {
-    const double mR2 = top->m * top->R * top->R, I1 = top->I1, I3 = top->I3, J3 = I3 + mR2;
-    /* M^2 = J3^2 w^2 + m R^2 (m v^2),  F0/I1^2 = m v^2 + (I1 - I3) J3 w^2/I1 */
-    const double mv2_at_rest = levels->F0 / (I1 * I1);
-    const double w2 = (levels->M * levels->M - mR2 * mv2_at_rest) / (J3 * (J3 - mR2 * (I1 - I3) / I1));
-    const double v2 = (mv2_at_rest - (I1 - I3) * J3 * w2 / I1) / top->m;
+    const family_levels at = levels_at(top, 0);
+    const double w2 = (at.F_v * levels->E - at.E_v * levels->F0) / (at.F_v * at.E_w - at.E_v * at.F_w);
+    const double v2 = (levels->F0 - at.F_w * w2) / at.F_v;
     unsigned count = 0;
 
     if (!(w2 > 0 && v2 >= 0)) return 0;
-    for (int spin = -1; spin <= 1; spin += 2) {
-        classify(&out[count++], top, 0, sqrt(v2), spin * sqrt(w2));
-        if (v2 > 0) classify(&out[count++], top, 0, -sqrt(v2), spin * sqrt(w2));
-    }
+    for (int side = -1; side <= 1; side += 2) count += both_ways(out + count, top, 0, v2, side * sqrt(w2));
     return count;
 }
 

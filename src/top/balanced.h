@@ -1,25 +1,26 @@
-/** The balanced sphere (a3 = 0): M^2 and its fixed points in closed form.
+/** The balanced sphere (a3 = 0): M^2 and its fixed points.
  *
  *  On a level of E, G and F0 the motion is a flow on the surface M^2, with the coordinates gamma3 and psi and the sign of
- *  v_slip (see the model spherical_top_balanced): the horizontal angular momentum about the contact point has the constant
- *  length M,
- *      2 E = F0/(I1 (I1 + m R^2)) + G^2/(I1 R^2) + M^2/(I1 + m R^2),
- *  and makes the angle psi with the moving axes. Fixed points are those of the family (4.4) that lie on the levels: for
- *  G != 0, M^2 gamma3^2 = (I3 + m R^2)^2 s^2 (G/(R I3))^2 + (m R v0 gamma3)^2 is linear in gamma3^2, so there are at most four,
- *  one a sign of gamma3 and of v0. By (4.5) their two other eigenvalues are the roots of
- *      lambda^2 + lambda m R I3 gamma3 v0/(s Theta) + I3^2 w0^2 (I3 + m R^2)/(I1 Theta):
- *  no saddles; those with gamma3 v0 > 0 attract, those with gamma3 v0 < 0 repel. */
+ *  v_slip (the tables spherical_top_balanced and spherical_top_plane): the horizontal angular momentum about the contact point
+ *  has the constant length M, and makes the angle psi with the moving axes. Coordinates, states and integrals are those of the
+ *  tables; known here is how they depend on each other:
+ *  - On a level, E = a F0 + b G^2 + c M^2 (the identity two_energies).
+ *  - On the family of equilibria `spin`, where v_nu and omega3 alone are not 0, G = G_w omega3, and E and F0 are
+ *    E_v v_nu^2 + E_w omega3^2 and F_v v_nu^2 + F_w omega3^2. E_w and F_w are linear in gamma3^2, and G_w is linear in gamma3: so for
+ *    G != 0 a fixed point has one gamma3^2, and there are at most four, one a sign of gamma3 and of v_nu.
+ *  - No fixed point is a saddle: the product of its two other eigenvalues is not negative. Those with gamma3 v_nu > 0 attract. */
 #ifndef JLT_TOP_BALANCED_H
 #define JLT_TOP_BALANCED_H
 
 #include "top/top.h"
 
-#include <stdbool.h>
-
 typedef struct {
     double E, G, F0;
     double M; /* >= 0 */
 } jlt_balanced_levels;
+
+/** Whether the tables say, with proof, what is needed here. Out: *broken as for jlt_top_serves. Where they do not, levels are NaN. */
+bool jlt_balanced_serves(const jlt_claim **broken);
 
 /** Levels of a state, shape (JLT_TOP_STATES,). */
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x);

@@ -88,6 +88,7 @@ static jlt_exit read_levels(jlt_portrait_request *r)
 
 static jlt_exit open_top(jlt_portrait_request *r)
 {
+    const jlt_claim *broken = NULL;
     size_t a3;
     jlt_exit code;
 
@@ -101,9 +102,10 @@ static jlt_exit open_top(jlt_portrait_request *r)
             return jlt_command_fail(JLT_EXIT_INPUT, "--set a3=%s: M^2 exists for the balanced sphere alone, a3 = 0", given);
         r->session.params[a3] = 0;
     }
-    if (jlt_top_read(&r->top, r->session.descriptor, r->session.params) != JLT_OK)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
-    return JLT_EXIT_DONE;
+    if (jlt_top_read(&r->top, r->session.descriptor, r->session.params) == JLT_OK && jlt_balanced_serves(&broken)) return JLT_EXIT_DONE;
+    if (broken != NULL)
+        return jlt_command_fail(JLT_EXIT_FAILED, "M^2 rests on the claim '%s %s' of the tables, which is not proved", broken->kind, broken->name);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
 }
 
 /* ---- fixed points ---- */

@@ -11,12 +11,29 @@ enum { NEWTON_MAX = 60 };
 
 static const double quadrature_accuracy = 2e-14;
 
+/* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose equations these
+ * quadratures solve. */
+static const char *const integrals[] = { "E1", "E2", "G", NULL };
+static const char level[] = "spherical_top_level", variant[] = "rod";
+
+enum { LEVEL_STATES = 5 }; /* with s */
+
+/* Whether the table on a level is the one that is known here. */
+static bool has_level(void)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
+    static const char *const states[LEVEL_STATES - 1] = { "gamma3", "v_nu", "omega_tau", "v_tau" };
+
+    if (table == NULL || table->state_count != LEVEL_STATES - 1 || jlt_top_way(level) == NULL) return false;
+    for (unsigned i = 0; i < LEVEL_STATES - 1; i++)
+        if (strcmp(table->states[i].name, states[i]) != 0) return false;
+    return jlt_top_way(level)->state_count == LEVEL_STATES && table->param_count <= JLT_WAY_VALUES_MAX;
+}
+
 /* P at the distance d from the pole gamma3 = side. */
 static double force_at(const jlt_rod *rod, double side, double d)
 {
-    const jlt_top *top = &rod->top;
-    const double weight = top->m * top->g * top->a3;
-    return 2 * d * (2 - d) * (rod->E2 - side * weight + side * weight * d) - rod->G * rod->G / (top->I1 * top->R * top->R);
+    return 2 * d * (2 - d) * (rod->E2 - side * rod->weight + side * rod->weight * d) - rod->barrier;
 }
 
 /* The root of P between the pole, where it is negative, and `inside`, where it is not: bisection to neighbouring numbers. */
@@ -44,9 +61,8 @@ static void tilt(const jlt_rod *rod, double *gamma3, double *s2, double u)
 
 static double pace(const jlt_rod *rod, double gamma3, double s2)
 {
-    const jlt_top *top = &rod->top;
-    const double D = top->I1 + top->m * top->a3 * top->a3 * s2;
-    const double Q = 2 * rod->E2 - 2 * top->m * top->g * top->a3 * (gamma3 + rod->below - rod->above);
+    const double D = rod->inertia_pole * gamma3 * gamma3 + rod->inertia_equator * s2;
+    const double Q = 2 * rod->E2 - 2 * rod->weight * (gamma3 + rod->below - rod->above);
     return sqrt(D / Q);
 }
 
@@ -65,7 +81,7 @@ static jlt_status turn_rate(void *context, double *value, double u)
     double gamma3, s2;
 
     tilt(rod, &gamma3, &s2, u);
-    *value = -rod->G / (rod->top.I1 * rod->top.R * s2) * pace(rod, gamma3, s2);
+    *value = -rod->turning / s2 * pace(rod, gamma3, s2);
     return isfinite(*value) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
@@ -80,8 +96,7 @@ static jlt_status over(jlt_rod *rod, double *integral, jlt_quadrature_integrand 
 
 static void find_turning_points(jlt_rod *rod, const double *x)
 {
-    const jlt_top *top = &rod->top;
-    const double weight = top->m * top->g * top->a3;
+    const double weight = rod->weight;
     /* where P is largest */
     const double crest = -weight / (rod->E2 + sqrt(rod->E2 * rod->E2 + 3 * weight * weight));
     const double inside = force_at(rod, 1, 1 - crest) > 0 ? crest : x[JLT_TOP_GAMMA3];
@@ -89,6 +104,30 @@ static void find_turning_points(jlt_rod *rod, const double *x)
     rod->below = turning_point(rod, -1, 1 + inside);
     rod->above = turning_point(rod, 1, 1 - inside);
     rod->half = fmax(0, (2 - rod->below - rod->above) / 2);
+}
+
+/* E2 where one state alone is not 0, without gravity unless it is the tilt. */
+static double rotation_energy(const jlt_top *top, unsigned state, double gamma3)
+{
+    jlt_top weightless = *top;
+    double x[JLT_TOP_STATES] = { 0 };
+
+    if (state != JLT_TOP_GAMMA3) weightless.g = 0;
+    x[state] = 1;
+    x[JLT_TOP_GAMMA3] = gamma3;
+    return jlt_top_integral(&weightless, variant, "E2", x);
+}
+
+/* What the equations of the quadratures hold of the parameters: E2 and G are of the form that rod.h says. */
+static void take_coefficients(jlt_rod *rod)
+{
+    const double upright[JLT_TOP_STATES] = { [JLT_TOP_OMEGA_N] = 1 };
+
+    rod->weight = rotation_energy(&rod->top, JLT_TOP_GAMMA3, 1);
+    rod->inertia_pole = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_TAU, 1);
+    rod->inertia_equator = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_TAU, 0);
+    rod->turning = rod->G / jlt_top_integral(&rod->top, variant, "G", upright);
+    rod->barrier = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_N, 0) * rod->turning * rod->turning;
 }
 
 jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x)
@@ -99,14 +138,14 @@ jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x)
     double s2, u, turned;
 
     if (top->I3 != 0) return JLT_ERR_ARG;
+    if (!has_level()) return JLT_ERR_UNSUPPORTED;
     if (!(s > 0)) return JLT_ERR_DOMAIN;
     rod.G = jlt_top_jellett(top, x);
     if (rod.G == 0) return JLT_ERR_DOMAIN;
     rod.speed = hypot(x[JLT_TOP_V_NU], v_tau);
-    rod.E1 = top->m * rod.speed * rod.speed / 2;
-    rod.E2 = (top->I1 * x[JLT_TOP_OMEGA_N] * x[JLT_TOP_OMEGA_N]
-              + (top->I1 + top->m * top->a3 * top->a3 * s * s) * x[JLT_TOP_OMEGA_TAU] * x[JLT_TOP_OMEGA_TAU]) / 2
-             + top->m * top->g * top->a3 * gamma3;
+    rod.E1 = jlt_top_integral(top, variant, "E1", x);
+    rod.E2 = jlt_top_integral(top, variant, "E2", x);
+    take_coefficients(&rod);
     if (!isfinite(rod.E1) || !isfinite(rod.E2) || !isfinite(rod.G)) return JLT_ERR_NONFINITE;
     find_turning_points(&rod, x);
     s2 = s * s;
@@ -159,13 +198,24 @@ done:
     return st;
 }
 
+/* The top's states where the table on a level has y, shape (LEVEL_STATES,). */
+static void find_state(const jlt_rod *rod, double *x, const double *y)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
+    double params[JLT_WAY_VALUES_MAX];
+    size_t index;
+
+    jlt_top_write(params, table, &rod->top);
+    if (jlt_descriptor_param(table, "G", &index)) params[index] = rod->G;
+    jlt_top_return(jlt_top_way(level), x, y, params);
+}
+
 jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
 {
     jlt_status st = JLT_OK;
-    const jlt_top *top = &rod->top;
     const double since = rod->elapsed + t;
     const double periods = nearbyint(since / rod->period);
-    double u, psi, gamma3, s2, s, v_tau;
+    double u, psi, gamma3, s2, s;
 
     if (!isfinite(t)) return JLT_ERR_NONFINITE;
     JLT_TRY(locate(rod, &u, fma(-periods, rod->period, since)));
@@ -173,61 +223,37 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     psi += rod->psi + periods * rod->turn;
     tilt(rod, &gamma3, &s2, u);
     s = sqrt(s2);
-    v_tau = rod->speed * sin(psi);
-    x[JLT_TOP_GAMMA3] = gamma3;
-    x[JLT_TOP_V_NU] = rod->speed * cos(psi);
-    x[JLT_TOP_OMEGA_TAU] = rod->half * sin(u) / (pace(rod, gamma3, s2) * s);
-    x[JLT_TOP_OMEGA_N] = rod->G / (top->I1 * top->R * s);
-    x[JLT_TOP_OMEGA3] = (v_tau - (top->a3 + top->R * gamma3) * x[JLT_TOP_OMEGA_N]) / (top->R * s);
+    find_state(rod, x, (const double[LEVEL_STATES]){ gamma3, rod->speed * cos(psi), rod->half * sin(u) / (pace(rod, gamma3, s2) * s),
+                                                     rod->speed * sin(psi), s });
 done:
     return st;
 }
-
-/* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose equations these
- * quadratures solve. */
-static const char *const integrals[] = { "E1", "E2", "G" };
-static const char level[] = "spherical_top_level";
 
 const char jlt_rod_meaning[] = "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time";
 
 bool jlt_rod_is_known(const jlt_descriptor *model)
 {
-    static const char *const states[JLT_TOP_STATES] = { "gamma3", "v_nu", "omega_tau", "omega_n", "omega3" };
-    static const char *const params[] = { "m", "R", "g", "a3", "I1", "I3" };
-    size_t index;
-
-    if (model->state_count != JLT_TOP_STATES) return false;
-    for (unsigned i = 0; i < JLT_TOP_STATES; i++)
-        if (strcmp(model->states[i].name, states[i]) != 0) return false;
-    for (unsigned i = 0; i < sizeof params / sizeof *params; i++)
-        if (!jlt_descriptor_param(model, params[i], &index)) return false;
-    for (unsigned i = 0; i < sizeof integrals / sizeof *integrals; i++)
-        if (jlt_descriptor_claim(model, "integral", integrals[i]) == NULL) return false;
+    if (!jlt_top_is_known(model)) return false;
+    for (const char *const *name = integrals; *name != NULL; name++)
+        if (jlt_descriptor_claim(model, "integral", *name) == NULL) return false;
     return true;
-}
-
-static const jlt_way *way_to(const jlt_descriptor *model, const jlt_descriptor *table)
-{
-    for (unsigned i = 0; i < model->way_count; i++)
-        if (strcmp(model->ways[i].sha256, table->sha256) == 0 && model->ways[i].condition_count == 0) return &model->ways[i];
-    return NULL;
 }
 
 const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x)
 {
+    static const char unproved[] = "a claim that it rests on is not proved";
     const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
-    const jlt_way *way;
     jlt_top top;
 
     *broken = NULL;
     if (jlt_top_read(&top, model, params) != JLT_OK) return "the parameters are not those of a top";
     if (top.I3 != 0) return "I3 is not 0";
     if (x != NULL && jlt_top_jellett(&top, x) == 0) return "G = 0: the orbit runs through the poles";
-    if (table == NULL || (way = way_to(model, table)) == NULL) return "no way leads to the table whose equations they solve";
-    if (!jlt_way_holds(broken, model, way, table)) return "a claim that it rests on is not proved";
-    for (unsigned i = 0; i < sizeof integrals / sizeof *integrals; i++) {
-        *broken = jlt_descriptor_claim(model, "integral", integrals[i]);
-        if ((*broken)->verdict != JLT_PROVED) return "a claim that it rests on is not proved";
+    if (!has_level() || jlt_way_to(broken, model, table, x, params) == NULL)
+        return *broken != NULL ? unproved : "no way leads to the table whose equations they solve";
+    for (const char *const *name = integrals; *name != NULL; name++) {
+        *broken = jlt_descriptor_claim(model, "integral", *name);
+        if ((*broken)->verdict != JLT_PROVED) return unproved;
     }
     *broken = NULL;
     return NULL;

@@ -5,17 +5,19 @@
  *  Q = 2 E2 - 2 m g a3 (gamma3 + low + high), and gamma3 = mid - half cos u turns this into the regular
  *      dt = sqrt(D/Q) du,      dpsi = -G/(I1 R s^2) dt,      (v_nu, v_tau) = sqrt(2 E1/m) (cos psi, sin psi):
  *  the end points are no longer singular. The turning points are kept as their distances from the poles, so that 1/s^2 keeps
- *  its digits where an orbit passes close to one. G = 0 runs through the poles and is refused. */
+ *  its digits where an orbit passes close to one. G = 0 runs through the poles and is refused. That form of the equations is what
+ *  is known here; its coefficients, the integrals and the states are values of kernels. */
 #ifndef JLT_TOP_ROD_H
 #define JLT_TOP_ROD_H
-
-#include <stdbool.h>
 
 #include "top/top.h"
 
 typedef struct {
     jlt_top top;
     double E1, E2, G;
+    double weight, barrier; /* m g a3; c */
+    double inertia_pole, inertia_equator; /* D at s = 0 and at s = 1 */
+    double turning;         /* G/(I1 R) */
     double below, above;    /* 1 + low, 1 - high: distances of the turning points from the poles */
     double half;            /* (high - low)/2 */
     double period;          /* of gamma3 and of all states on E1 = 0 */
@@ -26,7 +28,7 @@ typedef struct {
 } jlt_rod;
 
 /** Turning points, period and turn of the orbit through x, shape (JLT_TOP_STATES,).
- *  Errors: ARG, I3 != 0; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
+ *  Errors: ARG, I3 != 0; UNSUPPORTED, the tables built in are not those that are known here; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x);
 
 /** The rotation number: turns of (v_nu, v_tau) a period of gamma3. */

@@ -1,13 +1,15 @@
-/** The spherical top as scenes speak of it: parameters by name, the five reduced states, and what follows from them.
+/** The spherical top as scenes speak of it: parameters by name, the five reduced states, and what its tables say of them.
  *
- *  Everything is read off system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023; equation numbers are the
- *  paper's. The field itself comes from generated kernels only.
+ *  Numbers come from kernels of the tables built in, in the time in which s = sqrt(1 - gamma3^2) is a state of its own; what a table
+ *  does not say any more is NaN. States are those of system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023.
  *
  *  At a pole sigma = gamma3 = +-1 the rates across the set of equilibria (integrate/pole.h) are
  *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),
  *  so that orbits end there where sigma omega_tau > 0 and I1 sigma omega_tau < m b v_nu. */
 #ifndef JLT_TOP_TOP_H
 #define JLT_TOP_TOP_H
+
+#include <stdbool.h>
 
 #include "core/status.h"
 #include "kernel_abi.h"
@@ -25,10 +27,34 @@ enum { JLT_TOP_GAMMA3, JLT_TOP_V_NU, JLT_TOP_OMEGA_TAU, JLT_TOP_OMEGA_N, JLT_TOP
  *  Errors: ARG, m, R or I1 is missing. */
 JLT_CHECKED jlt_status jlt_top_read(jlt_top *out, const jlt_descriptor *descriptor, const double *params);
 
+/** The same the other way round: params, shape (param_count,); NaN for those that a top has not. */
+void jlt_top_write(double *params, const jlt_descriptor *descriptor, const jlt_top *top);
+
+/** Whether a model has the top's states, in this order, and its parameters. */
+bool jlt_top_is_known(const jlt_descriptor *model);
+
 /* sqrt(1 - gamma3^2), by factors. */
 double jlt_top_sine(double gamma3);
 
-/* Velocity of the centre of mass along tau, by the constraint: b omega_n + R s omega3. */
+/** The value at x, shape (JLT_TOP_STATES,), of an integral that JLT_DEFAULT_MODEL has by this name in this variant, NULL for the general
+ *  field. Cost: one kernel, and what is prepared for it. */
+double jlt_top_integral(const jlt_top *top, const char *variant, const char *name, const double *x);
+
+/** The way from JLT_DEFAULT_MODEL to the table of this name, each in the time of s; NULL without one. */
+const jlt_way *jlt_top_way(const char *model);
+
+/** Whether that way is there and is proved, and so are the integrals `names`, which a NULL ends. Out: *broken: the claim that is not
+ *  proved, NULL where a record is missing. */
+bool jlt_top_serves(const jlt_claim **broken, const char *model, const char *const *names);
+
+/** Where it leads from x, shape (JLT_TOP_STATES,): y, shape (way->coordinate_count,), an angle being 0 where it has no value; other,
+ *  shape (way->param_count,), the parameters there. */
+void jlt_top_look(const jlt_way *way, double *y, double *other, const jlt_top *top, const double *x);
+
+/** x, shape (JLT_TOP_STATES,), at y, shape (way->state_count,), which ends with s, of the table that the way leads to. */
+void jlt_top_return(const jlt_way *way, double *x, const double *y, const double *other);
+
+/* Velocity of the centre of mass along tau, by the constraint. */
 double jlt_top_v_tau(const jlt_top *top, const double *x);
 
 /* Integrals (3.3). */

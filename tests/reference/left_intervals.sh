@@ -32,4 +32,27 @@ section one.csv "${falling[@]}"
 section many.csv --batch "${falling[@]}"
 cmp -s <(cut -d, -f1,2,7 one.csv) <(cut -d, -f1,2,7 many.csv) || fail "where orbits leave an interval, orbits, returns or fates differ"
 [ "$(grep -c ',left_domain$' many.csv)" -eq 4 ] || fail "not all orbits leave the interval: $(cat many.csv)"
+
+# The end of each is where the parabola says: a state is followed to the tolerance of its end, 1e-12, or 2^-37, at a rate of 0.22 or more,
+# and the time to it is as good. So an orbit that ends 1e-9 after a return still makes it, and one that ends 1e-9 before does not.
+turn=6.283185307179586
+p_of() { awk -v t="$1" 'BEGIN { printf "%.17g", (t*t/8 - 1)/t }'; } # from g = 0
+ends_near() { # FILE ORBIT TIME
+    awk -F, -v orbit="$2" -v t="$3" '$1 == orbit && /left_domain/ { off = $3 - t; found = 1 } END { exit !(found && off*off <= 25e-22) }' "$1" ||
+        fail "$1: orbit $2 does not end at $3: $(cat "$1")"
+}
+after=$(awk -v t=$turn 'BEGIN { printf "%.17g", t + 1e-9 }') before=$(awk -v t=$turn 'BEGIN { printf "%.17g", t - 1e-9 }')
+falling+=(--start "g=0,p=$(p_of "$after"),q=1" --start "g=0,p=$(p_of "$before"),q=1" --start "g=0,p=$(p_of 6.395),q=1")
+for how in "--method gauss" "--method dop853" "--method taylor" "--method rkf45" "--method msadams" --batch; do
+    section ends.csv $how "${falling[@]}"
+    ends_near ends.csv 0 "$(awk 'BEGIN { printf "%.17g", 0.4 + sqrt(8.16) }')"
+    ends_near ends.csv 1 2
+    ends_near ends.csv 2 "$(awk 'BEGIN { printf "%.17g", 4 - sqrt(0.8) }')"
+    ends_near ends.csv 3 "$(awk 'BEGIN { printf "%.17g", 3.8 + sqrt(15.24) }')"
+    ends_near ends.csv 4 "$after"
+    ends_near ends.csv 5 "$before"
+    ends_near ends.csv 6 6.395
+    [ "$(cut -d, -f1,2,7 ends.csv | grep -E '^[456],1' | tr '\n' ' ')" = "4,1,alive 5,1,left_domain 6,1,alive " ] ||
+        fail "$how: a return before the end is lost, or one beyond it is told: $(cat ends.csv)"
+done
 exit $status

@@ -99,6 +99,13 @@ name='a table; touch shell $(touch shell).tt'
 printf 'model decay\nstate x\neq x = -x\n' > "$name"
 expect 0 0.36787944117144 jellett simulate "./$name" --start x=1 --times 1
 [ ! -e shell ] || fail "the name of a table reached a shell"
+# What is no regular file is not waited for, nor read without an end.
+mkfifo pipe.tt
+mkdir folder.tt
+ln -s /dev/zero endless.tt
+expect 5 "pipe.tt: error: cannot read the file: it is a pipe or a device" timeout -s KILL 10 jellett simulate ./pipe.tt --start x=1 --times 1
+expect 5 "endless.tt: error: cannot read the file: it is a pipe or a device" timeout -s KILL 10 ttc check endless.tt
+expect 5 "folder.tt: error: cannot read the file: Is a directory" ttc check folder.tt
 expect 5 "cannot open|No such file" jellett simulate ./absent.tt --start x=1 --times 1
 
 # Batches get kernels on vectors of their own; rows agree with those of one orbit at a time, and on any number of

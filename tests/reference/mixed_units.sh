@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# The verdict of a condition is that of the table's units, whatever units a problem is counted in: a number beside a length is one in metres.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
+status=0
+fail() { echo "$*"; status=1; }
+run() { # STATUS OPTION...
+    local want=$1 code
+    shift
+    jellett "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "jellett $*: status $code: $(cat err)"
+}
+near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; exit !(d < 1e-11 && d > -1e-11) }'; }
+
+# a = 10 cos t. The unit of length is that of L, so that a is counted in hundreds of metres; the coordinates are good while a > -3 m.
+cat > spring.tt <<'T'
+model spring
+param L > 0 [m] "what lengths are compared with"
+param w > 0 [rad/s]
+default L = 1000, w = 1
+state a [m]
+state b [m/s]
+eq a = b
+eq b = - w^2*a
+observe part = a/L
+tier near while a + 3 > 0 "near"
+T
+end=$(awk 'BEGIN { c = -0.3; printf "%.17g", atan2(sqrt(1 - c*c), c) }')
+for L in 1 1000 1e6 1e-6; do
+    run 4 simulate ./spring.tt --set L=$L --start a=10,b=0 --times 1,3
+    [ "$(tail -1 out | cut -d, -f5)" = left_domain ] && near "$(tail -1 out | cut -d, -f1)" "$end" && near "$(tail -1 out | cut -d, -f2)" -3 ||
+        fail "L = $L: $(tail -1 out)"
+done
+
+# On a circle of radius r; the way there is meant where a < 3 m, and the orbit goes on in the table asked where it comes to that edge.
+cat > turning.tt <<'T'
+model turning
+param L > 0 [m]
+default L = 1000
+param r > 0 [m]
+state phi [rad]
+angle C S = cos(phi) sin(phi)
+eq phi = - L/L
+embedding out : into spring.tt with a = r*C, b = r*S, w = 1
+periodic phi = 2*pi
+tier circle while 5 - r*C > 0 "a circle"
+T
+sed -i 's/ while a + 3 > 0//' spring.tt
+echo 'reduction left : by turning.tt with phi = atan2(b, a), r = sqrt(a^2 + b^2) when w = 1 where 3 - a > 0' >> spring.tt
+ttc prove spring.tt turning.tt > proofs || fail "claims: $(cat proofs)"
+for L in 1 1000 1e6 1e-6; do
+    run 0 simulate ./spring.tt --set L=$L --start a=-10,b=0 --times 1,3
+    end=$(awk 'BEGIN { c = -0.5; printf "%.10g", atan2(sqrt(1 - c*c), c) }')
+    grep -q "from t = ${end:0:9}[0-9]* on the tier near in place of circle" err || fail "L = $L: $(cat err)"
+    near "$(tail -1 out | cut -d, -f2)" "$(awk 'BEGIN { printf "%.17g", -10*cos(3) }')" || fail "L = $L: $(tail -1 out)"
+done
+
+# A section whose coordinates are metres and metres a second without saying so: its returns are those of the table's own states.
+cat > stiff.tt <<'T'
+model stiff
+param L > 0 [m]
+param w > 0 [rad/s]
+default L = 1000, w = 1
+state a [m]
+state b [m/s]
+state h [m]
+state q [m/s]
+eq a = b
+eq b = - w^2*a - w^2*a^3/L^2
+eq h = q
+eq q = - 4*w^2*h
+integral N = (4*w^2*h^2 + q^2)/2
+section cut : by stiff_cut.tt at h = 0 with u = a, v = b, N = N
+T
+cat > stiff_cut.tt <<'T'
+model stiff_cut
+param N > 0
+param L > 0 [m]
+param w > 0 [rad/s]
+default N = 1, w = 1, L = 1
+state u
+state v
+root q = sqrt(2*N*L/L)
+lift into stiff.tt with a = u, b = v, h = 0, q = q
+T
+ttc prove stiff.tt > proofs || fail "claims: $(cat proofs)"
+for L in 1000 3e5; do
+    run 0 section ./stiff.tt --set L=$L --section h=0 --start a=-200,b=0.5,q=1.4142135623730951 --returns 2
+    own=$(tail -1 out)
+    run 0 section ./stiff.tt --set L=$L --start u=-200,v=0.5 --returns 2
+    for column in 3 4 5; do
+        near "$(tail -1 out | cut -d, -f$column)" "$(echo "$own" | cut -d, -f$column)" || fail "section, L = $L: $(tail -1 out), not $own"
+    done
+done
+exit $status

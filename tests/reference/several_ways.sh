@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Tables that serve in place of one: all ways to each are tried, and tiers of one name are told apart.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
+status=0
+fail() { echo "$*"; status=1; }
+run() { # STATUS OPTION...
+    local want=$1 code
+    shift
+    jellett "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "jellett $*: status $code: $(cat err)"
+}
+
+long=name_of_three_and_sixty_letters_which_is_all_that_a_table_lends
+cat > wide.tt <<T
+model wide
+state a
+state b
+state c in (-1, 1)
+root s = sqrt(1 - c^2)
+eq a = b
+eq b = - a
+eq c = s*a/8
+time regular : s lifting s
+tier $long "all three"
+reduction right : by polar.tt with phi = atan2(b, a), r = sqrt(a^2 + b^2), c = c where a > 0
+reduction left : by polar.tt with phi = atan2(b, a), r = sqrt(a^2 + b^2), c = c where - a > 0
+reduction other : by again.tt with phi = atan2(b, a), r = sqrt(a^2 + b^2), c = c where a + 2 > 0
+T
+cat > polar.tt <<'T'
+model polar
+param r > 0
+default r = 1
+state phi
+state c in (-1, 1)
+root s = sqrt(1 - c^2)
+angle C S = cos(phi) sin(phi)
+eq phi = - 1
+eq c = s*r*C/8
+time regular : s lifting s
+embedding out : into wide.tt with a = r*C, b = r*S, c = c, s = s
+periodic phi = 2*pi
+tier circle "an angle, on a circle"
+T
+sed 's/^model polar/model again/; s/on a circle/once more/' polar.tt > again.tt
+ttc prove wide.tt polar.tt again.tt > proofs || fail "claims: $(cat proofs)"
+
+# The first way to polar.tt is meant where a > 0, the second where a < 0. phi falls evenly: a = cos t, or -cos t.
+for a in 1 -1; do
+    run 0 plan simulate ./wide.tt --start a=$a,b=0,c=0 --times 1
+    grep -q '^  \* polar.circle .* taken: the smallest that answers' out || fail "from a = $a: $(cat out)"
+    run 0 simulate ./wide.tt --start a=$a,b=0,c=0 --times 1
+    tail -1 out | awk -F, -v a=$a '{ d = $2 - a*cos(1); exit !(d < 1e-12 && d > -1e-12) }' || fail "from a = $a: $(tail -1 out)"
+done
+
+# Two tables have a tier `circle`: neither is taken for the other.
+run 0 simulate ./wide.tt --start a=1,b=0,c=0 --times 1 --tier again.circle
+grep -q 'tier again.circle' out || fail "the tier is not named: $(grep '^#' out)"
+run 3 simulate ./wide.tt --start a=1,b=0,c=0 --times 1 --tier circle
+grep -q "there is no tier 'circle' of wide" err || fail "a name of two tiers is taken: $(cat err)"
+run 3 simulate ./wide.tt --start a=-3,b=0,c=0 --times 1 --tier again.circle
+grep -q 'a + 2 > 0' err || fail "what refuses a way is not said: $(cat err)"
+
+# A name is kept whole, with what is added to it; one that is longer is refused where it is read.
+for tier in $long ${long}_plain; do
+    run 0 simulate ./wide.tt --start a=1,b=0,c=0 --times 1 --tier $tier
+    grep -q "tier $tier:" out || fail "the tier $tier has lost letters: $(grep '^#' out)"
+done
+sed "s/^tier $long/tier x$long/" wide.tt > longer.tt
+ttc check longer.tt > out 2> err && fail "a name of 64 letters is read"
+grep -q 'longer.tt:10:6: error: .*63' err || fail "a name of 64 letters: $(cat err)"
+exit $status
