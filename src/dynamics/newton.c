@@ -22,6 +22,15 @@ static double norm(const double *v, unsigned count)
     return sqrt(sum);
 }
 
+/* Orbits come in a family in every direction: what is left of I - DP is rounding, and no step. */
+static bool vanishes(const double *system, size_t count)
+{
+    double largest = 0;
+
+    for (size_t i = 0; i < count; i++) largest = fmax(largest, fabs(system[i]));
+    return largest < null_cutoff;
+}
+
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
 static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
 {
@@ -46,7 +55,8 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     if (count == 0) return JLT_ERR_ARG;
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
-    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff);
+    memset(free_delta, 0, count * sizeof *free_delta);
+    st = vanishes(system, (size_t)d * count) ? JLT_OK : jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff);
     if (st != JLT_OK) return st;
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
