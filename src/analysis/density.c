@@ -125,24 +125,39 @@ done:
     return st;
 }
 
+/* Of div f and of f . grad ln rho, as they are before anything cancels. */
+static jlt_status size_of_terms(double *size, const jlt_instance *instance, const double *x)
+{
+    const unsigned n = instance->descriptor->state_count;
+    double f[SIZE], jacobian[SIZE * SIZE];
+    jlt_status st = JLT_OK;
+
+    JLT_TRY(jlt_instance_rhs(instance, f, x));
+    JLT_TRY(jlt_instance_jacobian(instance, jacobian, x));
+    *size = 0.0;
+    for (unsigned i = 0; i < n; i++) *size += fabs(jacobian[i * n + i]) + fabs(f[i] / x[i]);
+done:
+    return st;
+}
+
 jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, size_t samples, jlt_random *random)
 {
     const jlt_descriptor *d = instance->descriptor;
-    double worst[SIZE] = { 0 }, x[SIZE], density[SIZE], divergence[SIZE], div_f;
+    double worst[SIZE] = { 0 }, x[SIZE], density[SIZE], divergence[SIZE], size;
     size_t used = 0;
 
     if (d->measure_count > SIZE || d->state_count > SIZE) return JLT_ERR_UNSUPPORTED;
     if (d->measure_count == 0) return JLT_OK;
+    if (d->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
     for (size_t k = 0; k < samples; k++) {
         jlt_density_draw_state(x, d, random);
-        if (jlt_instance_divergence(instance, &div_f, x) != JLT_OK ||
+        if (size_of_terms(&size, instance, x) != JLT_OK ||
             jlt_kernel_eval(density, &d->measure_values, x, d->state_count, instance->block) != JLT_OK ||
             jlt_kernel_eval(divergence, &d->measure_divergences, x, d->state_count, instance->block) != JLT_OK)
             continue;
         used++;
         for (unsigned i = 0; i < d->measure_count; i++)
-            if (divergence[i] != 0.0)
-                worst[i] = fmax(worst[i], div_f == 0.0 ? INFINITY : fabs(divergence[i] / (density[i] * div_f)));
+            if (divergence[i] != 0.0) worst[i] = fmax(worst[i], fabs(divergence[i] / (density[i] * size)));
     }
     if (used == 0) return JLT_ERR_NO_CONVERGENCE;
     memcpy(residual, worst, d->measure_count * sizeof *residual);

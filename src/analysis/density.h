@@ -39,8 +39,9 @@ JLT_CHECKED jlt_status jlt_density_tabulate(jlt_density_point *points, size_t co
  *  Out: x, shape (states,). */
 void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, jlt_random *random);
 
-/** The largest |div(rho f)| / |rho div f| over random states, for the table's densities; in rounding units where the claim is
- *  true. Out: residual, shape (measures,). Errors as above. */
+/** The largest |div(rho f)| over random states, for the table's densities, relative to the size of its terms,
+ *  |rho| sum_i (|df_i/dx_i| + |f_i/x_i|); in rounding units where the claim is true, also of a field that keeps volume, whose divergence
+ *  is a sum of terms that cancel. Out: residual, shape (measures,). Errors as above; UNSUPPORTED (no Jacobian). */
 JLT_CHECKED jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, size_t samples,
                                             jlt_random *random);
 

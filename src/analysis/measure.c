@@ -76,13 +76,29 @@ done:
     return st;
 }
 
+/* The factor by which the density changes in a period of its state; 1 up to what the quadrature errs by, and where there is none. */
+static jlt_status turn_of(double *turn, const jlt_instance *instance, size_t along, double low, const double *x)
+{
+    const jlt_quantity *q = &instance->descriptor->states[along];
+    const jlt_claim *claim = jlt_descriptor_claim(instance->descriptor, "periodic", q->name);
+    jlt_density_point ends[2];
+    jlt_status st = JLT_OK;
+
+    *turn = 1.0;
+    if (q->period == 0.0 || claim == NULL || claim->verdict != JLT_PROVED) return JLT_OK;
+    JLT_TRY(jlt_density_tabulate(ends, 2, instance, along, low, low + q->period, x));
+    if (fabs(ends[0].density - 1.0) > JLT_DENSITY_TOLERANCE + ends[0].error) *turn = 1.0 / ends[0].density;
+done:
+    return st;
+}
+
 jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
 {
     const jlt_descriptor *d = instance->descriptor;
     double x[STATES_MAX], low, high;
     jlt_status st = JLT_OK;
 
-    *attempt = (jlt_measure_attempt){ .defect = INFINITY, .count = count };
+    *attempt = (jlt_measure_attempt){ .defect = INFINITY, .turn = 1.0, .count = count };
     if (d->state_count > STATES_MAX) return JLT_ERR_UNSUPPORTED;
     for (size_t i = 0; i < d->state_count; i++) {
         double defect;
@@ -105,11 +121,12 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
         jlt_density_draw_state(x, d, random);
         x[attempt->along] = low / 2 + high / 2;
         st = jlt_density_tabulate(attempt->points, count, instance, attempt->along, low, high, x);
+        if (st == JLT_OK) st = turn_of(&attempt->turn, instance, attempt->along, low, x);
         if (st == JLT_OK || st == JLT_ERR_NOMEM) break;
     }
     /* The slope has a pole in between, whatever the other states are. */
     attempt->singular = st != JLT_OK && st != JLT_ERR_NOMEM;
-    if (attempt->singular) {
+    if (attempt->singular || attempt->turn != 1.0) {
         free(attempt->points);
         attempt->points = NULL;
         return JLT_OK;

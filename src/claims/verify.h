@@ -46,7 +46,7 @@ typedef struct {
     const jlt_descriptor *descriptor;
     double *params;          /* owned */
     jlt_measure_attempt attempt;
-    double residual;         /* worst |div(rho f)| / |rho div f| of the table's densities */
+    double residual;         /* worst div(rho f) of the table's densities, relative to its terms */
     jlt_status status;
 } jlt_verify_density;
 

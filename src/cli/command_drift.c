@@ -183,21 +183,30 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn)
     return jlt_plot_draw(&plot);
 }
 
-/* The integrals that the table of a section proves. */
+/* The integrals that the table of a section proves, but those that count turns of the section's angle. */
 static jlt_exit watch_proved(report *r)
 {
     const jlt_descriptor *d = r->drift.system->instance->descriptor;
+    bool turns, left_out = false;
 
     for (unsigned i = 0; i < d->integral_count; i++) {
         if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED) continue;
+        const jlt_status st = jlt_drift_turns(&turns, r->drift.system, r->drift.q, i);
+        if (st != JLT_OK) return jlt_motion_fail(st, r->drift.system, "--start");
+        if (turns) {
+            fprintf(stderr, "jellett: %s is another after a turn of %s, and returns do not count turns: its drift is left out\n",
+                    d->integrals[i].name, d->states[r->drift.system->flow.chart->column].name);
+            left_out = true;
+            continue;
+        }
         if (r->drift.count == JLT_INVARIANTS_MAX)
             return jlt_command_fail(JLT_EXIT_USAGE, "%s proves more than %d integrals; drift serves up to so many", d->model, JLT_INVARIANTS_MAX);
         r->names[r->drift.count] = d->integrals[i].name;
         r->drift.watched[r->drift.count++] = i;
     }
     if (r->drift.count > 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s proves no integral at these parameters: write 'integral NAME = ...' in its table",
-                            d->model);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s proves no %sintegral at these parameters: write 'integral NAME = ...' in its table",
+                            d->model, left_out ? "other " : "");
 }
 
 /* What is watched, and from where. */

@@ -77,6 +77,10 @@ static void write_attempt(FILE *stream, const jlt_measure_finding *f)
         fprintf(stream, "it has a pole or a zero where %s' = 0, so it is no smooth positive density\n", along_name(f));
         return;
     }
+    if (a->turn != 1.0) {
+        fprintf(stream, "it changes by the factor %.6g in a period of %s, so it is no density of an angle\n", a->turn, along_name(f));
+        return;
+    }
     if (a->closed_form != NULL)
         fprintf(stream, "against the closed form %s: largest relative difference %.2g (bound %.2g)\n", a->closed_form,
                 a->difference, a->difference_bound);
@@ -100,7 +104,7 @@ static void write_text(FILE *stream, const jlt_measure_finding *f)
     fputc('\n', stream);
     if (d->measure_count == 0) fputs("table        claims no invariant density at these parameters\n", stream);
     for (unsigned i = 0; i < d->measure_count; i++)
-        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of |rho div f| over %d random states\n",
+        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states\n",
                 d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES);
     write_attempt(stream, f);
     if (!f->obstructed) return;
@@ -132,12 +136,12 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
         json_array_append_new(table, json_pack("{s:o,s:o,s:o}", "at", jlt_json_number(a->points[i].at), "density",
                                                jlt_json_number(a->points[i].density), "closed_form",
                                                jlt_json_number(a->closed == NULL ? NAN : a->closed[i])));
-    return jlt_json_write(stream, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
+    return jlt_json_write(stream, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
                                             d->sha256, "variant", d->variant, "parameters",
                                             jlt_json_named(d->params, f->instance->params, d->param_count), "measures", measures, "along",
                                             along_name(f), "defect", jlt_json_number(a->defect), "defects",
                                             jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
-                                            a->singular, "closed_form",
+                                            a->singular, "turn", jlt_json_number(a->turn), "closed_form",
                                             jlt_json_string(a->closed_form), "difference",
                                             jlt_json_number(a->closed_form == NULL ? NAN : a->difference), "table", table,
                                             "obstruction", obstruction_json(f)));

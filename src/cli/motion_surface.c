@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/table.h"
 #include "core/digits.h"
 #include "kernel/descriptor.h"
 
@@ -111,6 +112,23 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
                             "with all other states as coordinates", *levels != '\0' ? " on levels of " : "", levels, table->states[surface->section->column].name, surface->section->level);
 }
 
+/* Orbits on the section are followed in its own table, which must know where the model asked for ends to hold. */
+static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
+{
+    const jlt_descriptor *table = surface->table;
+    unsigned k;
+
+    for (unsigned i = 0; i < asked->valid_count; i++) {
+        for (k = 0; k < table->valid_count && strcmp(table->valids[k].name, asked->valids[i].name) != 0; k++) { }
+        if (k == table->valid_count)
+            return jlt_command_fail(JLT_EXIT_INPUT, "the section %s is one of %s, which does not say where %s of this table is lost: write 'valid %s : "
+                                    "...' in its coordinates there, or ask for a section of the table itself, --section %s=%.10g", surface->section->name,
+                                    table->model, asked->valids[i].name, asked->valids[i].name, table->states[surface->section->column].name,
+                                    surface->section->level);
+    }
+    return JLT_EXIT_DONE;
+}
+
 /* What is typed, over the defaults. */
 static jlt_exit read_values(double *values, const jlt_motion_options *options, const jlt_surface *surface)
 {
@@ -156,15 +174,23 @@ jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options
 jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_options *options, const jlt_descriptor *asked)
 {
     const bool is_plane = options->section != NULL && strchr(options->section, '=') != NULL;
+    const jlt_common *common = &options->common;
     const jlt_claim *broken = NULL;
+    jlt_way_tables others;
 
-    const jlt_status st = is_plane ? JLT_ERR_UNSUPPORTED : jlt_surface_find(surface, &broken, asked, options->section);
+    jlt_status st = is_plane ? JLT_ERR_UNSUPPORTED : jlt_surface_find(surface, &broken, asked, NULL, options->section);
+    if (!is_plane && st != JLT_OK && surface->table == NULL && common->model != NULL) { /* smaller tables beside it may have one */
+        const jlt_exit code = jlt_table_others(&others, asked, common->model, "reduction", common->lanes);
+        if (code != JLT_EXIT_DONE) return code;
+        st = jlt_surface_find(surface, &broken, asked, &others, options->section);
+    }
     *has = st == JLT_OK;
     if (!is_plane && !*has && surface->table != NULL) return refuse_large(surface);
     if (!is_plane && !*has && options->section != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
                                 options->section, asked->model);
-    return *has && broken != NULL ? refuse_broken(surface, broken, asked) : JLT_EXIT_DONE;
+    if (*has && broken != NULL) return refuse_broken(surface, broken, asked);
+    return *has ? refuse_unwatched(surface, asked) : JLT_EXIT_DONE;
 }
 
 static const char *start_name(jlt_surface_start purpose)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/table.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 
@@ -89,14 +90,17 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     const char *names[JLT_INVARIANTS_MAX];
     double levels[JLT_INVARIANTS_MAX], *params = NULL;
     const unsigned count = jlt_motion_levels(system, names, levels);
+    jlt_way_tables others = { .count = 0 };
     jlt_exit code = jlt_assign_params(&params, asked, &options->common.set);
 
+    if (code == JLT_EXIT_DONE && options->common.model != NULL)
+        code = jlt_table_others(&others, asked, options->common.model, "reduction", options->common.lanes);
     if (code == JLT_EXIT_DONE) {
         jlt_plan plan = { .count = 1, .candidates = { { .tier = { .name = "model", .dimension = system->instance->descriptor->state_count },
                                                         .descriptor = system->instance->descriptor } } };
         jlt_tier whole;
         jlt_tier_whole(&whole, asked); /* integrals are watched in all states */
-        const jlt_question question = { .model = asked, .params = params, .section = !options->looks_at_integrals,
+        const jlt_question question = { .model = asked, .others = &others, .params = params, .section = !options->looks_at_integrals,
                                         .tier = options->looks_at_integrals ? whole.name : NULL };
         const jlt_status st = system->surface != NULL ? jlt_plan_make(&plan, &question) : JLT_OK;
         if (st == JLT_OK) jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);

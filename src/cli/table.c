@@ -118,7 +118,7 @@ static bool beside(char *path, size_t size, const char *table, const char *file)
     return used > 0 && (size_t)used < size;
 }
 
-jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model)
+jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes)
 {
     const jlt_descriptor *next = of;
 
@@ -127,9 +127,10 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
         for (unsigned i = 0; i < next->way_count && others->count < JLT_WAY_TABLES_MAX; i++) {
             const jlt_way *way = &next->ways[i];
             char path[PATH_MAX];
+            if (kind != NULL && strcmp(way->kind, kind) != 0) continue;
             if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_target(way, others) != NULL) continue;
             if (!beside(path, sizeof path, model, way->file)) return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
-            const jlt_exit code = load(&others->tables[others->count], path, false);
+            const jlt_exit code = load(&others->tables[others->count], path, lanes);
             if (code != JLT_EXIT_DONE) return code;
             others->count++;
         }

@@ -12,9 +12,10 @@ bool jlt_table_is_file(const char *model);
  *  vectors, which take longer. Says what is wrong; ttc has said what is wrong with a table. */
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bool lanes);
 
-/** Tables beside the user's own that proved ways lead to, and that are not built in: read, proved and compiled like it. model: as in jlt_table_open;
- *  none are looked for where it is built in. Out: *others. Says what is wrong. */
-jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model);
+/** Tables beside the user's own that proved ways lead to, and that are not built in: read, proved and compiled like it. model, lanes: as
+ *  in jlt_table_open; none are looked for where the model is built in. kind: "reduction", those with fewer states alone; NULL: all.
+ *  Out: *others. Says what is wrong. */
+jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes);
 
 /** As a scene opens its model. Errors: EMPTY, none of this name is built in; IO, ARG, NOMEM, a table that cannot be used, which has been told. */
 jlt_status jlt_table_of(const jlt_descriptor **out, const char *model);

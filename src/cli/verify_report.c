@@ -85,12 +85,14 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
                 a->defect);
         if (a->singular)
             fprintf(stream, "      it is singular where %s' = 0: no smooth positive density\n", k->states[a->along].name);
+        if (a->turn != 1.0)
+            fprintf(stream, "      it changes by the factor %.6g in a period of %s: no density of an angle\n", a->turn, k->states[a->along].name);
         if (a->closed_form != NULL)
             fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
                     a->closed_form, a->difference, a->difference_bound, verdict(a->difference <= a->difference_bound));
     }
     if (k->measure_count > 0)
-        fprintf(stream, "      div(rho f) of the table's density: %.2g of rho div f, bound %.0e: %s\n", d->residual,
+        fprintf(stream, "      div(rho f) of the table's density: %.2g of its terms, bound %.0e: %s\n", d->residual,
                 JLT_DENSITY_TOLERANCE, verdict(d->residual <= JLT_DENSITY_TOLERANCE));
 }
 
@@ -166,11 +168,11 @@ static json_t *density_json(const jlt_verify_density *d)
     const jlt_measure_attempt *a = &d->attempt;
     const bool compared = a->closed_form != NULL;
 
-    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
+    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
                      k->states[a->along].name, "defect", jlt_json_number(a->defect), "defects",
-                     jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "closed_form",
-                     jlt_json_string(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
+                     jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "turn",
+                     jlt_json_number(a->turn), "closed_form", jlt_json_string(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? a->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
 }

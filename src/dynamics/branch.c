@@ -38,7 +38,7 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
 jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma)
 {
     const jlt_chart *chart = jlt_map_flow(self->map)->chart;
-    const double n = floor(sigma), offset = self->seed * pow(self->lambda, sigma - n), rate = offset * log(self->lambda);
+    const double n = ceil(sigma), offset = self->seed * pow(self->lambda, sigma - n), rate = offset * log(self->lambda);
     double start[2] = { self->q[0] + offset * self->v[0], self->q[1] + offset * self->v[1] };
     jlt_image image;
     jlt_status st;

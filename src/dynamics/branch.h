@@ -2,9 +2,10 @@
  *
  *  With F = P^(period), squared where the multiplier is negative, lambda > 1 the multiplier of F (of its inverse for the stable
  *  manifold) and v its unit eigenvector,
- *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = floor(sigma),   sigma >= 0:
- *  one unit of sigma is one fundamental domain. The seed's distance from the manifold is O(seed^2), and every F contracts
- *  it by the other multiplier; along the manifold it only shifts sigma by O(seed). */
+ *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = ceil(sigma),   sigma >= 0:
+ *  one unit of sigma is one fundamental domain. No start is farther from the saddle than the seed, however large lambda is: its
+ *  distance from the manifold is O(seed^2), and every F contracts it by the other multiplier; along the manifold it only shifts sigma
+ *  by O(seed). */
 #ifndef JLT_DYNAMICS_BRANCH_H
 #define JLT_DYNAMICS_BRANCH_H
 
@@ -27,7 +28,7 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
 
 /** The point q = gamma(sigma) and, unless NULL, tangent, shape (2,), its derivative by the variational equations, which costs
  *  five times as much.
- *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: floor(sigma)*returns returns. */
+ *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 
 #endif

@@ -60,6 +60,32 @@ static void set_first(jlt_drift *self, const double *values, const double *gradi
     }
 }
 
+jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral)
+{
+    static const double same = 1e-9; /* of what the integral is made of: rounding is far below */
+    const jlt_descriptor *d = system->instance->descriptor;
+    const jlt_chart *chart = system->flow.chart;
+    const unsigned n = d->state_count, c = chart->column;
+    double *values = malloc(d->integral_count * (2 + (size_t)n) * sizeof *values);
+    double *turned = values + d->integral_count, *gradients = turned + d->integral_count;
+    double x[JLT_CHART_STATES_MAX], size;
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *turns = false;
+    if (values == NULL) goto done;
+    JLT_TRY(chart->lift(chart, x, NULL, q));
+    d->integral_values.call(x, system->field.p, values);
+    x[c] += chart->turn;
+    d->integral_values.call(x, system->field.p, turned);
+    d->integral_gradients.call(x, system->field.p, gradients);
+    size = fabs(values[integral]);
+    for (unsigned j = 0; j < n; j++) size += fabs(gradients[integral * n + j] * x[j]);
+    *turns = fabs(turned[integral] - values[integral]) > same * size;
+done:
+    free(values);
+    return st;
+}
+
 jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method)
 {
     const jlt_descriptor *d = self->system->instance->descriptor;

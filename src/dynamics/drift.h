@@ -39,6 +39,10 @@ typedef struct {
     bool stopped;
 } jlt_drift;
 
+/** Whether an integral of the kernel, by its index, has another value where the section's angle has turned once from the start q: at
+ *  returns, which count no turns, it then tells nothing of drift. Errors: as the chart's lift; NOMEM. */
+JLT_CHECKED jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral);
+
 /** One method over all returns of the section, or to the orbit's end. The drift is divided by |F(start)|, or not where that is
  *  0 or no more than rounding. Errors: NONFINITE, an integral; those of the section. */
 JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method);

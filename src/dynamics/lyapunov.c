@@ -3,10 +3,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Columns of q replaced by A q, orthonormalised by modified Gram-Schmidt, twice; growth gets the logarithms of the lengths. */
-static void step_frame(double *frame, double *growth, const double *slope, unsigned d)
+/* Columns of q replaced by A q, orthonormalised by modified Gram-Schmidt, twice; growth gets the logarithms of the lengths, which add
+ * up to log |det A|, so that the last of them is what the others leave. Returns by how much it was not. */
+static double step_frame(double *frame, double *growth, const double *slope, double size, unsigned d)
 {
     double next[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
+    double rest = log(size);
     unsigned i, j, k, pass;
 
     for (i = 0; i < d; i++)
@@ -25,10 +27,16 @@ static void step_frame(double *frame, double *growth, const double *slope, unsig
             }
         for (i = 0; i < d; i++) length = hypot(length, next[i * d + j]);
         growth[j] += log(length);
+        rest -= log(length);
         for (i = 0; i < d; i++) next[i * d + j] /= length;
     }
     memcpy(frame, next, sizeof *frame * d * d);
+    growth[d - 1] += rest;
+    return fabs(rest);
 }
+
+/* Logarithms that do not add up by more have lost digits that a chart would show. */
+static const double resolved = 1e-3;
 
 jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
                             jlt_lyapunov_observer observer, void *context)
@@ -44,7 +52,7 @@ jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double 
     for (k = 0; k < d; k++) frame[k * d + k] = 1;
     while (state.returns < returns) {
         JLT_TRY(jlt_map_apply(map, &image, state.q, 1, 1));
-        step_frame(frame, growth, image.slope, d);
+        if (step_frame(frame, growth, image.slope, image.told, d) > resolved && d > 2) state.blurred++;
         memcpy(state.q, image.q, sizeof state.q);
         state.t += image.T;
         state.returns++;

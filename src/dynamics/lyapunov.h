@@ -1,5 +1,6 @@
 /** Lyapunov exponents of a return map: growth rates of its derivative, by repeated QR (Benettin et al. 1980, Dieci et al.).
  *
+ *  The sum is known from the flux and the divergence, whatever a return stretches: the last exponent is what the others leave of it.
  *  Section coordinates leave out the direction of the flow and those across the levels, whose exponents are zero. */
 #ifndef JLT_DYNAMICS_LYAPUNOV_H
 #define JLT_DYNAMICS_LYAPUNOV_H
@@ -10,6 +11,7 @@ typedef struct {
     size_t returns;
     double t;
     double exponents[JLT_CHART_DIM_MAX]; /* per time, largest first in the limit */
+    size_t blurred;   /* returns that stretch more than rounding can tell: exponents between the first and the last are in doubt */
     double sum_check; /* mean divergence along the orbit: equals the sum of the exponents up to the ends' flux over t */
     double q[JLT_CHART_DIM_MAX];
 } jlt_lyapunov_state;

@@ -156,6 +156,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     image->T += ldexp(outcome.t, self->flow.units.time);
     image->expansion += outcome.x[n * (1 + d)];
     image->determinant *= arrival.determinant;
+    image->told *= arrival.told;
     for (unsigned i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
 done:
     return st;
@@ -184,6 +185,7 @@ static void copy_image(jlt_image *out, const jlt_image *image, const jlt_chart *
     memcpy(out->x, image->x, chart->states * sizeof *out->x);
     out->T = image->T;
     out->determinant = image->determinant;
+    out->told = image->told;
     out->expansion = image->expansion;
     out->defect = image->defect;
     out->bound = image->bound;
@@ -200,7 +202,7 @@ jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t 
     memcpy(image->q, q, d * sizeof *q);
     for (i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
     image->T = image->expansion = image->defect = image->bound = 0;
-    image->determinant = 1;
+    image->determinant = image->told = 1;
     for (i = 0; i < count; i++) JLT_TRY(advance(self, image, time_direction));
     copy_image(out, image, self->flow.chart);
 done:
@@ -225,7 +227,7 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
     memcpy(out->x, row.x, self->flow.chart->states * sizeof *out->x);
     out->T = row.t;
     for (i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
-    out->determinant = out->expansion = out->defect = out->bound = NAN;
+    out->determinant = out->told = out->expansion = out->defect = out->bound = NAN;
 done:
     return st;
 }

@@ -17,6 +17,7 @@ typedef struct {
     double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* DP, (dim, dim), dq_i/dq_j(start) in row i; of P^count by the chain rule */
     double T;                /* [time] that all returns took, negative backwards */
     double determinant;      /* of slope: product over the returns */
+    double told;             /* what flux and divergence say of the determinant's size, also where DP has lost it to rounding */
     double expansion;        /* integral of the divergence on the levels, over all returns */
     double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
                                 relative to that); of the single return that is worst by its bound */
@@ -44,7 +45,7 @@ const jlt_flow *jlt_map_flow(const jlt_map *self);
  *  that solves for states. *out is then not touched. */
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
-/** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, expansion, defect and bound are
+/** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, told, expansion, defect and bound are
  *  NaN. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 

@@ -16,7 +16,7 @@ typedef struct {
 } jlt_map_return;
 
 /** The image q, shape (dim,), and DP, shape (dim, dim), of the return whose varied orbit ends in `varied` and had the flux at its
- *  start. Errors: NONFINITE; NO_CONVERGENCE, it is on another branch of a chart that solves for states. */
+ *  start. Errors: NONFINITE, also of the flux; NO_CONVERGENCE, it is on another branch of a chart that solves for states. */
 JLT_CHECKED jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
                                           double flux);
 

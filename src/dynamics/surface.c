@@ -59,28 +59,31 @@ done:
 }
 
 /* Whether the table has such a section that stands for the asked one; *claim: what is not proved of that. */
-static bool serves(const jlt_claim **claim, const jlt_descriptor *asked, const jlt_descriptor *table, const jlt_section_chart *section)
+static bool serves(const jlt_claim **claim, const jlt_descriptor *asked, const jlt_way_tables *others, const jlt_descriptor *table,
+                   const jlt_section_chart *section)
 {
-    if (!jlt_link_holds(claim, asked, table)) return false;
+    if (!jlt_link_holds(claim, asked, table, others)) return false;
     *claim = &table->claims[section->claim];
     if ((*claim)->verdict != JLT_PROVED) return false;
     *claim = NULL;
     return true;
 }
 
-jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked, const char *name)
+jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked, const jlt_way_tables *others,
+                            const char *name)
 {
+    const size_t own = 1 + (others != NULL ? others->count : 0);
     const jlt_claim *claim = NULL;
     bool found = false;
 
     *out = (jlt_surface){ .asked = asked };
     *broken = NULL;
-    for (size_t i = 0; i <= jlt_descriptor_count() && !found; i++) { /* the asked table itself, and those built in */
-        const jlt_descriptor *table = widest((i == 0 ? asked : jlt_descriptor_at(i - 1))->family[0]);
+    for (size_t i = 0; i < own + jlt_descriptor_count() && !found; i++) { /* the asked table itself, others, and those built in */
+        const jlt_descriptor *table = widest((i == 0 ? asked : i < own ? others->tables[i - 1] : jlt_descriptor_at(i - own))->family[0]);
         for (unsigned k = 0; k < table->section_count && !found; k++) {
             const jlt_section_chart *section = &table->sections[k];
             if (name != NULL && strcmp(section->name, name) != 0) continue;
-            found = serves(&claim, asked, table, section);
+            found = serves(&claim, asked, others, table, section);
             if (!found && (claim == NULL || *broken != NULL)) continue;
             *broken = claim;
             out->table = table;
@@ -225,7 +228,7 @@ jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor
     jlt_status st = JLT_OK;
 
     *out = (jlt_surface_family){ .options = { .direction = JLT_RISING } };
-    JLT_TRY(jlt_surface_find(&out->surface, &broken, asked, NULL));
+    JLT_TRY(jlt_surface_find(&out->surface, &broken, asked, NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     memcpy(out->values, out->surface.defaults, sizeof out->values);
     out->runs = jlt_surface_value(&out->surface, runs);

@@ -8,6 +8,7 @@
 
 #include "dynamics/chart_section.h"
 #include "dynamics/system.h"
+#include "kernel/way.h"
 
 /* Starts with the default values, by the names of the records: of a regular orbit, of a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
@@ -23,10 +24,12 @@ typedef struct jlt_surface {
     unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): where the kernels of the section have each */
 } jlt_surface;
 
-/** The section called `name`, NULL for the first, that the table says or is linked to by proof. *broken: where there is none but a claim
+/** The section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those that are
+ *  built in, NULL for none. *broken: where there is none but a claim
  *  would lead to it that is not proved, that claim, and *out the section all the same; else NULL.
  *  Errors: UNSUPPORTED, none, or one with more values than there is room for. */
-JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked, const char *name);
+JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked, const jlt_way_tables *others,
+                                        const char *name);
 
 /** The index of a value; surface->count where there is none of this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);

@@ -23,12 +23,13 @@ static bool linked(const jlt_descriptor *from, const jlt_descriptor *to)
     return there != NULL && there->verdict == JLT_PROVED;
 }
 
-/* The general fields of all tables that are built in, and of `first`. */
-static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_descriptor *first)
+/* The general fields of all tables that are built in or among others, and of `first`. */
+static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_descriptor *first, const jlt_way_tables *others)
 {
     size_t count = 0;
 
     tables[count++] = first;
+    for (unsigned i = 0; others != NULL && i < others->count; i++) tables[count++] = others->tables[i];
     for (size_t i = 0; i < jlt_descriptor_count() && count < TABLES_MAX; i++) {
         const jlt_descriptor *d = jlt_descriptor_at(i);
         if (d == d->family[0] && strcmp(d->sha256, first->sha256) != 0) tables[count++] = d;
@@ -36,11 +37,11 @@ static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_de
     return count;
 }
 
-bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to)
+bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to, const jlt_way_tables *others)
 {
     const jlt_descriptor *tables[TABLES_MAX];
     bool reached[TABLES_MAX] = { true }, grown = true;
-    const size_t count = list_tables(tables, from);
+    const size_t count = list_tables(tables, from, others);
     const jlt_claim *there = leads(from, to);
 
     *broken = NULL;

@@ -89,7 +89,7 @@ jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model,
 
     *out = NULL;
     JLT_TRY(find_model(&d, model));
-    JLT_TRY(jlt_surface_find(&surface, &broken, d, NULL));
+    JLT_TRY(jlt_surface_find(&surface, &broken, d, NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     memcpy(all, surface.defaults, surface.count * sizeof *all);
     for (size_t i = 0; i < count; i++) {

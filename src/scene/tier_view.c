@@ -72,7 +72,11 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         if (way->param_count > JLT_WAY_VALUES_MAX || way->state_count > JLT_WAY_VALUES_MAX) return refuse(refusal, "its table is too large");
         if (broken != NULL) return refuse(refusal, "the %s %s serves where %s", way->kind, way->name, broken->text);
         if (at == NULL) {
-            jlt_way_params(way, view->params[i + 1], NULL, view->params[i]);
+            double *params = view->params[i + 1];
+            jlt_way_params(way, params, NULL, view->params[i]);
+            /* Levels mean nothing at no state: one that its sign forbids is the table's own. */
+            while (jlt_descriptor_check_params(target, params, &index) != JLT_OK && isfinite(target->params[index].value) && params[index] != target->params[index].value)
+                params[index] = target->params[index].value;
             continue;
         }
         st = jlt_way_follow(way, next, view->params[i + 1], at, view->params[i]);

@@ -25,7 +25,7 @@ static jlt_system *system_51(double tolerance)
     jlt_surface surface;
     jlt_system *system;
 
-    assert_ok(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL));
+    assert_ok(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL, NULL));
     assert_ok(jlt_surface_system(&system, &surface, surface.defaults, &flow));
     return system;
 }

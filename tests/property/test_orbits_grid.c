@@ -28,7 +28,7 @@ static void orbits_do_not_depend_on_lanes_or_threads(void **unused)
     jlt_map *map;
 
     (void)unused;
-    assert_ok(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL));
+    assert_ok(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL, NULL));
     assert_ok(jlt_surface_system(&system, &surface, surface.defaults, &flow));
     assert_ok(jlt_map_create(&map, &system->flow));
     search(&one, map, NULL, 2);

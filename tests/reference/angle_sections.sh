@@ -88,4 +88,15 @@ expect 0 '^0,12,' jellett section ./periodic.tt --section phi=0 --modulo theta=0
 awk -F, '/^0,/ && ($4 > 4 || $4 < -4) { far = 1 } END { exit !far }' out || fail "theta is still an angle: $(cat out)"
 expect 0 '^0,[0-9]' jellett section ./refuted.tt --section phi=0 "${turns[@]}"
 grep -v '^#' out | cmp -s - wanted && fail "a refuted period is taken for one"
+
+# On a torus b x - a y is kept along orbits, and counts turns: at returns to x = 0 it is another, which is no drift. What the rest of
+# the integrals do is told.
+printf 'model torus\nparam a != 0\nparam b\ndefault a = 1, b = 3/5\nstate x\nstate y\nstate z\nangle c s = cos(x) sin(x)\neq x = a\neq y = b\n' > torus.tt
+printf 'eq z = a*c\nperiodic x = 2*pi\nperiodic y = 2*pi\nintegral turning = b*x - a*y\nintegral height = z - s\n' >> torus.tt
+expect 0 'turning is another after a turn of x, and returns do not count turns: its drift is left out' \
+    jellett drift ./torus.tt --section x=0 --start y=0.1,z=0 --returns 4
+grep -q '^method,returns,t,evaluations,drift_height$' out || fail "drift of what counts turns: $(cat out)"
+awk -F, '/^[a-z0-9]*,[0-9]/ { n++; bad += $5 > 1e-10 } END { exit !(n > 9 && !bad) }' out || fail "drift on the torus: $(cat out)"
+sed -i '/^integral height/d' torus.tt
+expect 3 'torus proves no other integral' jellett drift ./torus.tt --section x=0 --start y=0.1,z=0 --returns 4
 exit $status

@@ -101,6 +101,13 @@ expect 2 "lives on past steps" jellett section ./henon_heiles.tt --section x=0 -
 expect 1 "DP could not be computed at 3 of 3 returns" jellett section ./henon_heiles.tt --section x=0 --level E=1/12 --solve px=0.3 \
     --start y=0.1,py=0 --returns 3 --check --direction both
 
+# On the fold of a level, where the state that is solved for is 0, there is no derivative and nothing to compare.
+printf 'model kepler\nstate r in (0, inf)\nstate f\nstate p\nstate L\neq r = p\neq f = L/r^2\neq p =\n    + L^2/r^3\n    - 1/r^2\neq L = 0*L\n' > kepler.tt
+printf 'periodic f = 2*pi\nintegral E = p^2/2 + L^2/(2*r^2) - 1/r\n' >> kepler.tt
+expect 1 'DP could not be computed at 3 of 3 returns' jellett section ./kepler.tt --section f=0 --start r=1,L=1.2 --returns 3 \
+    --level E=-0.28 --solve p=0 --check
+grep -qE 'inf|nan' out err && fail "numbers that are none: $(cat err)"
+
 # Friction: what was an integral is none any more.
 sed -e 's/^    - y$/&\n    - py\/100/' henon_heiles.tt > friction.tt
 expect 3 "E is no integral of this table" jellett section ./friction.tt --section x=0 --start y=0.1,py=0 --level E=1/12 --solve px=1

@@ -28,7 +28,7 @@ jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const 
     jlt_status st = JLT_OK;
 
     *out = NULL;
-    JLT_TRY(jlt_surface_find(&surface, &broken, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL));
+    JLT_TRY(jlt_surface_find(&surface, &broken, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     for (unsigned i = 0; i < surface.count; i++) arranged[i] = *jlt_system_top_value(&copy, surface.names[i]);
     st = jlt_surface_system(out, &surface, arranged, options);

@@ -127,7 +127,7 @@ static void write_row(FILE *table, const char *method, const char *way, double t
 static jlt_status open_system(jlt_system **out, jlt_surface *surface, const jlt_flow *flow)
 {
     const jlt_claim *broken;
-    const jlt_status st = jlt_surface_find(surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL);
+    const jlt_status st = jlt_surface_find(surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL, NULL);
 
     return st != JLT_OK ? st : jlt_surface_system(out, surface, surface->defaults, flow);
 }
