@@ -1,4 +1,4 @@
-/** What a generated kernel is, and the one descriptor through which the world sees it. Written by ttc; do not edit.
+/** What a generated kernel is, and the one descriptor through which the world sees it. Edited in codegen/runtime/; ttc writes copies.
  *
  *  Layout: x holds the states in table order (with a lifted root after them, without an eliminated state); p is the
  *  prepared block, filled once by `prepare` from the parameters in table order (levels of eliminated integrals after

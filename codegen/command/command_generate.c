@@ -2,6 +2,7 @@
 #include "command/command.h"
 #include "emit/emit.h"
 #include "emit/emit_registry.h"
+#include "emit/runtime.h"
 #include "base/output.h"
 #include "base/source.h"
 #include "kernels/plan.h"
@@ -109,22 +110,12 @@ static bool generate_lists(ttc_output *output, ttc_model *const *models, const t
     return registry != NULL;
 }
 
-static bool generate_fixed(ttc_output *output)
+static bool generate_runtime(ttc_output *output)
 {
-    static const struct {
-        const char *name;
-        void (*emit)(ttc_text *text);
-    } fixed[] = { { "kernel_abi.h", ttc_emit_abi },
-                  { "kernel_arithmetic.h", ttc_emit_arithmetic },
-                  { "kernel_ball.h", ttc_emit_ball_header },
-                  { "kernel_ball.c", ttc_emit_ball_support },
-                  { "kernel_jet.h", ttc_emit_jet_header },
-                  { "lanes.h", ttc_emit_lanes_header },
-                  { "registry.h", ttc_emit_registry_header } };
-    for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++) {
-        ttc_text *text = ttc_output_add(output, fixed[i].name);
+    for (size_t i = 0; i < ttc_runtime_file_count; i++) {
+        ttc_text *text = ttc_output_add(output, ttc_runtime_files[i].name);
         if (text == NULL) return false;
-        fixed[i].emit(text);
+        ttc_text_add(text, ttc_runtime_files[i].text);
     }
     return true;
 }
@@ -323,7 +314,7 @@ int ttc_command_generate(const ttc_options *options)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
     }
     if (status == TTC_EXIT_DONE
-        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, count, &kept)
+        && (!generate_runtime(&output) || !generate_lists(&output, models, plans, count, &kept)
             || is_failed(&output))) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_MEMORY;

@@ -73,10 +73,9 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
  * and `clock` above it. */
 void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels);
 
-/* The function `jet`: Taylor coefficients of the solution, scalar and on lanes; and the header with its recurrences. */
+/* The function `jet`: Taylor coefficients of the solution, scalar and on lanes. Its recurrences are in runtime/kernel_jet.h. */
 void ttc_emit_jet(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_jet_lanes(ttc_text *text, const ttc_kernels *kernels);
-void ttc_emit_jet_header(ttc_text *text);
 
 /* The instruction sets of batched kernels. */
 enum { TTC_ISA_COUNT = 3 };
@@ -84,7 +83,6 @@ extern const char *const ttc_isa_names[TTC_ISA_COUNT], *const ttc_isa_files[TTC_
 
 /* The file that compiles all batched kernels of a model for one instruction set. */
 void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa);
-void ttc_emit_lanes_header(ttc_text *text);
 
 /* What the table's reversors that change signs of states, and no more, make of each: arrays, and the descriptor's members. Nothing
  * where there are none. */
@@ -132,11 +130,5 @@ void ttc_emit_model_names(ttc_text *text, const ttc_model *model);
 
 /* The ball-arithmetic file of one model, of its fields without variant. */
 bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);
-
-/* Files that are the same for all models. */
-void ttc_emit_abi(ttc_text *text);
-void ttc_emit_arithmetic(ttc_text *text);
-void ttc_emit_ball_header(ttc_text *text);
-void ttc_emit_ball_support(ttc_text *text);
 
 #endif

@@ -4,21 +4,6 @@
 
 #include <string.h>
 
-void ttc_emit_registry_header(ttc_text *text)
-{
-    ttc_text_add(text, "/** All descriptors, those of a model together, the general field of each first. Written by ttc; do not edit. */\n"
-                       "#ifndef JLT_REGISTRY_H\n"
-                       "#define JLT_REGISTRY_H\n"
-                       "\n"
-                       "#include \"kernel_abi.h\"\n"
-                       "\n"
-                       "extern const jlt_descriptor *const jlt_registry[];\n"
-                       "extern const unsigned jlt_registry_count;\n"
-                       "extern const unsigned jlt_registry_entry_size; /* of a descriptor, by which versions are told apart */\n"
-                       "\n"
-                       "#endif\n");
-}
-
 /* The columns of one row, not terminated. */
 typedef struct {
     const char *model, *hash, *file;
