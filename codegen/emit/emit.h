@@ -2,8 +2,8 @@
 #ifndef TTC_EMIT_H
 #define TTC_EMIT_H
 
-#include "fields/block.h"
-#include "kernels/plan.h"
+#include "fields/prepared.h"
+#include "kernels/catalogue.h"
 #include "optimize/program.h"
 #include "fields/formula.h"
 #include "prove/prove.h"
@@ -30,14 +30,14 @@ const char *ttc_emit_function_name(ttc_op op);
 bool ttc_emit_uses(const ttc_program *program, ttc_op op);
 
 /** The statements of a kernel. Temporaries are t0, t1, ...; each carries its formula.
- *  block: where p[] points to, NULL for raw parameters; parameters: the C name of that array;
+ *  prepared: where p[] points to, NULL for raw parameters; parameters: the C name of that array;
  *  offset: index of the first output. */
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
-                   const ttc_block *block, const char *parameters, size_t offset);
+                   const ttc_prepared *prepared, const char *parameters, size_t offset);
 
 /* `static void NAME(x, PARAMETERS, out) { ... }` */
 void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
-                       const ttc_block *block);
+                       const ttc_prepared *prepared);
 
 /* The same of expressions in the field's symbols, on raw parameters, and an empty line after it. False when memory is out. */
 bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count);
@@ -82,7 +82,7 @@ enum { TTC_ISA_COUNT = 3 };
 extern const char *const ttc_isa_names[TTC_ISA_COUNT], *const ttc_isa_files[TTC_ISA_COUNT];
 
 /* The file that compiles all batched kernels of a model for one instruction set. */
-void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa);
+void ttc_emit_batch(ttc_text *text, const ttc_catalogue *catalogue, unsigned isa);
 
 /* What the table's reversors that change signs of states, and no more, make of each: arrays, and the descriptor's members. Nothing
  * where there are none. */
@@ -124,11 +124,11 @@ void ttc_emit_command(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_generator(ttc_text *text, const ttc_kernels *kernels);
 
 /* What the descriptors of a model share: its table, its claims with their verdicts, the list of the descriptors; and the
- * declarations of these. report: of the plan's own table. */
-void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report);
+ * declarations of these. report: of the catalogue's own table. */
+void ttc_emit_model(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report);
 void ttc_emit_model_names(ttc_text *text, const ttc_model *model);
 
 /* The ball-arithmetic file of one model, of its fields without variant. */
-bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);
+bool ttc_emit_ball(ttc_text *text, const ttc_catalogue *catalogue);
 
 #endif

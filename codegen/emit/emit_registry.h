@@ -2,14 +2,14 @@
 #ifndef TTC_EMIT_REGISTRY_H
 #define TTC_EMIT_REGISTRY_H
 
-#include "kernels/plan.h"
+#include "kernels/catalogue.h"
 #include "base/text.h"
 
 /* Manifest and counts: a line of titles, then the rows of one model after the other. */
 void ttc_emit_manifest_titles(ttc_text *text);
-void ttc_emit_manifest_rows(ttc_text *text, const ttc_plan *plan);
+void ttc_emit_manifest_rows(ttc_text *text, const ttc_catalogue *catalogue);
 void ttc_emit_counts_titles(ttc_text *text);
-void ttc_emit_counts_rows(ttc_text *text, const ttc_plan *plan);
+void ttc_emit_counts_rows(ttc_text *text, const ttc_catalogue *catalogue);
 
 /* registry.c: the descriptors of all fields that a manifest lists. */
 void ttc_emit_registry(ttc_text *text, const char *manifest);

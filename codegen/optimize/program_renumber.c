@@ -1,4 +1,4 @@
-/* Rewrites a program for another layout of its prepared block. */
+/* Rewrites a program for another layout of its prepared values. */
 #include "optimize/program.h"
 
 #include <stdlib.h>
