@@ -344,6 +344,39 @@ static void trimming_removes_what_no_output_needs_and_nothing_else(void **unused
     forget(&s);
 }
 
+static void renumbering_reads_prepared_values_where_they_are_now(void **unused)
+{
+    (void)unused;
+    unsigned moves = 0;
+    for (int t = 0; t < TABLES; t++) {
+        subject s = read_table(tables[t]);
+        ttc_prepared prepared = { .field = s.field }, turned = { .field = s.field };
+        ttc_program *program = lowered(&s, &prepared);
+        const size_t params = s.field->param_count, size = ttc_prepared_size(&prepared);
+        uint32_t *numbers = calloc(size + 1, sizeof *numbers);
+        assert_non_null(numbers);
+        for (size_t i = size; i-- > params;) numbers[i] = ttc_prepared_index(&turned, prepared.entries[i - params]);
+        for (size_t i = 0; i < params; i++) numbers[i] = (uint32_t)i;
+        if (prepared.count > 1 && turned.entries[0] != prepared.entries[0]) moves++;
+        ttc_program *moved = ttc_program_renumber(program, numbers);
+        assert_non_null(moved);
+        same_values(&s, moved, &turned);
+        ttc_program_destroy(moved);
+        /* Every operation without operands is copied, pi too, of which the exact evaluation above knows nothing. */
+        ttc_program_pi(program);
+        moved = ttc_program_renumber(program, numbers);
+        assert_non_null(moved);
+        assert_int_equal(ttc_program_size(moved), ttc_program_size(program));
+        ttc_program_destroy(moved);
+        ttc_program_destroy(program);
+        free(numbers);
+        ttc_prepared_clear(&turned);
+        ttc_prepared_clear(&prepared);
+        forget(&s);
+    }
+    assert_true(moves > 1);
+}
+
 static void all_passes_together_keep_values_with_either_effort(void **unused)
 {
     (void)unused;
@@ -382,6 +415,7 @@ int main(void)
         cmocka_unit_test(fusing_keeps_values_and_flops_and_saves_operations),
         cmocka_unit_test(scheduling_keeps_values_and_operations_and_holds_no_more_at_once),
         cmocka_unit_test(trimming_removes_what_no_output_needs_and_nothing_else),
+        cmocka_unit_test(renumbering_reads_prepared_values_where_they_are_now),
         cmocka_unit_test(all_passes_together_keep_values_with_either_effort),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
