@@ -35,14 +35,14 @@ bool ttc_emit_uses(const ttc_program *program, ttc_op op);
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
                    const ttc_prepared *prepared, const char *parameters, size_t offset);
 
-/* `static void NAME(x, PARAMETERS, out) { ... }` */
+/* The whole function `static void NAME(x, PARAMETERS, out) { ... }` of a program. */
 void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
                        const ttc_prepared *prepared);
 
-/* The same of expressions in the field's symbols, on raw parameters, and an empty line after it. False when memory is out. */
+/* The function that computes expressions in the field's symbols from raw parameters, followed by an empty line. False when memory is out. */
 bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count);
 
-/* The same under the name of one of several, such as section0_lift of "section", 0 and "lift". */
+/* The same with a numbered name, such as section0_lift from "section", 0 and "lift". */
 bool ttc_emit_numbered(ttc_text *text, const char *what, size_t number, const char *name, ttc_field *field, const ttc_id *ids,
                        size_t count);
 
@@ -53,7 +53,7 @@ void ttc_emit_complex(ttc_text *text, ttc_field *field);
 #define TTC_LOSS_SEPARATOR "; "
 void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind);
 
-/* The part of this that is about sums, after what the text holds already. */
+/* The part of that text that is about sums, appended to what the text already holds. */
 void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind);
 
 /* Kernels and table of the equilibria served; the table is named `equilibria`. False: memory, or a claim's expression is

@@ -15,7 +15,7 @@ typedef enum {
 /* Terms of opposite signs whose bounds keep |a| + |b| below this many times |a + b| lose two bits at most: no loss. */
 enum { TTC_HARMLESS_CANCELLATION = 4 };
 
-/** losses, shape (size of the program,). An addition is silent where its terms have one sign, from what is known of
+/** losses, shape (size of the program,). An addition keeps digits where its terms have one sign, from what is known of
  *  parameters, states and roots; where bounds keep the sum away from zero; and where both are exact: states, parameters,
  *  their products with powers of two. prepared: what parameters after the raw ones stand for; NULL: there are none.
  *  False when memory is out. */

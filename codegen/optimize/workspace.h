@@ -50,7 +50,7 @@ typedef struct {
     bool failed;       /* memory is out, or the graph refused */
 } ttc_workspace;
 
-/** From expressions in the field's symbols. NULL: memory. */
+/** Make a workspace of expressions in the field's symbols. NULL: memory is out. */
 ttc_workspace *ttc_workspace_create(ttc_field *field, const ttc_id *outputs, size_t count);
 ttc_workspace *ttc_workspace_clone(const ttc_workspace *workspace); /* NULL: memory */
 void ttc_workspace_destroy(ttc_workspace *workspace);            /* legal on NULL */
@@ -62,14 +62,15 @@ void ttc_workspace_write_name(const ttc_workspace *workspace, ttc_text *text, ui
 void ttc_workspace_name(ttc_workspace *workspace, uint32_t variable, ttc_text *label);
 
 uint32_t ttc_workspace_add_variable(ttc_workspace *workspace, ttc_variable_kind kind, uint32_t operand);
+/* p += cube; the cubes of p stay as they are. */
 void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
-/* The same, where a cube of equal factors takes the new one in, scales added. */
+/* The same, but where p has a cube with the same factors, the scales are added in that one. */
 void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
 void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index); /* keeps the order of the rest */
-void ttc_polynomial_close_gaps(ttc_polynomial *p); /* cubes of sign 0 leave */
+void ttc_polynomial_close_gaps(ttc_polynomial *p); /* removes cubes of sign 0 */
 
 ttc_cube ttc_cube_one(const ttc_workspace *workspace);
-/* False when the cube is full. */
+/* cube *= variable. False when the cube is full. */
 bool ttc_cube_multiply(ttc_cube *cube, uint32_t variable);
 void ttc_cube_remove(ttc_cube *cube, uint32_t variable); /* one occurrence, which must be there */
 unsigned ttc_cube_power(const ttc_cube *cube, uint32_t variable);
@@ -82,7 +83,7 @@ unsigned ttc_cube_cost(const ttc_workspace *workspace, const ttc_cube *cube);
 /* True when a scale is never zero, whatever the parameters, so that others may be divided by it. */
 bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 
-/** One division for all reciprocals that do not need each other: 1/(d_1 ... d_k), from which the single ones, and the
+/** Make one division serve all reciprocals that do not need each other: 1/(d_1 ... d_k), from which the single ones, and the
  *  products of them that are in use, are recovered by multiplications: along a tree of subsets, or each written out, for an
  *  extraction to find what they share. To be done last. */
 void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out);
@@ -92,13 +93,13 @@ void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out)
  *  with some others alone, and a step takes all that is worth the same. Returns the work done, in comparisons. */
 uint64_t ttc_workspace_extract(ttc_workspace *workspace, uint64_t seed, uint64_t pair_limit);
 
-/* Undo what is used once, drop what is not used, and turn signs so that few negations are left. */
+/* Write units that are used once back into their user, drop variables that are not used, and choose signs so that few negations are left. */
 void ttc_workspace_tidy(ttc_workspace *workspace);
 
 /* Put a unit back where it is used. False when a cube would be too long; nothing is changed then. */
 bool ttc_workspace_inline(ttc_workspace *workspace, uint32_t variable);
 
-/* In every cube, a variable goes against its reciprocal, and the square of a root becomes its radicand. */
+/* In every cube, cancel variables against their reciprocals, and replace the square of a root by its radicand. */
 void ttc_workspace_cancel(ttc_workspace *workspace);
 
 /** Write products out where they are used, so that they cancel there. Returns whether there were any. */

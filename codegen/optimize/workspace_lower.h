@@ -6,7 +6,7 @@
 #include "optimize/program.h"
 #include "optimize/workspace.h"
 
-/** Products are multiplied in the order in which their factors are ready, sums are added likewise, so that chains are
+/** Make the program. Products are multiplied in the order in which their factors are ready, sums are added likewise, so that chains are
  *  short. Scales go to the prepared values. NULL: memory. */
 ttc_program *ttc_workspace_lower(const ttc_workspace *workspace, ttc_prepared *prepared);
 

@@ -10,7 +10,7 @@ typedef struct {
     size_t returns;
     double t;
     double exponents[JLT_CHART_DIM_MAX]; /* per time, largest first in the limit */
-    double sum_check; /* mean divergence along the orbit: equals the sum of the exponents up to the ends' flux over t */
+    double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX];
 } jlt_lyapunov_state;
 
