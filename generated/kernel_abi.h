@@ -1,8 +1,8 @@
-/** What a generated kernel is, and the one descriptor through which the world sees it. Written by ttc; do not edit.
+/** What a generated kernel is, and the one descriptor through which the world sees it. Edited in codegen/runtime/; ttc writes copies.
  *
- *  Layout: x holds the states in table order (with a lifted root after them, without an eliminated state); p is the
- *  prepared block, filled once by `prepare` from the parameters in table order (levels of eliminated integrals after
- *  them), whose first entries are those parameters themselves. Matrices are row-major. Units are the table's.
+ *  Layout: x holds the states in table order (with a lifted root after them, without an eliminated state); p holds
+ *  the prepared values, filled once by `prepare` from the parameters in table order (levels of eliminated integrals after
+ *  them); those parameters themselves come first in it. Matrices are row-major. Units are the table's.
  *  Kernels are pure and reentrant: no allocation, no globals, no errors; out of the model's domain they give what IEEE
  *  arithmetic gives (infinities, NaN), which callers test for. x, p and out must not overlap. */
 #ifndef JLT_KERNEL_ABI_H
@@ -26,7 +26,7 @@ typedef double jlt_complex[2];
 #endif
 
 typedef void (*jlt_kernel_function)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, double *JLT_RESTRICT out);
-typedef void (*jlt_kernel_prepare)(const double *JLT_RESTRICT params, double *JLT_RESTRICT block);
+typedef void (*jlt_kernel_prepare)(const double *JLT_RESTRICT params, double *JLT_RESTRICT prepared);
 
 /* The field written from the terms as they stand, unsimplified, in complex arithmetic, on unprepared parameters: for
  * differentiation by complex step, independent of the symbolic derivative. */
@@ -67,7 +67,7 @@ typedef struct {
 } jlt_kernel;
 
 /* Batches are structures of arrays: entry i of lane j at x[i*stride + j] and out[i*stride + j], lane j < lanes; rows are
- * aligned to 8*lanes bytes. p is one block for all lanes. */
+ * aligned to 8*lanes bytes. p is the same for all lanes. */
 typedef void (*jlt_kernel_lanes)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, double *JLT_RESTRICT out,
                                  size_t stride);
 
@@ -235,7 +235,7 @@ typedef struct jlt_descriptor {
     const struct jlt_descriptor *const *family; /* all descriptors of the model, the general one first; ends with NULL */
     const jlt_claim *claims; /* of the model: those of its table in their order, then what follows; ends with kind NULL */
 
-    unsigned state_count, param_count, block_count;
+    unsigned state_count, param_count, prepared_count;
     const jlt_quantity *states, *params; /* params: the same, in the same order, in every variant of a model */
     jlt_kernel_function impose; /* x (may be NULL), params -> params (params,): the variant's substitutions made, so that
                                    a variant serves parameters that this leaves unchanged; NULL for the general field */

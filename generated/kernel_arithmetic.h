@@ -1,4 +1,4 @@
-/** Fused operations of generated kernels. Written by ttc; do not edit.
+/** Fused operations of generated kernels. Edited in codegen/runtime/; ttc writes copies.
  *
  *  Where the target has a fused multiply-add (FP_FAST_FMA), it is used and rounds once; elsewhere a product and a
  *  sum round twice, and the slow library function is never called. Either way the order of operations is as written:

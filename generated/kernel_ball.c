@@ -1,4 +1,4 @@
-/* Written by ttc; do not edit. */
+/* Edited in codegen/runtime/; ttc writes copies. */
 #include "kernel_ball.h"
 
 void jlt_ball_rational(arb_t out, const char *digits, slong prec)

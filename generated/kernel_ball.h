@@ -1,4 +1,4 @@
-/** Kernels in ball arithmetic. Written by ttc; do not edit.
+/** Kernels in ball arithmetic. Edited in codegen/runtime/; ttc writes copies.
  *
  *  Each evaluates the table's expressions as they stand, without the optimizer, on unprepared parameters, and encloses
  *  every value that its inputs enclose. A table serves all variants of its time and elimination: impose the variant's

@@ -1,5 +1,5 @@
 /** Coefficients of order k of products, quotients, roots and elementary functions of power series whose operands are known to
- *  order k, and whose result is known below k. Cost: k + 1 products. Written by ttc; do not edit.
+ *  order k, and whose result is known below k. Cost: k + 1 products. Edited in codegen/runtime/; ttc writes copies.
  *
  *  A coefficient is a double, or, where JLT_LANES is defined, a vector: every lane does what a double does. */
 #ifndef JLT_JET_H

@@ -1,4 +1,4 @@
-/** All descriptors, those of a model together, the general field of each first. Written by ttc; do not edit. */
+/** All descriptors, those of a model together, the general field of each first. Edited in codegen/runtime/; ttc writes copies. */
 #ifndef JLT_REGISTRY_H
 #define JLT_REGISTRY_H
 

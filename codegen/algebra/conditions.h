@@ -40,7 +40,7 @@ void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ra
  *  denominator. out: to be cleared. */
 bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
-/* A mark to come back to, so that a question can be asked and taken back. */
+/* The present length of the list, and back to it: conditions that were added to ask a question are removed again. */
 size_t ttc_conditions_mark(const ttc_conditions *conditions);
 void ttc_conditions_rewind(ttc_conditions *conditions, size_t mark, bool contradictory);
 

@@ -29,17 +29,17 @@ void ttc_witness_clear(ttc_witness *point);
 /* A variable that the point gives a value: no root, no function of others. */
 bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 
-/* After values or signs were changed. */
+/* To be called after `values` or `negative` were changed: forgets what was computed from them. */
 void ttc_witness_changed(ttc_witness *point);
 
 ttc_truth ttc_witness_meets(ttc_witness *point, const ttc_condition *condition);
-/* FAILS where one does, HOLDS where all do. */
+/* FAILS if one condition fails, HOLDS if all hold, UNCLEAR otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
 /* Enclose a ratio; not finite where its denominator may be zero. */
 void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);
 
-/* False: it is irrational. */
+/* The value of a variable; false where it is irrational. */
 bool ttc_witness_coordinate(fmpq_t out, ttc_witness *point, slong variable);
 
 /** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers as they are, others as

@@ -53,9 +53,8 @@ bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const
 bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision);
 
 /** Where the values of a probe lie, in the domain of its own model: signs, intervals, records `domain`, radicands, arguments of
- *  logarithms. Divisors
- *  are no part of it.
- *  family: blame is on what depends on a symbol that it binds; NULL: on everything. except: a root that is left out, with
+ *  logarithms. Divisors are not considered.
+ *  family: only what depends on a symbol that it binds can be at fault; NULL: everything can. except: a root that is left out, with
  *  all roots below it; UINT32_MAX: none. fault: what is certainly broken, by the family alone; otherwise empty. */
 ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, const ttc_bindings *family, uint32_t except,
                                       char *fault, size_t fault_size);

@@ -14,7 +14,7 @@ typedef struct {
 uint64_t ttc_random_next(ttc_random *random);
 uint64_t ttc_random_below(ttc_random *random, uint64_t bound); /* bound > 0 */
 
-/* How far numbers may be from 1: a domain that few points meet is looked for with moderate ones. */
+/* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. */
 typedef enum { TTC_SAMPLE_WIDE, TTC_SAMPLE_MODERATE } ttc_sample_range;
 
 /* Positive. Wide ones reach from 2^-40 to 2^40, half of them are small fractions. */

@@ -13,7 +13,7 @@ typedef struct {
     bool refuted_by_witness; /* it is false when nothing differs from zero */
 } ttc_subject;
 
-/* By the kind, name and place that a proof gives. False when it is nothing that can be challenged. */
+/* Find what a proof is about by its kind, name and place. False when that cannot be challenged. */
 bool ttc_subject_find(ttc_subject *subject, const ttc_model *model, const char *kind, const char *name, ttc_place place);
 
 #endif

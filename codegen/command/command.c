@@ -103,7 +103,7 @@ bool ttc_command_passes_over(const ttc_model *model, const ttc_options *options)
     return model->lift.file != NULL && options->file_count > 1;
 }
 
-bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status, json_t *problems)
+bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options, int *status, json_t *problems)
 {
     if (model->lift.file != NULL) {
         ttc_command_complain(model, model->lift.place, problems, "the coordinates of a section have no kernels of their own (expected "
@@ -111,8 +111,8 @@ bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options 
         ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
         return false;
     }
-    if (ttc_plan_create(plan, model, options->extent, options->effort)) return true;
-    ttc_command_complain(model, plan->failed_at, problems, "the kernels asked for here cannot be made: %s", plan->failure);
+    if (ttc_catalogue_create(catalogue, model, options->extent, options->effort)) return true;
+    ttc_command_complain(model, catalogue->failed_at, problems, "the kernels asked for here cannot be made: %s", catalogue->failure);
     ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
     return false;
 }

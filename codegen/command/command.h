@@ -3,7 +3,7 @@
 #ifndef TTC_COMMAND_H
 #define TTC_COMMAND_H
 
-#include "kernels/plan.h"
+#include "kernels/catalogue.h"
 #include "prove/prove.h"
 
 #include <jansson.h>
@@ -33,7 +33,7 @@ typedef struct {
     bool unproved; /* write kernels that rest on claims without a proof */
     bool lanes;    /* compile kernels on vectors as well */
     ttc_effort effort;
-    ttc_plan_extent extent;
+    ttc_catalogue_extent extent;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */
@@ -73,8 +73,8 @@ void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics)
 /* What is said in JSON of a table that the command cannot work on: file, ok: false, problems. Takes over `problems`. */
 json_t *ttc_command_failure(const char *path, json_t *problems);
 
-/** The plan of a table, what cannot be planned told. False: *status is raised, and there is no plan. */
-bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status, json_t *problems);
+/** Make the catalogue of a table, and tell why fields cannot be made. False: *status is raised, and there is no catalogue. */
+bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options, int *status, json_t *problems);
 
 /* A table of coordinates, whose kernels are written with those of the model that it belongs to, among several tables. */
 bool ttc_command_passes_over(const ttc_model *model, const ttc_options *options);

@@ -2,9 +2,10 @@
 #include "command/command.h"
 #include "emit/emit.h"
 #include "emit/emit_registry.h"
+#include "emit/runtime.h"
 #include "base/output.h"
 #include "base/source.h"
-#include "kernels/plan.h"
+#include "kernels/catalogue.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
 #include "readback/prove_kernels.h"
@@ -33,7 +34,7 @@ static char *read_list(const char *folder, const char *name)
 /* A model's folder on its way to being written. */
 typedef struct {
     ttc_output *output;
-    const ttc_plan *plan;
+    const ttc_catalogue *catalogue;
     const ttc_proof_report *report;
     const char *unproved; /* for every file's first line; NULL: all is proved */
 } model_files;
@@ -41,7 +42,7 @@ typedef struct {
 static ttc_text *add_file(const model_files *f, const char *name, const char *extension)
 {
     ttc_text path = { 0 };
-    ttc_text_format(&path, "%s/%s%s", f->plan->model->name, name, extension);
+    ttc_text_format(&path, "%s/%s%s", f->catalogue->model->name, name, extension);
     ttc_text *text = path.failed ? NULL : ttc_output_add(f->output, ttc_text_string(&path));
     ttc_text_clear(&path);
     if (text != NULL && f->unproved != NULL) {
@@ -67,40 +68,40 @@ static bool generate_field(const model_files *f, ttc_kernels *kernels)
 /* failed: the kernels that could not be written, NULL where it was something else. */
 static bool generate_model(const model_files *f, ttc_kernels **failed)
 {
-    const ttc_plan *plan = f->plan;
+    const ttc_catalogue *catalogue = f->catalogue;
     *failed = NULL;
     ttc_text *text = add_file(f, "table", ".c");
     if (text == NULL) return false;
-    ttc_emit_model(text, plan, f->report);
-    for (size_t i = 0; i < plan->count; i++) {
-        if (plan->fields[i].kernels == NULL || generate_field(f, plan->fields[i].kernels)) continue;
-        *failed = plan->fields[i].kernels;
+    ttc_emit_model(text, catalogue, f->report);
+    for (size_t i = 0; i < catalogue->count; i++) {
+        if (catalogue->fields[i].kernels == NULL || generate_field(f, catalogue->fields[i].kernels)) continue;
+        *failed = catalogue->fields[i].kernels;
         return false;
     }
     for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
         text = add_file(f, "batch_", ttc_isa_files[isa]);
         if (text == NULL) return false;
-        ttc_emit_batch(text, plan, isa);
+        ttc_emit_batch(text, catalogue, isa);
     }
-    text = add_file(f, plan->model->name, "_ball.c");
-    return text != NULL && ttc_emit_ball(text, plan);
+    text = add_file(f, catalogue->model->name, "_ball.c");
+    return text != NULL && ttc_emit_ball(text, catalogue);
 }
 
 /* What is written of all tables together. Rows of a table that is kept come from the lists there are. */
-static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_plan *plans, size_t count,
+static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_catalogue *catalogues, size_t count,
                            const kept_lists *kept)
 {
     ttc_text *counts = ttc_output_add(output, "counts.tsv");
     if (counts == NULL) return false;
     ttc_emit_counts_titles(counts);
     for (size_t i = 0; i < count; i++)
-        if (plans[i].model != NULL) ttc_emit_counts_rows(counts, plans + i);
+        if (catalogues[i].model != NULL) ttc_emit_counts_rows(counts, catalogues + i);
         else ttc_copy_rows(counts, kept->counts, models[i]->name);
     ttc_text *manifest = ttc_output_add(output, "manifest.tsv"), rows = { 0 };
     if (manifest == NULL) return false;
     ttc_emit_manifest_titles(&rows);
     for (size_t i = 0; i < count; i++)
-        if (plans[i].model != NULL) ttc_emit_manifest_rows(&rows, plans + i);
+        if (catalogues[i].model != NULL) ttc_emit_manifest_rows(&rows, catalogues + i);
         else ttc_copy_rows(&rows, kept->manifest, models[i]->name);
     *manifest = rows;
     const char *list = ttc_text_string(&rows);
@@ -109,22 +110,12 @@ static bool generate_lists(ttc_output *output, ttc_model *const *models, const t
     return registry != NULL;
 }
 
-static bool generate_fixed(ttc_output *output)
+static bool generate_runtime(ttc_output *output)
 {
-    static const struct {
-        const char *name;
-        void (*emit)(ttc_text *text);
-    } fixed[] = { { "kernel_abi.h", ttc_emit_abi },
-                  { "kernel_arithmetic.h", ttc_emit_arithmetic },
-                  { "kernel_ball.h", ttc_emit_ball_header },
-                  { "kernel_ball.c", ttc_emit_ball_support },
-                  { "kernel_jet.h", ttc_emit_jet_header },
-                  { "lanes.h", ttc_emit_lanes_header },
-                  { "registry.h", ttc_emit_registry_header } };
-    for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++) {
-        ttc_text *text = ttc_output_add(output, fixed[i].name);
+    for (size_t i = 0; i < ttc_runtime_file_count; i++) {
+        ttc_text *text = ttc_output_add(output, ttc_runtime_files[i].name);
         if (text == NULL) return false;
-        fixed[i].emit(text);
+        ttc_text_add(text, ttc_runtime_files[i].text);
     }
     return true;
 }
@@ -139,17 +130,17 @@ static bool is_failed(const ttc_output *output)
 /* Why a model's files could not be made. */
 static void complain(const model_files *f, const ttc_kernels *failed)
 {
-    const ttc_model *model = f->plan->model;
+    const ttc_model *model = f->catalogue->model;
     ttc_graph_status error = ttc_graph_error(model->graph);
     const ttc_claim *claim = failed == NULL ? NULL : failed->failed_claim;
-    ttc_place place = f->plan->count > 0 ? ttc_plan_place(f->plan->fields, model) : (ttc_place){ 1, 1 };
-    for (size_t i = 0; i < f->plan->count; i++)
-        if (failed != NULL && f->plan->fields[i].kernels == failed) place = ttc_plan_place(f->plan->fields + i, model);
+    ttc_place place = f->catalogue->count > 0 ? ttc_catalogue_place(f->catalogue->fields, model) : (ttc_place){ 1, 1 };
+    for (size_t i = 0; i < f->catalogue->count; i++)
+        if (failed != NULL && f->catalogue->fields[i].kernels == failed) place = ttc_catalogue_place(f->catalogue->fields + i, model);
     const char *reason = error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out";
     if (f->output->taken != NULL)
         ttc_command_complain(model, place, NULL, "'%s' would be written twice (expected tables, and variants, times and "
                              "eliminations of one, to have names of their own)", f->output->taken);
-    else if (ttc_find_wide_number(f->plan, &place))
+    else if (ttc_find_wide_number(f->catalogue, &place))
         ttc_command_complain(model, place, NULL, "a number is beyond double precision (expected zero, or a size of 2^-1022 to "
                              "2^1023)");
     else if (claim != NULL && claim->kind == TTC_CLAIM_CHARPOLY && error == TTC_GRAPH_OK)
@@ -161,16 +152,16 @@ static void complain(const model_files *f, const ttc_kernels *failed)
     else ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
 }
 
-/* Where kernels of a plan rest on a claim, "FIELD: KERNELS; ...". */
-static void add_resting(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report, size_t proof)
+/* Where kernels of a catalogue rest on a claim, "FIELD: KERNELS; ...". */
+static void add_resting(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report, size_t proof)
 {
-    for (size_t i = 0; i < plan->count; i++) {
+    for (size_t i = 0; i < catalogue->count; i++) {
         ttc_text kernels = { 0 };
-        if (plan->fields[i].kernels == NULL) continue;
-        ttc_unproved_kernels(&kernels, plan->fields[i].kernels, report, proof);
+        if (catalogue->fields[i].kernels == NULL) continue;
+        ttc_unproved_kernels(&kernels, catalogue->fields[i].kernels, report, proof);
         if (kernels.length > 0) {
             if (text->length > 0) ttc_text_add(text, "; ");
-            ttc_emit_stem(text, plan->fields[i].kernels->field);
+            ttc_emit_stem(text, catalogue->fields[i].kernels->field);
             ttc_text_format(text, ": %s", ttc_text_string(&kernels));
         }
         text->failed |= kernels.failed;
@@ -202,16 +193,16 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
 }
 
 /* Tell of claims without a proof; `all`: the names of those that kernels rest on. False: memory is out. */
-static bool tell_unproved(const ttc_plan *plan, const ttc_proof_report *report, bool refuse, ttc_text *all)
+static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report *report, bool refuse, ttc_text *all)
 {
     bool failed = false;
     for (size_t i = 0; i < report->proof_count; i++) {
         const ttc_proof *proof = report->proofs + i;
-        const ttc_claim *claim = i < plan->model->claim_count ? plan->model->claims + i : NULL;
+        const ttc_claim *claim = i < catalogue->model->claim_count ? catalogue->model->claims + i : NULL;
         ttc_text resting = { 0 };
         if (proof->status == TTC_PROVED) continue;
-        add_resting(&resting, plan, report, i);
-        tell_consequence(plan->model, proof, claim, &resting, refuse);
+        add_resting(&resting, catalogue, report, i);
+        tell_consequence(catalogue->model, proof, claim, &resting, refuse);
         if (resting.length > 0) ttc_text_format(all, "%s%s %s", all->length > 0 ? ", " : "", proof->kind, proof->name);
         failed |= resting.failed;
         ttc_text_clear(&resting);
@@ -219,10 +210,10 @@ static bool tell_unproved(const ttc_plan *plan, const ttc_proof_report *report, 
     return !failed && !all->failed;
 }
 
-/* The claims that kernels of the plan rest on without a proof, marked in its fields. False: they are refused. */
-static bool mark_unproved(ttc_plan *plan, const ttc_proof_report *report, const ttc_options *options, int *status, ttc_text *all)
+/* The claims that kernels of the catalogue rest on without a proof, marked in its fields. False: they are refused. */
+static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report, const ttc_options *options, int *status, ttc_text *all)
 {
-    if (!tell_unproved(plan, report, !options->unproved, all) || !ttc_plan_mark_unproved(plan, report)) {
+    if (!tell_unproved(catalogue, report, !options->unproved, all) || !ttc_catalogue_mark_unproved(catalogue, report)) {
         fprintf(stderr, "ttc: out of memory\n");
         ttc_command_raise(status, TTC_EXIT_MEMORY);
         return false;
@@ -232,18 +223,19 @@ static bool mark_unproved(ttc_plan *plan, const ttc_proof_report *report, const 
     return false;
 }
 
-/* Every kernel of the plan computes what the table says, or a proof of that is beyond the prover: neither is written. */
-static void prove_kernels(const ttc_plan *plan, ttc_proof_report *report, int *status)
+/* Every kernel of the catalogue computes what the table says, or a proof of that is beyond the prover: neither is written. */
+static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report, int *status)
 {
     const size_t claims = report->proof_count;
-    if (!ttc_prove_kernels(plan, report)) {
-        fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", plan->model->file);
+    if (!ttc_prove_kernels(catalogue, report)) {
+        fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", catalogue->model->file);
         ttc_command_raise(status, TTC_EXIT_MEMORY);
     }
     for (size_t i = claims; i < report->proof_count; i++) {
         const ttc_proof *proof = report->proofs + i;
         if (proof->status == TTC_PROVED) continue;
-        ttc_command_complain(plan->model, proof->place, NULL, "kernel %s is %s: %s (--effort quick writes kernels without these proofs)",
+        ttc_command_complain(catalogue->model, proof->place, NULL,
+                             "kernel %s is %s: %s (--effort quick writes kernels without these proofs)",
                              proof->name, ttc_proof_status_name(proof->status), proof->remainder);
         ttc_command_raise(status, TTC_EXIT_REFUTED);
     }
@@ -251,20 +243,20 @@ static void prove_kernels(const ttc_plan *plan, ttc_proof_report *report, int *s
 
 /* Everything that one table is written as. Kernels are proved when they are written, for what a proof adds to the graph of
  * expressions would change them. */
-static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *model, const ttc_options *options,
+static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options,
                            int *status)
 {
     ttc_text unproved = { 0 };
     ttc_kernels *failed = NULL;
     ttc_proof_report *report = NULL;
-    if (ttc_command_plan(plan, model, options, status, NULL)) report = ttc_command_prove_guarded(model, options, status);
-    if (report != NULL && mark_unproved(plan, report, options, status, &unproved)) {
-        model_files f = { output, plan, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
+    if (ttc_command_catalogue(catalogue, model, options, status, NULL)) report = ttc_command_prove_guarded(model, options, status);
+    if (report != NULL && mark_unproved(catalogue, report, options, status, &unproved)) {
+        model_files f = { output, catalogue, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
         if (!generate_model(&f, &failed)) {
             complain(&f, failed);
             ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
         }
-        else if (options->effort == TTC_EFFORT_FULL) prove_kernels(plan, report, status);
+        else if (options->effort == TTC_EFFORT_FULL) prove_kernels(catalogue, report, status);
     }
     ttc_proof_report_destroy(report);
     ttc_text_clear(&unproved);
@@ -297,7 +289,7 @@ int ttc_command_generate(const ttc_options *options)
     int status = TTC_EXIT_DONE;
     ttc_output output = { 0 };
     ttc_model **models = calloc(options->file_count + 1, sizeof *models);
-    ttc_plan *plans = calloc(options->file_count + 1, sizeof *plans);
+    ttc_catalogue *catalogues = calloc(options->file_count + 1, sizeof *catalogues);
     kept_lists kept = { 0 };
     size_t count = 0;
     if (options->out == NULL) {
@@ -305,7 +297,7 @@ int ttc_command_generate(const ttc_options *options)
         status = TTC_EXIT_USAGE;
         goto done;
     }
-    if (models == NULL || plans == NULL) {
+    if (models == NULL || catalogues == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_MEMORY;
         goto done;
@@ -318,12 +310,12 @@ int ttc_command_generate(const ttc_options *options)
     if (options->keep) kept = (kept_lists){ read_list(options->out, "manifest.tsv"), read_list(options->out, "counts.tsv") };
     for (size_t i = 0; i < count && status == TTC_EXIT_DONE; i++) {
         bool is_kept = kept.manifest != NULL && kept.counts != NULL && ttc_manifest_has(kept.manifest, models[i]);
-        if (!is_kept) generate_table(&output, plans + i, models[i], options, &status);
+        if (!is_kept) generate_table(&output, catalogues + i, models[i], options, &status);
         for (size_t k = 0; k < i && status == TTC_EXIT_DONE; k++)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
     }
     if (status == TTC_EXIT_DONE
-        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, count, &kept)
+        && (!generate_runtime(&output) || !generate_lists(&output, models, catalogues, count, &kept)
             || is_failed(&output))) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_MEMORY;
@@ -333,10 +325,10 @@ done:
     free(kept.manifest);
     free(kept.counts);
     for (size_t i = 0; i < options->file_count; i++) {
-        if (plans != NULL) ttc_plan_clear(plans + i);
+        if (catalogues != NULL) ttc_catalogue_clear(catalogues + i);
         if (models != NULL) ttc_model_destroy(models[i]);
     }
-    free(plans);
+    free(catalogues);
     free(models);
     ttc_output_clear(&output);
     return status;

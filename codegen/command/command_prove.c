@@ -153,16 +153,16 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
  * expressions must not come between: the programs are then those that `generate` writes. */
 static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
-    ttc_plan plan = { 0 };
+    ttc_catalogue catalogue = { 0 };
     int status = TTC_EXIT_DONE;
     json_t *problems = json_array();
-    bool has_plan = options->kernels && model->lift.file == NULL && ttc_command_plan(&plan, model, options, &status, problems);
+    bool has_catalogue = options->kernels && model->lift.file == NULL && ttc_command_catalogue(&catalogue, model, options, &status, problems);
     ttc_proof_report *report = ttc_command_prove_guarded(model, options, &status);
-    if (report != NULL && has_plan && !ttc_prove_kernels(&plan, report)) {
+    if (report != NULL && has_catalogue && !ttc_prove_kernels(&catalogue, report)) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);
         ttc_command_raise(&status, TTC_EXIT_MEMORY);
     }
-    ttc_plan_clear(&plan);
+    ttc_catalogue_clear(&catalogue);
     if (report == NULL || (options->json && status == TTC_EXIT_BAD_TABLE)) {
         json_array_append_new(reports, ttc_command_failure(model->file, problems));
         ttc_proof_report_destroy(report);

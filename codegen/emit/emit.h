@@ -2,8 +2,8 @@
 #ifndef TTC_EMIT_H
 #define TTC_EMIT_H
 
-#include "fields/block.h"
-#include "kernels/plan.h"
+#include "fields/prepared.h"
+#include "kernels/catalogue.h"
 #include "optimize/program.h"
 #include "fields/formula.h"
 #include "prove/prove.h"
@@ -30,19 +30,19 @@ const char *ttc_emit_function_name(ttc_op op);
 bool ttc_emit_uses(const ttc_program *program, ttc_op op);
 
 /** The statements of a kernel. Temporaries are t0, t1, ...; each carries its formula.
- *  block: where p[] points to, NULL for raw parameters; parameters: the C name of that array;
+ *  prepared: where p[] points to, NULL for raw parameters; parameters: the C name of that array;
  *  offset: index of the first output. */
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
-                   const ttc_block *block, const char *parameters, size_t offset);
+                   const ttc_prepared *prepared, const char *parameters, size_t offset);
 
-/* `static void NAME(x, PARAMETERS, out) { ... }` */
+/* The whole function `static void NAME(x, PARAMETERS, out) { ... }` of a program. */
 void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
-                       const ttc_block *block);
+                       const ttc_prepared *prepared);
 
-/* The same of expressions in the field's symbols, on raw parameters, and an empty line after it. False when memory is out. */
+/* The function that computes expressions in the field's symbols from raw parameters, followed by an empty line. False when memory is out. */
 bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count);
 
-/* The same under the name of one of several, such as section0_lift of "section", 0 and "lift". */
+/* The same with a numbered name, such as section0_lift from "section", 0 and "lift". */
 bool ttc_emit_numbered(ttc_text *text, const char *what, size_t number, const char *name, ttc_field *field, const ttc_id *ids,
                        size_t count);
 
@@ -53,7 +53,7 @@ void ttc_emit_complex(ttc_text *text, ttc_field *field);
 #define TTC_LOSS_SEPARATOR "; "
 void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind);
 
-/* The part of this that is about sums, after what the text holds already. */
+/* The part of that text that is about sums, appended to what the text already holds. */
 void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind);
 
 /* Kernels and table of the equilibria served; the table is named `equilibria`. False: memory, or a claim's expression is
@@ -73,18 +73,16 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
  * and `clock` above it. */
 void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels);
 
-/* The function `jet`: Taylor coefficients of the solution, scalar and on lanes; and the header with its recurrences. */
+/* The function `jet`: Taylor coefficients of the solution, scalar and on lanes. Its recurrences are in runtime/kernel_jet.h. */
 void ttc_emit_jet(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_jet_lanes(ttc_text *text, const ttc_kernels *kernels);
-void ttc_emit_jet_header(ttc_text *text);
 
 /* The instruction sets of batched kernels. */
 enum { TTC_ISA_COUNT = 3 };
 extern const char *const ttc_isa_names[TTC_ISA_COUNT], *const ttc_isa_files[TTC_ISA_COUNT];
 
 /* The file that compiles all batched kernels of a model for one instruction set. */
-void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa);
-void ttc_emit_lanes_header(ttc_text *text);
+void ttc_emit_batch(ttc_text *text, const ttc_catalogue *catalogue, unsigned isa);
 
 /* What the table's reversors that change signs of states, and no more, make of each: arrays, and the descriptor's members. Nothing
  * where there are none. */
@@ -126,17 +124,11 @@ void ttc_emit_command(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_generator(ttc_text *text, const ttc_kernels *kernels);
 
 /* What the descriptors of a model share: its table, its claims with their verdicts, the list of the descriptors; and the
- * declarations of these. report: of the plan's own table. */
-void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report);
+ * declarations of these. report: of the catalogue's own table. */
+void ttc_emit_model(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report);
 void ttc_emit_model_names(ttc_text *text, const ttc_model *model);
 
 /* The ball-arithmetic file of one model, of its fields without variant. */
-bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);
-
-/* Files that are the same for all models. */
-void ttc_emit_abi(ttc_text *text);
-void ttc_emit_arithmetic(ttc_text *text);
-void ttc_emit_ball_header(ttc_text *text);
-void ttc_emit_ball_support(ttc_text *text);
+bool ttc_emit_ball(ttc_text *text, const ttc_catalogue *catalogue);
 
 #endif

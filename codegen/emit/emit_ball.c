@@ -176,24 +176,24 @@ static bool add_field(ttc_text *text, ttc_kernels *k)
     return ok;
 }
 
-bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan)
+bool ttc_emit_ball(ttc_text *text, const ttc_catalogue *catalogue)
 {
-    const ttc_model *model = plan->model;
+    const ttc_model *model = catalogue->model;
     bool ok = true;
     ttc_text_add(text, "/* ");
     ttc_text_add_comment(text, model->title == NULL ? model->name : model->title);
     ttc_text_add(text, ": enclosures in ball arithmetic,\n * from the expressions as they stand, without the optimizer.\n *\n");
     ttc_text_format(text, " *  Table:      %s, SHA-256 %s\n", model->name, model->sha256);
-    for (size_t i = 0; i < plan->count; i++) {
-        if (plan->fields[i].kernels == NULL) continue;
+    for (size_t i = 0; i < catalogue->count; i++) {
+        if (catalogue->fields[i].kernels == NULL) continue;
         ttc_text_add(text, " *  Command:    ");
-        ttc_emit_command(text, plan->fields[i].kernels);
+        ttc_emit_command(text, catalogue->fields[i].kernels);
         ttc_text_add(text, "\n");
         break;
     }
     ttc_text_add(text, " */\n");
     ttc_text_add(text, "#include \"kernel_ball.h\"\n\n");
-    for (size_t i = 0; ok && i < plan->count; i++)
-        if (plan->fields[i].kernels != NULL && plan->fields[i].variant == NULL) ok = add_field(text, plan->fields[i].kernels);
+    for (size_t i = 0; ok && i < catalogue->count; i++)
+        if (catalogue->fields[i].kernels != NULL && catalogue->fields[i].variant == NULL) ok = add_field(text, catalogue->fields[i].kernels);
     return ok && !text->failed;
 }

@@ -22,7 +22,7 @@ typedef struct {
     const ttc_dialect *dialect;
     const ttc_program *program;
     const ttc_field *field;
-    const ttc_block *block;
+    const ttc_prepared *prepared;
     const char *parameters;
     size_t *numbers;    /* by value: number of its temporary */
     ttc_text *formulas; /* by value */
@@ -111,11 +111,11 @@ static binding leaf_formula(body *b, ttc_text *formula, const ttc_instruction *i
         flint_free(digits);
         return fmpq_sgn(i->constant) < 0 ? BINDS_SUM : fmpz_is_one(fmpq_denref(i->constant)) ? BINDS_ATOM : BINDS_PRODUCT;
     }
-    if (b->block == NULL || i->index < b->field->param_count) {
+    if (b->prepared == NULL || i->index < b->field->param_count) {
         ttc_text_add(formula, b->field->symbols[b->field->params[i->index]].name);
         return BINDS_ATOM;
     }
-    ttc_id id = ttc_block_at(b->block, i->index);
+    ttc_id id = ttc_prepared_at(b->prepared, i->index);
     ttc_emit_formula(formula, b->field->graph, id, ttc_emit_symbol_name, (void *)(uintptr_t)b->field);
     ttc_kind kind = ttc_kind_of(b->field->graph, id);
     bool negative = kind == TTC_PRODUCT && fmpq_sgn(ttc_coefficient(b->field->graph, id)) < 0;
@@ -202,10 +202,10 @@ static void add_outputs(body *b, ttc_value value, size_t offset)
 }
 
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
-                   const ttc_block *block, const char *parameters, size_t offset)
+                   const ttc_prepared *prepared, const char *parameters, size_t offset)
 {
     size_t n = ttc_program_size(program), count = 0, outputs = ttc_program_output_count(program);
-    body b = { .text = text, .dialect = dialect, .program = program, .field = field, .block = block, .parameters = parameters };
+    body b = { .text = text, .dialect = dialect, .program = program, .field = field, .prepared = prepared, .parameters = parameters };
     b.numbers = calloc(n + 1, sizeof *b.numbers);
     b.formulas = calloc(n + 1, sizeof *b.formulas);
     b.bindings = calloc(n + 1, sizeof *b.bindings);
@@ -255,15 +255,15 @@ bool ttc_emit_uses(const ttc_program *program, ttc_op op)
 }
 
 void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
-                       const ttc_block *block)
+                       const ttc_prepared *prepared)
 {
-    const char *parameters = block == NULL ? "params" : "p";
+    const char *parameters = prepared == NULL ? "params" : "p";
     ttc_text_format(text, "static void %s(const double *restrict x, const double *restrict %s, double *restrict out)\n{\n",
                     name, parameters);
     if (!ttc_emit_uses(program, TTC_OP_INPUT)) ttc_text_add(text, "    (void)x;\n");
     if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_format(text, "    (void)%s;\n", parameters);
     if (ttc_program_output_count(program) == 0) ttc_text_add(text, "    (void)out;\n");
-    ttc_emit_body(text, &ttc_dialect_scalar, program, field, block, parameters, 0);
+    ttc_emit_body(text, &ttc_dialect_scalar, program, field, prepared, parameters, 0);
     ttc_text_add(text, "}\n");
 }
 

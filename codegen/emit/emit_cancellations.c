@@ -139,14 +139,14 @@ static void add_formula(const survey *s, ttc_text *out, ttc_value value, bool is
     const ttc_field *field = s->kernels->field;
     const ttc_instruction *i = ttc_program_at(s->program, value);
     const char *label = ttc_program_label_of(s->program, value);
-    bool is_block = i->op == TTC_OP_PARAMETER;
+    bool is_prepared = i->op == TTC_OP_PARAMETER;
     if (out->length > FORMULA_LIMIT) return;
     if (label != NULL && !is_whole) {
         ttc_text_add(out, label);
     } else if (i->op == TTC_OP_INPUT) {
         ttc_text_add(out, state_name(s, i->index));
-    } else if (is_block || i->op == TTC_OP_CONSTANT) {
-        ttc_id id = is_block ? ttc_block_at(&s->kernels->block, i->index) : ttc_number(field->graph, i->constant);
+    } else if (is_prepared || i->op == TTC_OP_CONSTANT) {
+        ttc_id id = is_prepared ? ttc_prepared_at(&s->kernels->prepared, i->index) : ttc_number(field->graph, i->constant);
         bool is_atom = ttc_kind_of(field->graph, id) == TTC_SYMBOL;
         if (bracket && !is_atom) ttc_text_add(out, "(");
         ttc_emit_formula(out, field->graph, id, ttc_emit_symbol_name, (void *)(uintptr_t)field);
@@ -231,7 +231,7 @@ static void name_sums(survey *s)
     for (size_t v = 0; v < n; v++) {
         const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);
         if (s->losses[v] == TTC_CANCELS && whole_of(s, (ttc_value)v) == v) name_place(s, (ttc_value)v);
-        if (i->op == TTC_OP_PARAMETER && ttc_expression_cancels(s->kernels->field, ttc_block_at(&s->kernels->block, i->index)))
+        if (i->op == TTC_OP_PARAMETER && ttc_expression_cancels(s->kernels->field, ttc_prepared_at(&s->kernels->prepared, i->index)))
             name_place(s, (ttc_value)v);
     }
 }
@@ -260,7 +260,7 @@ void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kern
     survey s = { &found, kernels, kind, program, calloc(n, sizeof(ttc_loss)), malloc(n * sizeof(ttc_value)),
                  calloc(n, sizeof(unsigned)), 0 };
     bool ok = s.losses != NULL && s.users != NULL && s.use_counts != NULL
-              && ttc_program_losses(s.losses, program, kernels->field, &kernels->block);
+              && ttc_program_losses(s.losses, program, kernels->field, &kernels->prepared);
     for (size_t v = 0; ok && v < n; v++) s.users[v] = TTC_NO_VALUE;
     if (ok) {
         count_uses(&s);

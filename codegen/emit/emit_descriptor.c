@@ -149,7 +149,7 @@ static void add_prepare(ttc_text *text, const ttc_kernels *k)
 {
     size_t n = k->field->param_count;
     ttc_text_add(text, "static void prepare(const double *restrict params, double *restrict out)\n{\n");
-    if (n == 0 && k->block.count == 0) ttc_text_add(text, "    (void)params;\n    (void)out;\n");
+    if (n == 0 && k->prepared.count == 0) ttc_text_add(text, "    (void)params;\n    (void)out;\n");
     for (size_t i = 0; i < n; i++) ttc_text_format(text, "    out[%zu] = params[%zu];\n", i, i);
     ttc_emit_body(text, &ttc_dialect_scalar, k->prepare, k->field, NULL, "params", n);
     ttc_text_add(text, "}\n\n");
@@ -252,8 +252,8 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
     if (k->unproved != NULL) add_string_member(text, "unproved", k->unproved);
     ttc_text_format(text, "    .table = jlt_table_%s, .family = jlt_family_%s, .claims = jlt_claims_%s,\n", model->name,
                     model->name, model->name);
-    ttc_text_format(text, "    .state_count = %zu, .param_count = %zu, .block_count = %zu,\n", field->state_count,
-                    field->param_count, ttc_block_size(&k->block));
+    ttc_text_format(text, "    .state_count = %zu, .param_count = %zu, .prepared_count = %zu,\n", field->state_count,
+                    field->param_count, ttc_prepared_size(&k->prepared));
     if (field->state_count > 0) ttc_text_add(text, "    .states = states,\n");
     if (field->param_count > 0) ttc_text_add(text, "    .params = params,\n");
     if (field->variant != NULL) ttc_text_add(text, "    .impose = impose,\n");
@@ -307,7 +307,7 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     add_prepare(text, k);
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
         if (k->kernels[kind].count == 0) continue;
-        ttc_emit_function(text, ttc_kernel_name((ttc_kernel_kind)kind), k->kernels[kind].optimized, field, &k->block);
+        ttc_emit_function(text, ttc_kernel_name((ttc_kernel_kind)kind), k->kernels[kind].optimized, field, &k->prepared);
         ttc_text_add(text, "\n");
     }
     ttc_emit_jet(text, k);

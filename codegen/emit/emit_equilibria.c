@@ -1,6 +1,6 @@
 /* Families of equilibria: kernels on raw parameters, and their table. */
 #include "emit/emit.h"
-#include "fields/lambda.h"
+#include "fields/coefficients.h"
 
 #include <stdlib.h>
 

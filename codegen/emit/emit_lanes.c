@@ -35,7 +35,7 @@ static void add_inline(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     for (unsigned i = 0; i < field->state_count; i++)
         if (!reads_input(program, i)) ttc_text_format(text, "    (void)x%u;\n", i);
     if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_add(text, "    (void)p;\n");
-    ttc_emit_body(text, &dialect, program, field, &kernels->block, "p", 0);
+    ttc_emit_body(text, &dialect, program, field, &kernels->prepared, "p", 0);
     ttc_text_add(text, "}\n");
 }
 
@@ -51,7 +51,7 @@ static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_add(text, "    (void)p;\n");
     for (unsigned i = 0; i < field->state_count; i++)
         if (reads_input(program, i)) ttc_text_format(text, "    const jlt_lanes x%u = jlt_lanes_load(x + %u*stride);\n", i, i);
-    ttc_emit_body(text, &dialect, program, field, &kernels->block, "p", 0);
+    ttc_emit_body(text, &dialect, program, field, &kernels->prepared, "p", 0);
     ttc_text_add(text, "}\n");
 }
 
@@ -209,17 +209,17 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels)
     add_table(text, kernels);
 }
 
-void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa)
+void ttc_emit_batch(ttc_text *text, const ttc_catalogue *catalogue, unsigned isa)
 {
-    ttc_text_format(text, "/* Batched kernels of %s for %s. Written by ttc %s; do not edit. */\n", plan->model->name,
+    ttc_text_format(text, "/* Batched kernels of %s for %s. Written by ttc %s; do not edit. */\n", catalogue->model->name,
                     ttc_isa_names[isa], JLT_VERSION);
     ttc_text_format(text, "#define JLT_LANES %u\n#define JLT_BATCH_ISA \"%s\"\n#define JLT_BATCH_NAME(name) name##_%s\n\n",
                     isa_lanes[isa], ttc_isa_names[isa], ttc_isa_names[isa]);
     ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"lanes.h\"\n#include \"kernel_jet.h\"\n\n");
-    for (size_t i = 0; i < plan->count; i++) {
-        if (plan->fields[i].kernels == NULL) continue;
+    for (size_t i = 0; i < catalogue->count; i++) {
+        if (catalogue->fields[i].kernels == NULL) continue;
         ttc_text_add(text, "#include \"");
-        ttc_emit_stem(text, plan->fields[i].kernels->field);
+        ttc_emit_stem(text, catalogue->fields[i].kernels->field);
         ttc_text_add(text, "_lanes.inc\"\n");
     }
 }

@@ -31,13 +31,13 @@ static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *
     ttc_diagnostics_destroy(ignored);
 }
 
-static void add_claims(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report)
+static void add_claims(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report)
 {
     static const char *const verdicts[] = { "JLT_PROVED", "JLT_REFUTED", "JLT_UNSETTLED" };
-    const ttc_model *model = plan->model;
+    const ttc_model *model = catalogue->model;
     ttc_field *field = NULL; /* conditions are written with its names */
-    for (size_t i = plan->count; i-- > 0;)
-        if (plan->fields[i].kernels != NULL) field = plan->fields[i].kernels->field;
+    for (size_t i = catalogue->count; i-- > 0;)
+        if (catalogue->fields[i].kernels != NULL) field = catalogue->fields[i].kernels->field;
     ttc_text_format(text, "\nconst jlt_claim jlt_claims_%s[] = {\n", model->name);
     for (size_t i = 0; i < report->proof_count; i++) {
         const ttc_proof *proof = report->proofs + i;
@@ -53,21 +53,21 @@ static void add_claims(ttc_text *text, const ttc_plan *plan, const ttc_proof_rep
     ttc_text_add(text, "    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }\n};\n");
 }
 
-static void add_family(ttc_text *text, const ttc_plan *plan)
+static void add_family(ttc_text *text, const ttc_catalogue *catalogue)
 {
     ttc_text list = { 0 };
     ttc_text_add(text, "\n");
-    for (size_t i = 0; i < plan->count; i++) {
-        if (plan->fields[i].kernels == NULL) continue;
+    for (size_t i = 0; i < catalogue->count; i++) {
+        if (catalogue->fields[i].kernels == NULL) continue;
         ttc_text name = { 0 };
-        ttc_text_format(&name, "jlt_kernels_%s_", plan->model->name);
-        ttc_emit_stem(&name, plan->fields[i].kernels->field);
+        ttc_text_format(&name, "jlt_kernels_%s_", catalogue->model->name);
+        ttc_emit_stem(&name, catalogue->fields[i].kernels->field);
         ttc_text_format(text, "extern const jlt_descriptor %s;\n", ttc_text_string(&name));
         ttc_text_format(&list, "    &%s,\n", ttc_text_string(&name));
         list.failed |= name.failed;
         ttc_text_clear(&name);
     }
-    ttc_text_format(text, "\nconst jlt_descriptor *const jlt_family_%s[] = {\n%s    NULL\n};\n", plan->model->name,
+    ttc_text_format(text, "\nconst jlt_descriptor *const jlt_family_%s[] = {\n%s    NULL\n};\n", catalogue->model->name,
                     ttc_text_string(&list));
     text->failed |= list.failed;
     ttc_text_clear(&list);
@@ -94,9 +94,9 @@ void ttc_emit_model_names(ttc_text *text, const ttc_model *model)
                           "extern const jlt_descriptor *const jlt_family_%s[];\n", model->name, model->name, model->name);
 }
 
-void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report)
+void ttc_emit_model(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report)
 {
-    const ttc_model *model = plan->model;
+    const ttc_model *model = catalogue->model;
     ttc_text_format(text, "/* %s: its table byte for byte (SHA-256 %s), what is proved of it, its descriptors. Written by ttc %s; do "
                           "not edit. */\n#include \"kernel_abi.h\"\n\n", model->name, model->sha256, JLT_VERSION);
     ttc_emit_model_names(text, model);
@@ -104,6 +104,6 @@ void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report
     ttc_text_format(text, "const char jlt_table_%s", model->name);
     add_table(text, model);
     add_charts(text, model);
-    add_claims(text, plan, report);
-    add_family(text, plan);
+    add_claims(text, catalogue, report);
+    add_family(text, catalogue);
 }

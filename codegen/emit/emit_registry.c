@@ -4,21 +4,6 @@
 
 #include <string.h>
 
-void ttc_emit_registry_header(ttc_text *text)
-{
-    ttc_text_add(text, "/** All descriptors, those of a model together, the general field of each first. Written by ttc; do not edit. */\n"
-                       "#ifndef JLT_REGISTRY_H\n"
-                       "#define JLT_REGISTRY_H\n"
-                       "\n"
-                       "#include \"kernel_abi.h\"\n"
-                       "\n"
-                       "extern const jlt_descriptor *const jlt_registry[];\n"
-                       "extern const unsigned jlt_registry_count;\n"
-                       "extern const unsigned jlt_registry_entry_size; /* of a descriptor, by which versions are told apart */\n"
-                       "\n"
-                       "#endif\n");
-}
-
 /* The columns of one row, not terminated. */
 typedef struct {
     const char *model, *hash, *file;
@@ -115,28 +100,28 @@ void ttc_emit_registry(ttc_text *text, const char *manifest)
 
 static const char *name_or_dash(const char *name) { return name == NULL ? "-" : name; }
 
-static void add_key(ttc_text *text, const ttc_plan *plan, const ttc_planned *planned)
+static void add_key(ttc_text *text, const ttc_catalogue *catalogue, const ttc_catalogue_entry *entry)
 {
-    ttc_text_format(text, "%s\t%s\t%s\t%s", plan->model->name,
-                    name_or_dash(planned->variant == NULL ? NULL : planned->variant->name),
-                    name_or_dash(planned->time == NULL ? NULL : planned->time->name),
-                    name_or_dash(planned->elimination == NULL ? NULL : planned->elimination->name));
+    ttc_text_format(text, "%s\t%s\t%s\t%s", catalogue->model->name,
+                    name_or_dash(entry->variant == NULL ? NULL : entry->variant->name),
+                    name_or_dash(entry->time == NULL ? NULL : entry->time->name),
+                    name_or_dash(entry->elimination == NULL ? NULL : entry->elimination->name));
 }
 
 void ttc_emit_manifest_titles(ttc_text *text) { ttc_text_add(text, "model\tvariant\ttime\telimination\tsha256\tfile\n"); }
 
-void ttc_emit_manifest_rows(ttc_text *text, const ttc_plan *plan)
+void ttc_emit_manifest_rows(ttc_text *text, const ttc_catalogue *catalogue)
 {
-    for (size_t k = 0; k < plan->count; k++) {
-        const ttc_planned *planned = plan->fields + k;
-        add_key(text, plan, planned);
-        ttc_text_format(text, "\t%s\t", plan->model->sha256);
-        if (planned->kernels == NULL) {
+    for (size_t k = 0; k < catalogue->count; k++) {
+        const ttc_catalogue_entry *entry = catalogue->fields + k;
+        add_key(text, catalogue, entry);
+        ttc_text_format(text, "\t%s\t", catalogue->model->sha256);
+        if (entry->kernels == NULL) {
             ttc_text_add(text, "none: divides by zero identically\n");
             continue;
         }
-        ttc_text_format(text, "%s/", plan->model->name);
-        ttc_emit_stem(text, planned->kernels->field);
+        ttc_text_format(text, "%s/", catalogue->model->name);
+        ttc_emit_stem(text, entry->kernels->field);
         ttc_text_add(text, ".c\n");
     }
 }
@@ -157,13 +142,13 @@ void ttc_emit_counts_titles(ttc_text *text)
     ttc_text_add(text, "\n");
 }
 
-void ttc_emit_counts_rows(ttc_text *text, const ttc_plan *plan)
+void ttc_emit_counts_rows(ttc_text *text, const ttc_catalogue *catalogue)
 {
-    for (size_t k = 0; k < plan->count; k++)
-        for (int kind = 0; plan->fields[k].kernels != NULL && kind < TTC_KERNEL_KINDS; kind++) {
-            const ttc_kernel *kernel = plan->fields[k].kernels->kernels + kind;
+    for (size_t k = 0; k < catalogue->count; k++)
+        for (int kind = 0; catalogue->fields[k].kernels != NULL && kind < TTC_KERNEL_KINDS; kind++) {
+            const ttc_kernel *kernel = catalogue->fields[k].kernels->kernels + kind;
             if (kernel->count == 0) continue;
-            add_key(text, plan, plan->fields + k);
+            add_key(text, catalogue, catalogue->fields + k);
             ttc_text_format(text, "\t%s", ttc_kernel_name((ttc_kernel_kind)kind));
             add_counts(text, ttc_program_count(kernel->optimized));
             add_counts(text, ttc_program_count(kernel->naive));

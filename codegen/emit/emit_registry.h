@@ -1,19 +1,17 @@
-/** Lists over all models: registries, manifest and operation counts. */
+/** Lists over all models: registry, manifest and operation counts. */
 #ifndef TTC_EMIT_REGISTRY_H
 #define TTC_EMIT_REGISTRY_H
 
-#include "kernels/plan.h"
+#include "kernels/catalogue.h"
 #include "base/text.h"
-
-void ttc_emit_registry_header(ttc_text *text);
 
 /* Manifest and counts: a line of titles, then the rows of one model after the other. */
 void ttc_emit_manifest_titles(ttc_text *text);
-void ttc_emit_manifest_rows(ttc_text *text, const ttc_plan *plan);
+void ttc_emit_manifest_rows(ttc_text *text, const ttc_catalogue *catalogue);
 void ttc_emit_counts_titles(ttc_text *text);
-void ttc_emit_counts_rows(ttc_text *text, const ttc_plan *plan);
+void ttc_emit_counts_rows(ttc_text *text, const ttc_catalogue *catalogue);
 
-/* The registries of what a manifest lists. */
+/* registry.c: the descriptors of all fields that a manifest lists. */
 void ttc_emit_registry(ttc_text *text, const char *manifest);
 
 /* Append the rows of a model from an older list, whose first column names the model. Returns how many there were. */

@@ -27,7 +27,7 @@ ttc_extent ttc_extent_multiply(ttc_extent a, ttc_extent b);
 /* Powers of one value: tighter than products, for even ones are never negative. The value is not zero if exponent < 0. */
 ttc_extent ttc_extent_power(ttc_extent a, long exponent);
 ttc_extent ttc_extent_root(ttc_extent radicand);
-/* What holds where both hold. */
+/* The values that lie in both. */
 ttc_extent ttc_extent_meet(ttc_extent a, ttc_extent b);
 
 bool ttc_extent_is_nonnegative(ttc_extent a);

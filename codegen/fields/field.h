@@ -64,14 +64,13 @@ typedef enum {
     TTC_FIELD_NO_MEMORY
 } ttc_field_status;
 
-/** Specialise. On success *out is owned by the caller; otherwise *out is NULL, and the graph keeps the error, but for a
- *  division by zero. The model, whose graph grows, must outlive
- *  the field. */
+/** Make the field of a variant, a time and an elimination; each may be NULL. On success *out is owned by the caller; otherwise *out is
+ *  NULL, and the graph keeps the error unless it is a division by zero. The model, whose graph grows, must outlive the field. */
 ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const ttc_variant *variant,
                                   const ttc_time *time, const ttc_elimination *elimination);
 void ttc_field_destroy(ttc_field *field); /* legal on NULL */
 
-/** The parameters of a field lie elsewhere, among `count` values: places, shape (param_count,). False when memory is out. */
+/** Tell the field where its parameters stand among `count` values: places, shape (param_count,). False when memory is out. */
 bool ttc_field_place_params(ttc_field *field, const uint32_t *places, size_t count);
 
 /* An expression of the model in the field's symbols. TTC_NONE, with the graph's error set, where it divides by zero. */

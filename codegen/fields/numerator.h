@@ -18,7 +18,7 @@ typedef struct {
 void ttc_signature_of(ttc_signature *signature, ttc_scratch *scratch, ttc_id term);
 bool ttc_signature_same(const ttc_signature *a, const ttc_signature *b); /* the lists alone */
 
-/* True when no two terms of a sum can have opposite signs, and for everything that is no sum. */
+/* True when no two terms of the expression can have opposite signs; true for whatever is not a sum. */
 bool ttc_is_like_signed(ttc_scratch *scratch, ttc_id id);
 
 /* Terms of a sum with their coefficients, its constant among them; shape (TTC_TERMS_LIMIT,). 0: it has too many. */
@@ -31,7 +31,8 @@ ttc_id ttc_common_factor(ttc_graph *graph, const ttc_id *terms, size_t count);
  *  are `chosen`, until nothing is left to do. TTC_NONE: more terms than the limit, or memory. */
 ttc_id ttc_multiply_out(ttc_scratch *scratch, ttc_id id, unsigned height, ttc_id chosen);
 
-/* The k-th sum or unit among the factors of an expression's terms, met more than once perhaps; TTC_NONE: no more. */
+/* The k-th sum or unit among the factors of an expression's terms; one that occurs several times is counted each time. TTC_NONE: there
+ * are k or fewer. */
 ttc_id ttc_compound_factor(ttc_scratch *scratch, ttc_id id, size_t k);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "optimize/optimize.h"
 #include "optimize/program_cancel.h"
-#include "optimize/system.h"
+#include "optimize/workspace.h"
 
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
     size_t n = ttc_program_size(program);
     ttc_loss *losses = calloc(n + 1, sizeof *losses);
     unsigned char *is_reached = calloc(n + 1, 1);
-    bool ok = losses != NULL && is_reached != NULL && ttc_program_losses(losses, program, k->field, &k->block);
+    bool ok = losses != NULL && is_reached != NULL && ttc_program_losses(losses, program, k->field, &k->prepared);
     *f = (fault){ .flops = ttc_count_flops(ttc_program_count(program)) };
     for (size_t v = 0; ok && v < n; v++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)v);
@@ -43,8 +43,8 @@ static bool is_better(const fault *a, const fault *b)
 static bool has_other_forms(ttc_field *field, const ttc_id *outputs, size_t count)
 {
     size_t before = field->form_count;
-    ttc_system *system = outputs == NULL ? NULL : ttc_system_create(field, outputs, count);
-    ttc_system_destroy(system);
+    ttc_workspace *workspace = outputs == NULL ? NULL : ttc_workspace_create(field, outputs, count);
+    ttc_workspace_destroy(workspace);
     return field->form_count > before;
 }
 
@@ -55,8 +55,8 @@ static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs
     fault old, new;
     bool is_other = has_other_forms(k->field, outputs, count) || has_other_forms(k->field, gathered, count);
     if (!is_other) return true;
-    ttc_program *other = ttc_optimize(k->field, outputs, gathered, count, purpose, effort, &k->block);
-    *changed = true; /* the block, whatever becomes of this program */
+    ttc_program *other = ttc_optimize(k->field, outputs, gathered, count, purpose, effort, &k->prepared);
+    *changed = true; /* the prepared values, whatever becomes of this program */
     bool ok = other != NULL && judge(&old, k, *program) && judge(&new, k, other);
     if (!ok || !is_better(&new, &old)) {
         ttc_program_destroy(other);
@@ -84,15 +84,15 @@ static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
     return ok;
 }
 
-/* *program on a block of its own, which takes what the program needs. */
-static bool move_to_block(ttc_program **program, const ttc_block *from, ttc_block *to)
+/* Rewrite *program to read `to`, prepared values of its own, to which what it needs is added. */
+static bool move_to_prepared(ttc_program **program, const ttc_prepared *from, ttc_prepared *to)
 {
-    size_t size = ttc_block_size(from);
+    size_t size = ttc_prepared_size(from);
     uint32_t *numbers = calloc(size + 1, sizeof *numbers);
     if (numbers == NULL) return false;
     for (ttc_value v = 0; v < ttc_program_size(*program); v++) {
         const ttc_instruction *i = ttc_program_at(*program, v);
-        if (i->op == TTC_OP_PARAMETER) numbers[i->index] = ttc_block_index(to, ttc_block_at(from, i->index));
+        if (i->op == TTC_OP_PARAMETER) numbers[i->index] = ttc_prepared_index(to, ttc_prepared_at(from, i->index));
     }
     ttc_program *moved = to->failed ? NULL : ttc_program_renumber(*program, numbers);
     free(numbers);
@@ -102,19 +102,19 @@ static bool move_to_block(ttc_program **program, const ttc_block *from, ttc_bloc
     return true;
 }
 
-/* Entries that no program needs any more leave the block. */
+/* Drop prepared values that no program needs any more. */
 static bool clear_up_block(ttc_kernels *k)
 {
-    ttc_block block = { .field = k->field };
+    ttc_prepared prepared = { .field = k->field };
     bool ok = true;
     for (int kind = 0; ok && kind < TTC_KERNEL_KINDS; kind++)
-        if (k->kernels[kind].count > 0) ok = move_to_block(&k->kernels[kind].optimized, &k->block, &block);
-    ok = ok && move_to_block(&k->jet, &k->block, &block);
-    ttc_block_clear(&k->block);
-    k->block = block;
+        if (k->kernels[kind].count > 0) ok = move_to_prepared(&k->kernels[kind].optimized, &k->prepared, &prepared);
+    ok = ok && move_to_prepared(&k->jet, &k->prepared, &prepared);
+    ttc_prepared_clear(&k->prepared);
+    k->prepared = prepared;
     if (!ok) return false;
     ttc_program_destroy(k->prepare);
-    k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
+    k->prepare = ttc_lower(k->field, k->prepared.entries, k->prepared.count, (ttc_lowering){ .share = true });
     return k->prepare != NULL;
 }
 

@@ -182,14 +182,14 @@ static bool build_jet(ttc_kernels *k, ttc_effort effort)
 {
     ttc_id *outputs = ttc_kernels_jet_outputs(k);
     if (outputs == NULL) return false;
-    k->jet = ttc_optimize(k->field, outputs, NULL, k->field->state_count + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->block);
+    k->jet = ttc_optimize(k->field, outputs, NULL, k->field->state_count + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->prepared);
     free(outputs);
     return k->jet != NULL;
 }
 
 static bool build_programs(ttc_kernels *k, ttc_effort effort)
 {
-    k->block.field = k->field;
+    k->prepared.field = k->field;
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
         ttc_kernel *kernel = k->kernels + kind;
         if (kernel->count == 0) continue;
@@ -198,12 +198,12 @@ static bool build_programs(ttc_kernels *k, ttc_effort effort)
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
         kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count,
-                                         ttc_kernel_purpose((ttc_kernel_kind)kind), effort, &k->block);
+                                         ttc_kernel_purpose((ttc_kernel_kind)kind), effort, &k->prepared);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
     if (!build_jet(k, effort)) return false;
-    k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
-    return k->prepare != NULL && !k->block.failed;
+    k->prepare = ttc_lower(k->field, k->prepared.entries, k->prepared.count, (ttc_lowering){ .share = true });
+    return k->prepare != NULL && !k->prepared.failed;
 }
 
 ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
@@ -239,7 +239,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
     }
     ttc_program_destroy(kernels->jet);
     ttc_program_destroy(kernels->prepare);
-    ttc_block_clear(&kernels->block);
+    ttc_prepared_clear(&kernels->prepared);
     free(kernels->integrals);
     free(kernels->measures);
     free(kernels->families);

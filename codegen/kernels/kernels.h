@@ -2,7 +2,7 @@
 #ifndef TTC_KERNELS_H
 #define TTC_KERNELS_H
 
-#include "fields/block.h"
+#include "fields/prepared.h"
 #include "fields/field.h"
 #include "optimize/lower.h"
 #include "optimize/optimize.h"
@@ -31,14 +31,14 @@ typedef struct {
     ttc_id *gathered; /* the same functions from the gathered field; NULL for kernels that gain nothing from it */
     ttc_program *naive;     /* on raw parameters, as the expressions stand, nothing shared but units */
     ttc_program *reference; /* the same with equal subexpressions once: what ball kernels evaluate */
-    ttc_program *optimized; /* on the prepared block */
+    ttc_program *optimized; /* on the prepared values */
 } ttc_kernel;
 
 typedef struct {
     ttc_field *field;
-    ttc_block block;
+    ttc_prepared prepared;
     ttc_program *jet;     /* the field, and dt/dtau after it in a time of its own: what Taylor recurrences are made from */
-    ttc_program *prepare; /* raw parameters -> entries of the block after the parameters */
+    ttc_program *prepare; /* raw parameters -> entries of the prepared values after the parameters */
     ttc_kernel kernels[TTC_KERNEL_KINDS];
     uint32_t *integrals; /* claims that hold here, in order of appearance */
     size_t integral_count;

@@ -69,9 +69,9 @@ static bool mark(ttc_kernels *k, const ttc_proof_report *report)
     return ok;
 }
 
-bool ttc_plan_mark_unproved(ttc_plan *plan, const ttc_proof_report *report)
+bool ttc_catalogue_mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report)
 {
-    for (size_t i = 0; i < plan->count; i++)
-        if (plan->fields[i].kernels != NULL && !mark(plan->fields[i].kernels, report)) return false;
+    for (size_t i = 0; i < catalogue->count; i++)
+        if (catalogue->fields[i].kernels != NULL && !mark(catalogue->fields[i].kernels, report)) return false;
     return true;
 }

@@ -89,15 +89,15 @@ static bool in_kernels(const ttc_kernels *k)
     return wide;
 }
 
-bool ttc_find_wide_number(const ttc_plan *plan, ttc_place *place)
+bool ttc_find_wide_number(const ttc_catalogue *catalogue, ttc_place *place)
 {
-    finder f = { plan->model, calloc(ttc_graph_size(plan->model->graph) + 1, 1), place };
+    finder f = { catalogue->model, calloc(ttc_graph_size(catalogue->model->graph) + 1, 1), place };
     if (f.seen == NULL) return false;
     bool is_found = in_table(&f);
     free(f.seen);
-    for (size_t i = 0; i < plan->count && !is_found; i++) {
-        if (plan->fields[i].kernels == NULL || !in_kernels(plan->fields[i].kernels)) continue;
-        *place = ttc_plan_place(plan->fields + i, plan->model);
+    for (size_t i = 0; i < catalogue->count && !is_found; i++) {
+        if (catalogue->fields[i].kernels == NULL || !in_kernels(catalogue->fields[i].kernels)) continue;
+        *place = ttc_catalogue_place(catalogue->fields + i, catalogue->model);
         is_found = true;
     }
     return is_found;

@@ -57,11 +57,11 @@ static ttc_id common_scale(ttc_graph *graph, ttc_id a, ttc_id b)
     return common;
 }
 
-static const ratio *ratio_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_id a, ttc_id b)
+static const ratio *ratio_of(ttc_workspace *workspace, ttc_scale_ratios *ratios, ttc_id a, ttc_id b)
 {
-    ttc_graph *graph = system->field->graph;
+    ttc_graph *graph = workspace->field->graph;
     if (2 * ratios->count >= ratios->capacity && !grow(ratios)) {
-        system->failed = true;
+        workspace->failed = true;
         return NULL;
     }
     size_t at = (size_t)mix(mix(0, a), b) & (ratios->capacity - 1);
@@ -69,14 +69,14 @@ static const ratio *ratio_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_i
         if (ratios->items[at].scale_a == a && ratios->items[at].scale_b == b) return ratios->items + at;
         at = (at + 1) & (ratios->capacity - 1);
     }
-    ratio r = { a, b, a, system->one, system->one };
+    ratio r = { a, b, a, workspace->one, workspace->one };
     if (a != b && ttc_graph_size(graph) > RATIO_NODES) {
-        r.outer = system->one;
+        r.outer = workspace->one;
         r.inner_a = a;
         r.inner_b = b;
-    } else if (a != b && ttc_scale_is_safe(system->field, a)) {
+    } else if (a != b && ttc_scale_is_safe(workspace->field, a)) {
         r.inner_b = ttc_divide(graph, b, a);
-    } else if (a != b && ttc_scale_is_safe(system->field, b)) {
+    } else if (a != b && ttc_scale_is_safe(workspace->field, b)) {
         r.outer = b;
         r.inner_a = ttc_divide(graph, a, b);
     } else if (a != b) {
@@ -85,7 +85,7 @@ static const ratio *ratio_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_i
         r.inner_b = ttc_divide(graph, b, r.outer);
     }
     if (r.outer == TTC_NONE || r.inner_a == TTC_NONE || r.inner_b == TTC_NONE) {
-        system->failed = true;
+        workspace->failed = true;
         return NULL;
     }
     ratios->items[at] = r;
@@ -94,9 +94,9 @@ static const ratio *ratio_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_i
 }
 
 /* Factors that both have, and those that one of them has alone. */
-static void split(const ttc_system *system, ttc_binomial *s, const ttc_cube *a, const ttc_cube *b)
+static void split(const ttc_workspace *workspace, ttc_binomial *s, const ttc_cube *a, const ttc_cube *b)
 {
-    s->common = s->rest_a = s->rest_b = ttc_cube_one(system);
+    s->common = s->rest_a = s->rest_b = ttc_cube_one(workspace);
     unsigned i = 0, j = 0;
     while (i < a->count || j < b->count) {
         if (j == b->count || (i < a->count && a->factors[i] < b->factors[j]))
@@ -116,9 +116,9 @@ static int compare_rests(const ttc_cube *a, const ttc_cube *b)
     return (int)a->count - (int)b->count;
 }
 
-bool ttc_binomial_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_binomial *out, const ttc_cube *a, const ttc_cube *b)
+bool ttc_binomial_of(ttc_workspace *workspace, ttc_scale_ratios *ratios, ttc_binomial *out, const ttc_cube *a, const ttc_cube *b)
 {
-    split(system, out, a, b);
+    split(workspace, out, a, b);
     if (compare_rests(&out->rest_a, &out->rest_b) > 0) {
         ttc_cube rest = out->rest_a;
         out->rest_a = out->rest_b;
@@ -127,7 +127,7 @@ bool ttc_binomial_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_binomial 
         a = b;
         b = swap;
     }
-    const ratio *r = ratio_of(system, ratios, a->scale, b->scale);
+    const ratio *r = ratio_of(workspace, ratios, a->scale, b->scale);
     if (r == NULL) return false;
     out->common.scale = r->outer;
     out->common.sign = a->sign;

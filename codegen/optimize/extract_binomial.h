@@ -2,7 +2,7 @@
 #ifndef TTC_EXTRACT_BINOMIAL_H
 #define TTC_EXTRACT_BINOMIAL_H
 
-#include "optimize/system.h"
+#include "optimize/workspace.h"
 
 /** terms a and b = common * (rest_a + rest_b); the scales are split so that pairs of terms that differ by a factor have equal
  *  rests. */
@@ -18,8 +18,8 @@ typedef struct ttc_scale_ratios {
 
 void ttc_scale_ratios_clear(ttc_scale_ratios *ratios);
 
-/* The normal form of two terms. False: memory is out, or the graph refused; the system is then failed. */
-bool ttc_binomial_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_binomial *out, const ttc_cube *a, const ttc_cube *b);
+/* The normal form of two terms. False: memory is out, or the graph refused; the workspace is then failed. */
+bool ttc_binomial_of(ttc_workspace *workspace, ttc_scale_ratios *ratios, ttc_binomial *out, const ttc_cube *a, const ttc_cube *b);
 
 /* Equal rests have equal keys. */
 uint64_t ttc_binomial_key(const ttc_binomial *binomial);

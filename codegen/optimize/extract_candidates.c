@@ -2,13 +2,13 @@
 
 #include <stdlib.h>
 
-/* `items` with room for `wanted`; the old one, and the system failed, when memory is out. */
+/* `items` with room for `wanted`; the old one, and the workspace failed, when memory is out. */
 static void *grown(ttc_candidates *c, void *items, size_t size, size_t wanted, size_t *capacity)
 {
     if (wanted <= *capacity) return items;
     size_t larger = 2 * wanted + 64;
     void *fresh = realloc(items, larger * size);
-    c->system->failed |= fresh == NULL;
+    c->workspace->failed |= fresh == NULL;
     if (fresh == NULL) return items;
     *capacity = larger;
     return fresh;
@@ -16,7 +16,7 @@ static void *grown(ttc_candidates *c, void *items, size_t size, size_t wanted, s
 
 ttc_polynomial *ttc_candidates_definition(const ttc_candidates *c, uint32_t variable)
 {
-    return &c->system->variables[variable].definition;
+    return &c->workspace->variables[variable].definition;
 }
 
 static ttc_candidate_cube *state_of(const ttc_candidates *c, uint32_t variable, uint32_t position)
@@ -32,7 +32,7 @@ static uint32_t *head_of(void *context, uint32_t variable, uint32_t position)
 void ttc_candidates_note_factor(ttc_candidates *c, uint32_t factor, uint32_t variable, uint32_t position)
 {
     c->occurrences = grown(c, c->occurrences, sizeof *c->occurrences, c->occurrence_count + 1, &c->occurrence_capacity);
-    if (c->system->failed) return;
+    if (c->workspace->failed) return;
     c->occurrences[c->occurrence_count] = (ttc_occurrence){ variable, position, c->first_occurrence[factor] };
     c->first_occurrence[factor] = (uint32_t)++c->occurrence_count;
 }
@@ -43,7 +43,7 @@ static void count_pairs(ttc_candidates *c, const ttc_cube *cube, int by)
     uint32_t factors[TTC_CUBE_LIMIT + 1];
     unsigned count = 0;
     for (; count < cube->count; count++) factors[count] = cube->factors[count];
-    if (cube->scale != c->system->one) factors[count++] = TTC_SCALE_FACTOR | cube->scale;
+    if (cube->scale != c->workspace->one) factors[count++] = TTC_SCALE_FACTOR | cube->scale;
     for (unsigned i = 0; i < count; i++) {
         if (i > 0 && factors[i] == factors[i - 1]) continue;
         unsigned power = 1;
@@ -65,7 +65,7 @@ void ttc_candidates_retract(ttc_candidates *c, uint32_t variable, uint32_t posit
     ttc_candidate_cube *state = state_of(c, variable, position);
     if (state->is_changed) return;
     c->changed = grown(c, c->changed, sizeof *c->changed, c->changed_count + 1, &c->changed_capacity);
-    if (c->system->failed) return;
+    if (c->workspace->failed) return;
     state->is_changed = true;
     c->changed[c->changed_count++] = (ttc_cube_name){ variable, position };
     count_pairs(c, ttc_candidates_definition(c, variable)->cubes + position, -1);
@@ -74,23 +74,23 @@ void ttc_candidates_retract(ttc_candidates *c, uint32_t variable, uint32_t posit
 
 bool ttc_candidates_binomial(ttc_candidates *c, ttc_binomial *out, const ttc_cube *a, const ttc_cube *b)
 {
-    return ttc_binomial_of(c->system, c->system->ratios != NULL ? c->system->ratios : &c->own_ratios, out, a, b);
+    return ttc_binomial_of(c->workspace, c->workspace->ratios != NULL ? c->workspace->ratios : &c->own_ratios, out, a, b);
 }
 
 static void add_binomial(ttc_candidates *c, uint32_t variable, uint32_t first, uint32_t second)
 {
-    ttc_system *system = c->system;
+    ttc_workspace *workspace = c->workspace;
     const ttc_cube *cubes = ttc_candidates_definition(c, variable)->cubes, *a = cubes + first, *b = cubes + second;
     ttc_binomial s;
     if (!ttc_candidates_binomial(c, &s, a, b)) return;
-    int before = (int)ttc_cube_cost(system, a) + (int)ttc_cube_cost(system, b) + 1;
+    int before = (int)ttc_cube_cost(workspace, a) + (int)ttc_cube_cost(workspace, b) + 1;
     ttc_cube after = s.common;
     ttc_cube_multiply(&after, 0);
-    int cost = (int)ttc_cube_cost(system, &s.rest_a) + (int)ttc_cube_cost(system, &s.rest_b) + 1;
+    int cost = (int)ttc_cube_cost(workspace, &s.rest_a) + (int)ttc_cube_cost(workspace, &s.rest_b) + 1;
     uint32_t group = ttc_extract_index_group(&c->binomials, ttc_binomial_key(&s), cost);
     if (group == TTC_NO_GROUP) return;
     ttc_term_pair place = { .variable = variable, .first = first, .second = second,
-                        .gain = before - (int)ttc_cube_cost(system, &after) };
+                        .gain = before - (int)ttc_cube_cost(workspace, &after) };
     ttc_extract_index_add(&c->binomials, group, place, &state_of(c, variable, first)->places,
                           &state_of(c, variable, second)->places);
 }
@@ -107,14 +107,14 @@ static void add_binomials(ttc_candidates *c, const ttc_cube_name *changed, size_
 {
     uint32_t variable = changed[0].variable, window = c->sums[variable].window;
     const ttc_polynomial *p = ttc_candidates_definition(c, variable);
-    for (uint32_t i = 0; i < p->count && !c->system->failed; i++) {
+    for (uint32_t i = 0; i < p->count && !c->workspace->failed; i++) {
         uint32_t end = window < p->count - i ? i + window + 1 : p->count;
         if (p->cubes[i].sign == 0) continue;
         if (state_of(c, variable, i)->is_changed) {
-            for (uint32_t j = i + 1; j < end && !c->system->failed; j++)
+            for (uint32_t j = i + 1; j < end && !c->workspace->failed; j++)
                 if (p->cubes[j].sign != 0) add_binomial(c, variable, i, j);
         } else {
-            for (size_t k = 0; k < count && !c->system->failed; k++)
+            for (size_t k = 0; k < count && !c->workspace->failed; k++)
                 if (changed[k].position > i && changed[k].position < end && p->cubes[changed[k].position].sign != 0)
                     add_binomial(c, variable, i, changed[k].position);
         }
@@ -124,7 +124,7 @@ static void add_binomials(ttc_candidates *c, const ttc_cube_name *changed, size_
 void ttc_candidates_renew(ttc_candidates *c)
 {
     if (c->changed_count > 1) qsort(c->changed, c->changed_count, sizeof *c->changed, compare_names);
-    for (size_t i = 0, n = 0; i < c->changed_count && !c->system->failed; i += n) {
+    for (size_t i = 0, n = 0; i < c->changed_count && !c->workspace->failed; i += n) {
         n = 1;
         while (i + n < c->changed_count && c->changed[i + n].variable == c->changed[i].variable) n++;
         for (size_t k = i; k < i + n; k++) {
@@ -138,7 +138,7 @@ void ttc_candidates_renew(ttc_candidates *c)
     c->changed_count = 0;
     ttc_extract_index_rank(&c->pairs);
     ttc_extract_index_rank(&c->binomials);
-    c->system->failed |= c->pairs.failed || c->binomials.failed;
+    c->workspace->failed |= c->pairs.failed || c->binomials.failed;
 }
 
 void ttc_candidates_enroll(ttc_candidates *c, uint32_t variable, uint32_t window)
@@ -149,7 +149,7 @@ void ttc_candidates_enroll(ttc_candidates *c, uint32_t variable, uint32_t window
     c->first_occurrence
         = grown(c, c->first_occurrence, sizeof *c->first_occurrence, (size_t)variable + 1, &c->factor_capacity);
     c->changed = grown(c, c->changed, sizeof *c->changed, c->changed_count + count, &c->changed_capacity);
-    if (c->system->failed) return;
+    if (c->workspace->failed) return;
     c->sums[variable] = (ttc_candidate_sum){ c->cube_count, window };
     for (; c->sum_count <= variable; c->sum_count++) c->first_occurrence[c->sum_count] = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -162,7 +162,7 @@ void ttc_candidates_note_factors(ttc_candidates *c, uint32_t variable)
 {
     for (uint32_t i = 0; i < ttc_candidates_definition(c, variable)->count; i++) {
         const ttc_cube *cube = ttc_candidates_definition(c, variable)->cubes + i;
-        for (unsigned j = 0; j < cube->count && !c->system->failed; j++) {
+        for (unsigned j = 0; j < cube->count && !c->workspace->failed; j++) {
             if (j > 0 && cube->factors[j] == cube->factors[j - 1]) continue;
             ttc_candidates_note_factor(c, cube->factors[j], variable, i);
         }

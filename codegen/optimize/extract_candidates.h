@@ -1,12 +1,12 @@
 /** What an extraction could take, in two indices: pairs of factors that occur in several cubes, and pairs of terms that occur,
  *  up to a common factor, in one or several sums. A cube that changes is retracted before and renewed after; what concerns
- *  other cubes stays. Memory that is out shows in system->failed. */
+ *  other cubes stays. Memory that is out shows in workspace->failed. */
 #ifndef TTC_EXTRACT_CANDIDATES_H
 #define TTC_EXTRACT_CANDIDATES_H
 
 #include "optimize/extract_binomial.h"
 #include "optimize/extract_index.h"
-#include "optimize/system.h"
+#include "optimize/workspace.h"
 
 #define TTC_SCALE_FACTOR UINT32_C(0x80000000) /* marks a scale among factors; the rest is its graph id */
 
@@ -30,9 +30,9 @@ typedef struct {
     uint32_t variable, position;
 } ttc_cube_name;
 
-/* Zeroed before first use, but for system. */
+/* Zeroed before first use, but for workspace. */
 typedef struct {
-    ttc_system *system;
+    ttc_workspace *workspace;
     ttc_scale_ratios own_ratios;
     ttc_extract_index pairs, binomials; /* keys of pairs: one factor in the upper half, the other in the lower */
     ttc_candidate_sum *sums;            /* by variable */

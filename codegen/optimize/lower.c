@@ -171,8 +171,8 @@ static ttc_value lower(lowering *l, ttc_id id)
     bool keep = l->options.share && id < l->node_count;
     if (keep && l->nodes[id] != TTC_NO_VALUE) return l->nodes[id];
     ttc_kind kind = ttc_kind_of(l->field->graph, id);
-    if (l->options.block != NULL && kind != TTC_NUMBER && ttc_field_is_constant(l->field, id)) {
-        value = ttc_program_parameter(l->program, ttc_block_index(l->options.block, id));
+    if (l->options.prepared != NULL && kind != TTC_NUMBER && ttc_field_is_constant(l->field, id)) {
+        value = ttc_program_parameter(l->program, ttc_prepared_index(l->options.prepared, id));
         if (keep) l->nodes[id] = value;
         return value;
     }

@@ -2,8 +2,8 @@
 #include "optimize/optimize.h"
 
 #include "optimize/extract_binomial.h"
-#include "optimize/system.h"
-#include "optimize/system_lower.h"
+#include "optimize/workspace.h"
+#include "optimize/workspace_lower.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ typedef struct {
     unsigned finishes;     /* ways to the program that are tried at last */
     uint64_t repeat_limit; /* work of a kernel before it is searched again */
     uint64_t work_limit;   /* ends one search */
-    uint64_t pair_limit;   /* see ttc_system_extract */
+    uint64_t pair_limit;   /* see ttc_workspace_extract */
 } search_limits;
 
 static const search_limits efforts[] = {
@@ -34,30 +34,30 @@ static const search_limits efforts[] = {
     [TTC_EFFORT_FULL] = { 8, 8, 80, 16, 500000, 60000000, 200000 },
 };
 
-/* How a system becomes a program. seed: of the last extraction; above 0 it also finds what reciprocals share. */
+/* How a workspace becomes a program. seed: of the last extraction; above 0 it also finds what reciprocals share. */
 typedef struct {
     const search_limits *limits;
     bool one_division;
     uint64_t seed;
-} manner;
+} strategy;
 
-static ttc_program *finish(const ttc_system *system, ttc_block *block, manner how)
+static ttc_program *finish(const ttc_workspace *workspace, ttc_prepared *prepared, strategy how)
 {
     ttc_program *fused = NULL;
-    ttc_system *copy = ttc_system_clone(system);
+    ttc_workspace *copy = ttc_workspace_clone(workspace);
     if (copy == NULL) return NULL;
-    if (how.one_division) ttc_system_share_reciprocals(copy, how.seed > 0);
+    if (how.one_division) ttc_workspace_share_reciprocals(copy, how.seed > 0);
     /* The products that recover reciprocals meet other factors, so there may be more to take out. */
-    ttc_system_tidy(copy);
-    ttc_system_cancel(copy);
-    ttc_system_extract(copy, how.seed, how.limits->pair_limit);
-    ttc_system_tidy(copy);
+    ttc_workspace_tidy(copy);
+    ttc_workspace_cancel(copy);
+    ttc_workspace_extract(copy, how.seed, how.limits->pair_limit);
+    ttc_workspace_tidy(copy);
     if (!copy->failed) {
-        ttc_program *program = ttc_system_lower(copy, block);
+        ttc_program *program = ttc_workspace_lower(copy, prepared);
         if (program != NULL) fused = ttc_program_fuse(program);
         ttc_program_destroy(program);
     }
-    ttc_system_destroy(copy);
+    ttc_workspace_destroy(copy);
     return fused;
 }
 
@@ -67,90 +67,90 @@ typedef struct {
     unsigned cost, latency; /* UINT_MAX on failure */
 } rating;
 
-/* The block's entries are thrown away. */
-static rating rate(const ttc_system *system, manner how)
+/* What the program would prepare is thrown away. */
+static rating rate(const ttc_workspace *workspace, strategy how)
 {
-    ttc_block scratch = { .field = system->field };
-    ttc_program *program = finish(system, &scratch, how);
+    ttc_prepared scratch = { .field = workspace->field };
+    ttc_program *program = finish(workspace, &scratch, how);
     rating r = { UINT_MAX, UINT_MAX };
     if (program != NULL) r = (rating){ cost_of(program), ttc_program_latency(program) };
     ttc_program_destroy(program);
-    ttc_block_clear(&scratch);
+    ttc_prepared_clear(&scratch);
     return r;
 }
 
 /* True when divisions of their own save at least four operations each: a quotient needs none of the products that make
  * one division of several and take it apart again, and such divisions do not wait for each other. */
-static bool several_divisions_serve(const ttc_system *system, const search_limits *limits)
+static bool prefers_separate_divisions(const ttc_workspace *workspace, const search_limits *limits)
 {
-    ttc_block scratch = { .field = system->field };
-    ttc_program *one = finish(system, &scratch, (manner){ limits, true, 0 });
-    ttc_program *several = finish(system, &scratch, (manner){ limits, false, 0 });
-    bool serve = false;
+    ttc_prepared scratch = { .field = workspace->field };
+    ttc_program *one = finish(workspace, &scratch, (strategy){ limits, true, 0 });
+    ttc_program *several = finish(workspace, &scratch, (strategy){ limits, false, 0 });
+    bool prefers = false;
     if (one != NULL && several != NULL) {
         ttc_count a = ttc_program_count(one), b = ttc_program_count(several);
-        serve = ttc_count_flops(b) + 4 * (b.divide - a.divide) <= ttc_count_flops(a) && b.divide > a.divide;
+        prefers = ttc_count_flops(b) + 4 * (b.divide - a.divide) <= ttc_count_flops(a) && b.divide > a.divide;
     }
     ttc_program_destroy(one);
     ttc_program_destroy(several);
-    ttc_block_clear(&scratch);
-    return serve;
+    ttc_prepared_clear(&scratch);
+    return prefers;
 }
 
-/* The best system of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
+/* The best workspace of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
 typedef struct {
     const search_limits *limits;
-    ttc_system *best;
+    ttc_workspace *best;
     unsigned cost;
     uint64_t work;
-} contest;
+} best_so_far;
 
-/* Takes ownership of the system. */
-static void enter(contest *c, ttc_system *system)
+/* Keep the workspace if it costs no more than the best. Takes ownership of it. */
+static void keep_better(best_so_far *c, ttc_workspace *workspace)
 {
-    unsigned cost = system == NULL || system->failed ? UINT_MAX : rate(system, (manner){ c->limits, true, 0 }).cost;
-    if (system != NULL && cost <= c->cost) {
-        ttc_system_destroy(c->best);
-        c->best = system;
+    unsigned cost = workspace == NULL || workspace->failed ? UINT_MAX : rate(workspace, (strategy){ c->limits, true, 0 }).cost;
+    if (workspace != NULL && cost <= c->cost) {
+        ttc_workspace_destroy(c->best);
+        c->best = workspace;
         c->cost = cost;
     } else {
-        ttc_system_destroy(system);
+        ttc_workspace_destroy(workspace);
     }
 }
 
-static void extract_from(contest *c, const ttc_system *start, uint64_t seed)
+static void extract_from(best_so_far *c, const ttc_workspace *start, uint64_t seed)
 {
-    ttc_system *system = ttc_system_clone(start);
-    if (system == NULL) return;
-    if (seed % 2 == 1) ttc_system_rescale(system);
-    c->work += ttc_system_extract(system, seed / 2, c->limits->pair_limit);
-    ttc_system_rescale(system);
-    ttc_system_tidy(system);
-    enter(c, system);
+    ttc_workspace *workspace = ttc_workspace_clone(start);
+    if (workspace == NULL) return;
+    if (seed % 2 == 1) ttc_workspace_rescale(workspace);
+    c->work += ttc_workspace_extract(workspace, seed / 2, c->limits->pair_limit);
+    ttc_workspace_rescale(workspace);
+    ttc_workspace_tidy(workspace);
+    keep_better(c, workspace);
 }
 
 /* Undo some of what was extracted, and extract again (Schrimpf, Schneider, Stamm-Wilbrandt, Dueck 2000). */
-static void ruin_and_recreate(contest *c, uint64_t round)
+static void ruin_and_recreate(best_so_far *c, uint64_t round)
 {
-    ttc_system *system = ttc_system_clone(c->best);
-    if (system == NULL) return;
+    ttc_workspace *workspace = ttc_workspace_clone(c->best);
+    if (workspace == NULL) return;
     uint64_t random = round * UINT64_C(0x9E3779B97F4A7C15) + 12345;
     unsigned percent = 3u + 7u * (unsigned)(round % 5);
-    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+    for (uint32_t v = 0; v < workspace->count && !workspace->failed; v++) {
         random = random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-        if (system->variables[v].is_extracted && (random >> 33) % 100 < percent) ttc_system_inline(system, v);
+        if (workspace->variables[v].is_extracted && (random >> 33) % 100 < percent) ttc_workspace_inline(workspace, v);
     }
-    ttc_system_tidy(system);
-    if (!system->failed) c->work += ttc_system_extract(system, round, c->limits->pair_limit);
-    ttc_system_rescale(system);
-    ttc_system_tidy(system);
-    enter(c, system);
+    ttc_workspace_tidy(workspace);
+    if (!workspace->failed) c->work += ttc_workspace_extract(workspace, round, c->limits->pair_limit);
+    ttc_workspace_rescale(workspace);
+    ttc_workspace_tidy(workspace);
+    keep_better(c, workspace);
 }
 
 /* One search from one start. */
-static contest search(const ttc_system *start, uint64_t number, const search_limits *limits)
+static best_so_far search(const ttc_workspace *start, uint64_t number, const search_limits *limits)
 {
-    contest c = { limits, NULL, UINT_MAX, 0 };
+    best_so_far c = { limits, NULL, UINT_MAX, 0 };
     for (uint64_t seed = 0; seed < limits->seeds && c.work < limits->work_limit; seed++)
         extract_from(&c, start, seed == 0 ? number % 2 : number * limits->seeds + seed);
     unsigned before = c.cost;
@@ -165,60 +165,60 @@ static contest search(const ttc_system *start, uint64_t number, const search_lim
 enum { STARTS = 4 };
 
 /* As given, and with products written out: a start that is no different from another is left out. */
-static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count)
+static bool make_starts(ttc_workspace **starts, ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count)
 {
     for (int k = 0; k < STARTS; k++) starts[k] = NULL;
     for (int k = 0; k < 2; k++) {
         const ttc_id *ids = k == 0 ? outputs : other;
         if (ids == NULL) continue;
-        starts[k] = ttc_system_create(field, ids, count);
-        starts[k + 2] = starts[k] == NULL ? NULL : ttc_system_clone(starts[k]);
+        starts[k] = ttc_workspace_create(field, ids, count);
+        starts[k + 2] = starts[k] == NULL ? NULL : ttc_workspace_clone(starts[k]);
         if (starts[k + 2] == NULL) return false;
-        bool differs = ttc_system_write_out(starts[k + 2]);
-        ttc_system_raise_reciprocals(starts[k]);
-        ttc_system_raise_reciprocals(starts[k + 2]);
+        bool differs = ttc_workspace_write_out(starts[k + 2]);
+        ttc_workspace_raise_reciprocals(starts[k]);
+        ttc_workspace_raise_reciprocals(starts[k + 2]);
         if (differs) continue;
-        ttc_system_destroy(starts[k + 2]);
+        ttc_workspace_destroy(starts[k + 2]);
         starts[k + 2] = NULL;
     }
     return true;
 }
 
-/* The best system of searches from all starts. */
-static ttc_system *search_all(ttc_system *const *starts, const search_limits *limits)
+/* The best workspace of searches from all starts. */
+static ttc_workspace *search_all(ttc_workspace *const *starts, const search_limits *limits)
 {
-    contest best = { limits, NULL, UINT_MAX, 0 };
+    best_so_far best = { limits, NULL, UINT_MAX, 0 };
     uint64_t work = 0;
     for (uint64_t k = 0; k < STARTS || (k < STARTS * (uint64_t)limits->repeats && work < limits->repeat_limit); k++) {
         if (starts[k % STARTS] == NULL) continue;
-        contest c = search(starts[k % STARTS], k, limits);
+        best_so_far c = search(starts[k % STARTS], k, limits);
         work += c.work;
         if (c.best != NULL && c.cost < best.cost) {
-            ttc_system_destroy(best.best);
+            ttc_workspace_destroy(best.best);
             best = c;
         } else {
-            ttc_system_destroy(c.best);
+            ttc_workspace_destroy(c.best);
         }
     }
     return best.best;
 }
 
-/* A system and its program's way of being made. */
+/* A workspace, and the strategy that makes its program. */
 typedef struct {
-    ttc_system *system;
-    manner how;
+    ttc_workspace *workspace;
+    strategy how;
     rating rating;
 } choice;
 
 /* Of several ways to the program, the quickest that costs no more than the first. */
-static choice choose(ttc_system *system, ttc_purpose purpose, const search_limits *limits)
+static choice choose(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
-    bool one_division = purpose != TTC_FOR_POINTS || !several_divisions_serve(system, limits);
-    choice c = { system, { limits, one_division, 0 }, { UINT_MAX, UINT_MAX } };
-    c.rating = rate(system, c.how);
+    bool one_division = purpose != TTC_FOR_POINTS || !prefers_separate_divisions(workspace, limits);
+    choice c = { workspace, { limits, one_division, 0 }, { UINT_MAX, UINT_MAX } };
+    c.rating = rate(workspace, c.how);
     for (uint64_t seed = 1; seed < limits->finishes && purpose != TTC_FOR_JETS; seed++) {
-        manner how = { limits, c.how.one_division, seed };
-        rating r = rate(system, how);
+        strategy how = { limits, c.how.one_division, seed };
+        rating r = rate(workspace, how);
         if (r.cost > c.rating.cost || r.latency >= c.rating.latency) continue;
         c.how = how;
         c.rating = r;
@@ -226,28 +226,28 @@ static choice choose(ttc_system *system, ttc_purpose purpose, const search_limit
     return c;
 }
 
-/* The system, or one in which no division waits for a root, if this is a shorter way from states to outputs for at most a
+/* The workspace, or one in which no division waits for a root, if this is a shorter way from states to outputs for at most a
  * thirtieth more work: an integration waits for each of its calls, while a batch is as slow as its operations are many.
  * Takes ownership. */
-static choice choose_quick(ttc_system *system, ttc_purpose purpose, const search_limits *limits)
+static choice choose_quick(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
-    choice c = choose(system, purpose, limits);
-    ttc_system *other = purpose == TTC_FOR_JETS ? NULL : ttc_system_clone(system);
-    if (other == NULL || !ttc_system_divide_by_radicands(other)) {
-        ttc_system_destroy(other);
+    choice c = choose(workspace, purpose, limits);
+    ttc_workspace *other = purpose == TTC_FOR_JETS ? NULL : ttc_workspace_clone(workspace);
+    if (other == NULL || !ttc_workspace_divide_by_radicands(other)) {
+        ttc_workspace_destroy(other);
         return c;
     }
-    ttc_system_tidy(other);
+    ttc_workspace_tidy(other);
     choice o = choose(other, purpose, limits);
     bool is_quicker = !other->failed && o.rating.latency < c.rating.latency && 30 * o.rating.cost <= 31 * c.rating.cost;
-    ttc_system_destroy(is_quicker ? system : other);
+    ttc_workspace_destroy(is_quicker ? workspace : other);
     return is_quicker ? o : c;
 }
 
 ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_purpose purpose,
-                          ttc_effort effort, ttc_block *block)
+                          ttc_effort effort, ttc_prepared *prepared)
 {
-    ttc_system *starts[STARTS], *best = NULL;
+    ttc_workspace *starts[STARTS], *best = NULL;
     ttc_program *program = NULL, *scheduled = NULL;
     ttc_scale_ratios ratios = { 0 };
     bool ok = make_starts(starts, field, outputs, other, count);
@@ -256,12 +256,12 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
     if (ok) best = search_all(starts, efforts + effort);
     if (best != NULL) {
         choice c = choose_quick(best, purpose, efforts + effort);
-        program = finish(c.system, block, c.how);
-        ttc_system_destroy(c.system);
+        program = finish(c.workspace, prepared, c.how);
+        ttc_workspace_destroy(c.workspace);
     }
     if (program != NULL) scheduled = ttc_program_schedule(program);
     ttc_program_destroy(program);
-    for (int k = 0; k < STARTS; k++) ttc_system_destroy(starts[k]);
+    for (int k = 0; k < STARTS; k++) ttc_workspace_destroy(starts[k]);
     ttc_scale_ratios_clear(&ratios);
     return scheduled;
 }

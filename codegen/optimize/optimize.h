@@ -1,8 +1,8 @@
-/** From expressions to a short straight-line program on the prepared block. */
+/** From expressions to a short straight-line program on the prepared values. */
 #ifndef TTC_OPTIMIZE_H
 #define TTC_OPTIMIZE_H
 
-#include "fields/block.h"
+#include "fields/prepared.h"
 #include "optimize/program.h"
 
 /* What a program is for. */
@@ -16,10 +16,10 @@ typedef enum {
 /* How long the search for a short program may take. QUICK: a few of the ways that FULL tries. */
 typedef enum { TTC_EFFORT_QUICK, TTC_EFFORT_FULL } ttc_effort;
 
-/** The outputs, in the field's symbols, as a program on states and the prepared block, to which entries are added.
+/** The outputs, in the field's symbols, as a program on states and the prepared values, to which entries are added.
  *  other: the same functions written differently, a second place to start from; may be NULL.
  *  Returns NULL when memory is out. Cost: a fixed amount of search, see the table of efforts in optimize.c. */
 ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_purpose purpose,
-                          ttc_effort effort, ttc_block *block);
+                          ttc_effort effort, ttc_prepared *prepared);
 
 #endif

@@ -132,13 +132,13 @@ static fact expression_fact(ttc_field *field, ttc_id id)
 typedef struct {
     const ttc_program *program;
     ttc_field *field;
-    const ttc_block *block;
+    const ttc_prepared *prepared;
     fact *facts;
 } reading;
 
 static fact parameter_fact(const reading *r, uint32_t index)
 {
-    if (r->block != NULL) return expression_fact(r->field, ttc_block_at(r->block, index));
+    if (r->prepared != NULL) return expression_fact(r->field, ttc_prepared_at(r->prepared, index));
     return expression_fact(r->field, r->field->model->symbols[r->field->params[index]].node);
 }
 
@@ -183,10 +183,10 @@ static fact operation_fact(const reading *r, ttc_value value, ttc_loss *loss)
     }
 }
 
-bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field *field, const ttc_block *block)
+bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field *field, const ttc_prepared *prepared)
 {
     size_t n = ttc_program_size(program);
-    reading r = { program, field, block, calloc(n + 1, sizeof(fact)) };
+    reading r = { program, field, prepared, calloc(n + 1, sizeof(fact)) };
     if (r.facts == NULL) return false;
     for (ttc_value v = 0; v < n; v++) {
         const ttc_instruction *i = ttc_program_at(program, v);

@@ -3,7 +3,7 @@
 #ifndef TTC_PROGRAM_CANCEL_H
 #define TTC_PROGRAM_CANCEL_H
 
-#include "fields/block.h"
+#include "fields/prepared.h"
 #include "optimize/program.h"
 
 typedef enum {
@@ -15,11 +15,11 @@ typedef enum {
 /* Terms of opposite signs whose bounds keep |a| + |b| below this many times |a + b| lose two bits at most: no loss. */
 enum { TTC_HARMLESS_CANCELLATION = 4 };
 
-/** losses, shape (size of the program,). An addition is silent where its terms have one sign, from what is known of
+/** losses, shape (size of the program,). An addition keeps digits where its terms have one sign, from what is known of
  *  parameters, states and roots; where bounds keep the sum away from zero; and where both are exact: states, parameters,
- *  their products with powers of two. block: what parameters after the raw ones stand for; NULL: there are none.
+ *  their products with powers of two. prepared: what parameters after the raw ones stand for; NULL: there are none.
  *  False when memory is out. */
-bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field *field, const ttc_block *block);
+bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field *field, const ttc_prepared *prepared);
 
 /* The same for an expression as it stands: true when some sum in it, definitions included, can lose digits. */
 bool ttc_expression_cancels(ttc_field *field, ttc_id id);

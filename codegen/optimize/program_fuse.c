@@ -1,6 +1,6 @@
 /* Fused multiply-adds: a product that is used once, by a sum or difference, becomes one operation with it. And a
  * reciprocal that is used once, in a product, becomes a quotient. */
-#include "optimize/system_lower.h"
+#include "optimize/workspace_lower.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-/* Rewrites a program for another layout of its prepared block. */
+/* Rewrites a program for another layout of its prepared values. */
 #include "optimize/program.h"
 
 #include <stdlib.h>
@@ -16,6 +16,7 @@ ttc_program *ttc_program_renumber(const ttc_program *program, const uint32_t *nu
         if (i->op == TTC_OP_INPUT) renamed[k] = ttc_program_input(out, i->index);
         else if (i->op == TTC_OP_PARAMETER) renamed[k] = ttc_program_parameter(out, numbers[i->index]);
         else if (i->op == TTC_OP_CONSTANT) renamed[k] = ttc_program_constant(out, i->constant);
+        else if (i->op == TTC_OP_PI) renamed[k] = ttc_program_pi(out);
         else renamed[k] = ttc_program_copy(out, i->op, renamed[i->a], arity > 1 ? renamed[i->b] : TTC_NO_VALUE,
                                            arity > 2 ? renamed[i->c] : TTC_NO_VALUE);
         ok = renamed[k] != TTC_NO_VALUE;

@@ -14,7 +14,7 @@ typedef enum {
  * depend on them are left out: theirs is what the claim has to show. */
 void ttc_domain_add(ttc_task *task, ttc_conditions *conditions, ttc_domain_extent extent);
 
-/* What the sign of a parameter says of its value; for one without a sign it is of no use. */
+/* The relation to zero that a parameter's sign condition states. Not to be asked of a parameter without one. */
 ttc_relation ttc_domain_relation(ttc_sign sign);
 
 /* Requires of the value of a symbol what its record says of it; map: NULL, or the valuation in which `model` is seen. */
@@ -23,17 +23,17 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
 /* Requires everything that the domain of `model`, seen through `map`, demands: of an image under a map. */
 void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where);
 
-/* Of a root of another model that is given as an expression: its square is the radicand, and it is positive. */
+/* Requires of a root of another model, given as an expression, that its square is the radicand and that it is positive. */
 void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry);
 
-/* That no divisor of this role and owner is zero, seen through `map`, and none of the definitions in `used`, by symbol. */
+/* Requires that no divisor of this role and owner is zero, seen through `map`, and none of the definitions in `used`, by symbol. */
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where);
 
 /* Requires of the symbols under test what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task, const char *where);
 
-/* What the claim, and the domain, make use of, as the table is written. */
+/* The symbols that the claim and the domain use, as the table is written. */
 unsigned char *ttc_domain_support(const ttc_task *task); /* by symbol, for free(); NULL when memory is out */
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "read/model.h"
 
-/* The number in the image of the table's i-th state, or of any of its names; image->count: it is not given. */
+/* Index, among the entries of the image, of the table's i-th state, or of one of its names; image->count where it is not given. */
 size_t ttc_image_state(const ttc_image *image, const ttc_model *table, size_t i);
 size_t ttc_image_name(const ttc_image *image, const char *name);
 

@@ -3,7 +3,7 @@
  * A zero level h = 0 is factored. On a factor A s^d + ... of degree d <= 2 in a symbol s, s follows from the other symbols where
  * A is not zero; where A = 0 as well, that is one more level, and is cut in its turn. So the leaves cover every real point, and
  * what is shown at a generic point of a leaf holds on all of it, by continuity. */
-#include "prove/branch.h"
+#include "prove/subcase.h"
 #include "prove/domain.h"
 
 #include <flint/fmpz_mpoly_factor.h>
@@ -26,7 +26,7 @@ static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
         ttc_valuation_bind(field, bindings->items[i].symbol, bindings->items[i].expression);
 }
 
-static bool open_field(ttc_task *task, const ttc_branch *b, unsigned choices)
+static bool open_field(ttc_task *task, const ttc_subcase *b, unsigned choices)
 {
     const ttc_claim *family = ttc_task_family(task);
     task->field = ttc_valuation_create(task->model, choices);
@@ -62,7 +62,7 @@ static bool says_empty(ttc_ring_status status)
 
 /* Goals were met for the signs of roots that were in hand then; those that are not zero for the signs in hand now were left to
  * the signs for which they are. */
-static bool is_on_branch(ttc_task *task, const ttc_branch *b)
+static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
 {
     bool zero = true;
     ttc_ratio value;
@@ -105,7 +105,7 @@ static void check_foundations(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
-static void add_leads(ttc_task *task, const ttc_branch *b)
+static void add_leads(ttc_task *task, const ttc_subcase *b)
 {
     ttc_ratio lead;
     ttc_ratio_init(task->ring, &lead);
@@ -117,7 +117,7 @@ static void add_leads(ttc_task *task, const ttc_branch *b)
 }
 
 /* False: the leaf has no points. */
-static bool look_for_point(cover *c, const ttc_branch *b)
+static bool look_for_point(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     char *text = NULL;
@@ -143,7 +143,7 @@ static bool look_for_point(cover *c, const ttc_branch *b)
     return true;
 }
 
-static void place_leaf(ttc_task *task, const ttc_branch *b)
+static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
     task->is_thin = is_invariant(task) && b->is_degenerate;
     task->is_hidden = is_invariant(task) && b->is_orphan;
@@ -152,14 +152,14 @@ static void place_leaf(ttc_task *task, const ttc_branch *b)
 
 /* A component of a level of n relations takes away n dimensions at most. A leaf that takes away more lies within components that
  * other leaves show to be kept, and with them their real points. */
-static bool is_no_component(const ttc_task *task, const ttc_branch *b)
+static bool is_no_component(const ttc_task *task, const ttc_subcase *b)
 {
     return is_invariant(task) && !b->is_orphan && b->relation_count > task->claim->modulo_count + 1;
 }
 
 /* The claim on one leaf; every sign of roots that became rational is a leaf of its own. A verdict that is not final does not
  * keep other leaves from refuting the claim. */
-static void visit(cover *c, const ttc_branch *b)
+static void visit(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     bool again = true;
@@ -179,7 +179,7 @@ static void visit(cover *c, const ttc_branch *b)
             task->status = TTC_PROVED;
             task->remainder = NULL;
         }
-        bool is_here = is_on_branch(task, b), has_points = is_here && look_for_point(c, b);
+        bool is_here = is_in_subcase(task, b), has_points = is_here && look_for_point(c, b);
         c->skipped += is_here && !(has_points && task->has_point);
         if (has_points) {
             place_leaf(task, b);
@@ -203,10 +203,10 @@ static void visit(cover *c, const ttc_branch *b)
     }
 }
 
-static void descend(cover *c, const ttc_branch *b);
+static void descend(cover *c, const ttc_subcase *b);
 
 /* A solution changes the field, which is therefore built anew further down; ours is kept. */
-static void descend_apart(cover *c, const ttc_branch *b)
+static void descend_apart(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     ttc_valuation *field = task->field;
@@ -222,11 +222,11 @@ static void descend_apart(cover *c, const ttc_branch *b)
 
 /* factor = 0 solved; and, where what the solution divides by can vanish, that it vanishes as well. The goal stays: its norm
  * vanished, which says that some conjugate did. */
-static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor, bool is_alone)
+static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bool is_alone)
 {
-    ttc_branch solved = *b, degenerate = *b;
+    ttc_subcase solved = *b, degenerate = *b;
     ttc_id lead;
-    if (!ttc_branch_solve(&solved, &lead, c->task, factor)) {
+    if (!ttc_subcase_solve(&solved, &lead, c->task, factor)) {
         ttc_task_unsettle(c->task, "the zero level cannot be solved for a state or parameter, linearly or by a square root");
         return;
     }
@@ -237,7 +237,7 @@ static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor, boo
     degenerate.is_degenerate = true;
     degenerate.is_orphan |= c->task->kept == kept || c->skipped > skipped;
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
-    ttc_id itself = ttc_branch_expression(c->task, factor);
+    ttc_id itself = ttc_subcase_expression(c->task, factor);
     if (degenerate.goal_count + 2 > sizeof degenerate.goals / sizeof *degenerate.goals) {
         ttc_task_unsettle(c->task, "the zero level falls into too many cases");
         return;
@@ -254,13 +254,13 @@ static ttc_id others_of(ttc_task *task, const fmpz_mpoly_factor_t factors, slong
     ttc_id product = TTC_NONE;
     for (slong i = 0; i < factors->num; i++) {
         if (i == one) continue;
-        ttc_id other = ttc_branch_expression(task, factors->poly + i);
+        ttc_id other = ttc_subcase_expression(task, factors->poly + i);
         product = product == TTC_NONE ? other : ttc_multiply(task->model->graph, product, other);
     }
     return product;
 }
 
-static void follow_factors(cover *c, const ttc_branch *b, const fmpz_mpoly_t norm)
+static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t norm)
 {
     ttc_task *task = c->task;
     fmpz_mpoly_factor_t factors;
@@ -268,15 +268,15 @@ static void follow_factors(cover *c, const ttc_branch *b, const fmpz_mpoly_t nor
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
-        ttc_branch one = *b;
+        ttc_subcase one = *b;
         if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = others_of(task, factors, i);
         follow(c, &one, factors->poly + i, factors->num == 1);
     }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
 
-/* The next relation of the branch, in the field that the earlier ones have made. */
-static void meet(cover *c, const ttc_branch *b)
+/* The next relation of the subcase, in the field that the earlier ones have made. */
+static void meet(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     ttc_ratio value;
@@ -295,7 +295,7 @@ static void meet(cover *c, const ttc_branch *b)
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
-        ttc_branch next = *b;
+        ttc_subcase next = *b;
         ttc_id goal = next.goals[--next.goal_count];
         if (next.met_count < sizeof next.met / sizeof *next.met) next.met[next.met_count++] = goal;
         else ttc_task_unsettle(task, "the zero level falls into too many cases");
@@ -307,7 +307,7 @@ static void meet(cover *c, const ttc_branch *b)
     ttc_ratio_clear(task->ring, &value);
 }
 
-static void descend(cover *c, const ttc_branch *b)
+static void descend(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     bool again = true;
@@ -321,7 +321,7 @@ static void descend(cover *c, const ttc_branch *b)
             ttc_task_unsettle(task, "its conditions fall into more than %d cases, or memory is out", (int)LEAF_LIMIT);
             return;
         }
-        if (is_on_branch(task, b)) meet(c, b);
+        if (is_in_subcase(task, b)) meet(c, b);
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;
         close_field(task);
@@ -352,9 +352,9 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
 {
     const ttc_claim *claim = task->claim;
     cover c = { .task = task, .prover = prover };
-    ttc_branch start = { .solution_count = 0 };
-    if (claim->modulo_count + 1 > TTC_BRANCH_RELATIONS_MAX) {
-        ttc_task_unsettle(task, "more than %d zero levels", TTC_BRANCH_RELATIONS_MAX - 1);
+    ttc_subcase start = { .solution_count = 0 };
+    if (claim->modulo_count + 1 > TTC_SUBCASE_RELATIONS_MAX) {
+        ttc_task_unsettle(task, "more than %d zero levels", TTC_SUBCASE_RELATIONS_MAX - 1);
         return;
     }
     /* Last in, first met: the invariant's own level after those that it is restricted to. */

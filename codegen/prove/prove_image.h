@@ -1,4 +1,4 @@
-/** What is shown of images in another table, on either side: by sections, and by tables that serve in place of each other. */
+/** Parts of proofs about images in another table, which provers of sections and of reductions, embeddings and lifts share. */
 #ifndef TTC_PROVE_IMAGE_H
 #define TTC_PROVE_IMAGE_H
 

@@ -1,4 +1,4 @@
-/** What the provers of the claim kinds share: one claim, in one field, on one branch of what its conditions allow.
+/** What the provers of the claim kinds share: one claim, in one field, in one subcase of what its conditions allow.
  *
  *  A claim is about the real points of the table's domain that meet its conditions. They are covered by leaves: on each, some
  *  symbols follow from the others, which are free. A prover looks at one leaf; what it requires there is either shown for all

@@ -13,8 +13,8 @@
 typedef struct {
     ttc_valuation *valuation;
     ttc_ring *ring;
-    ttc_ratio *inputs, *block; /* block: parameters, then what `prepare` adds */
-    size_t input_count, parameter_count, block_count;
+    ttc_ratio *inputs, *prepared; /* prepared: parameters, then what `prepare` adds */
+    size_t input_count, parameter_count, prepared_count;
 } reading;
 
 /* The outputs of one program. */
@@ -66,37 +66,37 @@ static bool open_reading(reading *r, const ttc_kernels *kernels, bool lifted_fre
     if (r->valuation == NULL) return false;
     r->ring = ttc_valuation_ring(r->valuation);
     bind_field(r->valuation, field, lifted_free);
-    outputs inputs, block;
+    outputs inputs, prepared;
     bool ok = allocate_outputs(r, &inputs, field->state_count);
     r->inputs = inputs.items;
     r->input_count = inputs.count;
-    ok = allocate_outputs(r, &block, field->param_count + ttc_program_output_count(kernels->prepare)) && ok;
-    r->block = block.items;
-    r->block_count = block.count;
+    ok = allocate_outputs(r, &prepared, field->param_count + ttc_program_output_count(kernels->prepare)) && ok;
+    r->prepared = prepared.items;
+    r->prepared_count = prepared.count;
     if (!ok) return false;
     r->parameter_count = field->param_count;
     for (size_t i = 0; i < field->state_count; i++)
         ttc_evaluate(r->valuation, &r->inputs[i], field->model->symbols[field->states[i]].node);
     for (size_t i = 0; i < field->param_count; i++)
-        ttc_evaluate(r->valuation, &r->block[i], field->model->symbols[field->params[i]].node);
-    return ttc_program_read(kernels->prepare, r->valuation, r->inputs, r->input_count, r->block, r->parameter_count,
-                            r->block + field->param_count);
+        ttc_evaluate(r->valuation, &r->prepared[i], field->model->symbols[field->params[i]].node);
+    return ttc_program_read(kernels->prepare, r->valuation, r->inputs, r->input_count, r->prepared, r->parameter_count,
+                            r->prepared + field->param_count);
 }
 
 static void close_reading(reading *r)
 {
-    outputs inputs = { r->inputs, r->input_count }, block = { r->block, r->block_count };
+    outputs inputs = { r->inputs, r->input_count }, prepared = { r->prepared, r->prepared_count };
     if (r->valuation == NULL) return;
     free_outputs(r, &inputs);
-    free_outputs(r, &block);
+    free_outputs(r, &prepared);
     ttc_valuation_destroy(r->valuation);
 }
 
-static bool read_program(reading *r, const ttc_program *program, bool prepared, outputs *o)
+static bool read_program(reading *r, const ttc_program *program, bool is_prepared, outputs *o)
 {
     return allocate_outputs(r, o, ttc_program_output_count(program))
-           && ttc_program_read(program, r->valuation, r->inputs, r->input_count, r->block,
-                               prepared ? r->block_count : r->parameter_count, o->items);
+           && ttc_program_read(program, r->valuation, r->inputs, r->input_count, r->prepared,
+                               is_prepared ? r->prepared_count : r->parameter_count, o->items);
 }
 
 /* What the table says of output `index`, in the related ring. False: nothing directly, it is a derivative. */
@@ -243,7 +243,7 @@ static void compare(proof *p, reading *r, const ttc_ratio *found, ttc_ratio *exp
 }
 
 /* Outputs that the table gives directly, on the relations of the roots. */
-static void check_against_model(proof *p, ttc_kernel_kind kind, const ttc_program *program, bool prepared)
+static void check_against_model(proof *p, ttc_kernel_kind kind, const ttc_program *program, bool is_prepared)
 {
     reading *r = &p->related;
     ttc_ratio expected;
@@ -251,10 +251,10 @@ static void check_against_model(proof *p, ttc_kernel_kind kind, const ttc_progra
     use(p, r);
     ttc_ratio_init(r->ring, &expected);
     bool direct = p->kernels->kernels[kind].count > 0 && from_model(p, &expected, kind, 0);
-    if (direct && !read_program(r, program, prepared, &found)) p->out_of_memory = true;
+    if (direct && !read_program(r, program, is_prepared, &found)) p->out_of_memory = true;
     for (size_t i = 0; i < found.count && is_open(p); i++) {
         from_model(p, &expected, kind, i);
-        compare(p, r, &found.items[i], &expected, prepared ? "optimized" : "reference", i);
+        compare(p, r, &found.items[i], &expected, is_prepared ? "optimized" : "reference", i);
     }
     free_outputs(r, &found);
     ttc_ratio_clear(r->ring, &expected);
@@ -371,9 +371,9 @@ static bool prove_field(const ttc_kernels *kernels, ttc_proof_report *report)
     return ok;
 }
 
-bool ttc_prove_kernels(const ttc_plan *plan, ttc_proof_report *report)
+bool ttc_prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report)
 {
-    for (size_t i = 0; i < plan->count; i++)
-        if (plan->fields[i].kernels != NULL && !prove_field(plan->fields[i].kernels, report)) return false;
+    for (size_t i = 0; i < catalogue->count; i++)
+        if (catalogue->fields[i].kernels != NULL && !prove_field(catalogue->fields[i].kernels, report)) return false;
     return true;
 }

@@ -7,11 +7,11 @@
 #ifndef TTC_PROVE_KERNELS_H
 #define TTC_PROVE_KERNELS_H
 
-#include "kernels/plan.h"
+#include "kernels/catalogue.h"
 #include "prove/prove.h"
 
-/** Append to `report` one proof a kernel of the plan: kind "kernel", name "FIELD KERNEL". Its totals are brought up to date.
+/** Append to `report` one proof a kernel of the catalogue: kind "kernel", name "FIELD KERNEL". Its totals are brought up to date.
  *  Returns false when memory is out; the report is then still valid. Cost: seconds for tables of a dozen states. */
-bool ttc_prove_kernels(const ttc_plan *plan, ttc_proof_report *report);
+bool ttc_prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report);
 
 #endif

@@ -7,7 +7,7 @@
 bool ttc_show_row(FILE *stream, const ttc_model *model, const char *name, ttc_id id, ttc_notation notation);
 const char *ttc_show_end_of_row(ttc_notation notation, bool is_last);
 
-/* What gives the names of another table, one a row. */
+/* The expressions that give the names of another table, one a row. */
 bool ttc_show_image(FILE *stream, const ttc_model *model, const ttc_claim *claim, const ttc_image *image,
                     ttc_notation notation);
 

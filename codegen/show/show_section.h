@@ -1,4 +1,4 @@
-/** What the records about sections say, for the eye. False as in show.h. */
+/** Shows the records on sections and poles. Returns false as in show.h. */
 #ifndef TTC_SHOW_SECTION_H
 #define TTC_SHOW_SECTION_H
 

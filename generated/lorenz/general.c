@@ -264,7 +264,7 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .sha256 = "2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_lorenz, .family = jlt_family_lorenz, .claims = jlt_claims_lorenz,
-    .state_count = 3, .param_count = 3, .block_count = 6,
+    .state_count = 3, .param_count = 3, .prepared_count = 6,
     .states = states,
     .params = params,
     .prepare = prepare,

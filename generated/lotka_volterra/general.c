@@ -244,7 +244,7 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
     .sha256 = "74bd0797ba37376d0028cd3ec35e564e70e4bcb97d50e051e73f40b6925219f8",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_lotka_volterra, .family = jlt_family_lotka_volterra, .claims = jlt_claims_lotka_volterra,
-    .state_count = 2, .param_count = 4, .block_count = 5,
+    .state_count = 2, .param_count = 4, .prepared_count = 5,
     .states = states,
     .params = params,
     .prepare = prepare,

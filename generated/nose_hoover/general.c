@@ -197,7 +197,7 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .sha256 = "0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_nose_hoover, .family = jlt_family_nose_hoover, .claims = jlt_claims_nose_hoover,
-    .state_count = 3, .param_count = 2, .block_count = 6,
+    .state_count = 3, .param_count = 2, .prepared_count = 6,
     .states = states,
     .params = params,
     .prepare = prepare,

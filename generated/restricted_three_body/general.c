@@ -373,7 +373,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .sha256 = "017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_restricted_three_body, .family = jlt_family_restricted_three_body, .claims = jlt_claims_restricted_three_body,
-    .state_count = 4, .param_count = 1, .block_count = 5,
+    .state_count = 4, .param_count = 1, .prepared_count = 5,
     .states = states,
     .params = params,
     .prepare = prepare,

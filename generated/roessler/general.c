@@ -211,7 +211,7 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .sha256 = "7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_roessler, .family = jlt_family_roessler, .claims = jlt_claims_roessler,
-    .state_count = 3, .param_count = 3, .block_count = 4,
+    .state_count = 3, .param_count = 3, .prepared_count = 4,
     .states = states,
     .params = params,
     .prepare = prepare,

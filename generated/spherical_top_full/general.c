@@ -2016,7 +2016,7 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .sha256 = "8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_full, .family = jlt_family_spherical_top_full, .claims = jlt_claims_spherical_top_full,
-    .state_count = 17, .param_count = 6, .block_count = 42,
+    .state_count = 17, .param_count = 6, .prepared_count = 42,
     .states = states,
     .params = params,
     .prepare = prepare,

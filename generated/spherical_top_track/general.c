@@ -989,7 +989,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .sha256 = "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
-    .state_count = 9, .param_count = 6, .block_count = 42,
+    .state_count = 9, .param_count = 6, .prepared_count = 42,
     .states = states,
     .params = params,
     .prepare = prepare,

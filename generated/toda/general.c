@@ -388,7 +388,7 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .sha256 = "79463385d67ae1dc70b05259d1ce33196f59471c740553d39ca06f4200dd41de",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_toda, .family = jlt_family_toda, .claims = jlt_claims_toda,
-    .state_count = 6, .param_count = 1, .block_count = 2,
+    .state_count = 6, .param_count = 1, .prepared_count = 2,
     .states = states,
     .params = params,
     .prepare = prepare,

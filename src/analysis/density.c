@@ -152,8 +152,8 @@ jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, 
     for (size_t k = 0; k < samples; k++) {
         jlt_density_draw_state(x, d, random);
         if (size_of_terms(&size, instance, x) != JLT_OK ||
-            jlt_kernel_eval(density, &d->measure_values, x, d->state_count, instance->block) != JLT_OK ||
-            jlt_kernel_eval(divergence, &d->measure_divergences, x, d->state_count, instance->block) != JLT_OK)
+            jlt_kernel_eval(density, &d->measure_values, x, d->state_count, instance->prepared) != JLT_OK ||
+            jlt_kernel_eval(divergence, &d->measure_divergences, x, d->state_count, instance->prepared) != JLT_OK)
             continue;
         used++;
         for (unsigned i = 0; i < d->measure_count; i++)

@@ -55,13 +55,13 @@ const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstab
 void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
                                 const double *params);
 
-/** The residual alone, and which variant computed it. Out: f, residual, residual_ratio, jacobian, gradients,
+/** Compute the residual alone, and choose the variant. Out: f, residual, residual_ratio, jacobian, gradients,
  *  integrals, descriptor, n of *result.
  *  Errors: as jlt_linearization_compute, but a large residual is none. */
 JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor,
                                                   const double *params, const double *x);
 
-/** The whole report.
+/** Compute the whole report.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
  *  In:  descriptor, the general field of a model; params, shape (params,); x, shape (states,); jacobian_error, shape (n, n),
  *       bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff;

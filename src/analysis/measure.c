@@ -33,7 +33,7 @@ static jlt_status density_at(double *density, const jlt_instance *instance, unsi
     jlt_status st;
 
     if (d->measure_count > STATES_MAX) return JLT_ERR_UNSUPPORTED;
-    st = jlt_kernel_eval(values, &d->measure_values, x, d->state_count, instance->block);
+    st = jlt_kernel_eval(values, &d->measure_values, x, d->state_count, instance->prepared);
     if (st == JLT_OK) *density = values[which];
     return st;
 }

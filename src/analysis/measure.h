@@ -1,5 +1,5 @@
-/** What is found of an invariant measure: the density of one state alone, computed from the divergence, beside those that the
- *  table claims; or an equilibrium that excludes one. */
+/** Search for an invariant measure: a density that depends on one state, computed from the divergence and compared with those that the
+ *  table claims; or an equilibrium that excludes any. */
 #ifndef JLT_ANALYSIS_MEASURE_H
 #define JLT_ANALYSIS_MEASURE_H
 
@@ -26,6 +26,8 @@ typedef struct {
     double difference, difference_bound; /* relative; the bound is the quadrature's estimate and 1e-12 for rounding */
 } jlt_measure_attempt;
 
+/** Try every state, and tabulate the density, count rows, along the state of least defect. Give *attempt to jlt_measure_clear
+ *  whatever is returned. In/out: random, advanced. Errors: those of density.h; NOMEM. */
 JLT_CHECKED jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count,
                                        jlt_random *random);
 void jlt_measure_clear(jlt_measure_attempt *attempt); /* legal when zeroed */
@@ -39,9 +41,10 @@ typedef struct {
     jlt_linearization obstruction;
 } jlt_measure_finding;
 
-/** All of it. In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed
- *  before, is to be given to jlt_measure_forget whatever is returned. Errors: UNSUPPORTED (no kernel serves, or too many
- *  densities); those of density.h; NOMEM. */
+/** The attempt, the residuals of the densities claimed, and the search for an obstruction.
+ *  In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed before, is to be
+ *  given to jlt_measure_forget whatever is returned.
+ *  Errors: UNSUPPORTED (no kernel serves, or too many densities); those of density.h; NOMEM. */
 JLT_CHECKED jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
                                         size_t count, jlt_random *random);
 void jlt_measure_forget(jlt_measure_finding *finding);

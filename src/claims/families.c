@@ -202,7 +202,7 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
     if (st != JLT_OK) goto done;
     JLT_TRY(jlt_instance_rhs(instance, field, s->x));
     JLT_TRY(jlt_instance_jacobian(instance, jacobian, s->x));
-    JLT_TRY(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->block));
+    JLT_TRY(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->prepared));
     JLT_TRY(jlt_instance_divergence(instance, &divergence, s->x));
     for (size_t i = 0; i < n; i++)
         record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]), 0.0,

@@ -21,7 +21,8 @@ struct jlt_chart {
     double level;
     const char *names[JLT_CHART_DIM_MAX]; /* of the coordinates; a single one is followed by "", since pictures show two */
     double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
-    double turn;                         /* period of x[column], of which the section is then every level + k turn; 0: none */
+    double turn;                         /* period of x[column] where it is an angle: the section is x[column] = level + k turn for every
+                                            integer k; 0: it is none */
     unsigned solved_count;               /* states that the levels determine, and which they are */
     unsigned solved[JLT_INVARIANTS_MAX];
     const jlt_quantity *bounds;          /* (states,): a lift lies within their open intervals; NULL: anywhere */
@@ -38,7 +39,8 @@ struct jlt_chart {
     /* Density, in the coordinates q, of the flux of volume through the section on its levels; f = dx/dtau at x. */
     double (*flux)(const jlt_chart *self, const double *x, const double *f);
 
-    /* Side (+1, -1) of the pole at which a state has ended, what vanishes there being put to zero. NULL: there are no poles. */
+    /* Side (+1, -1) of the pole at which an orbit has ended in the state x; components of x that vanish at the pole are set to 0.
+     * NULL: the section has no poles. */
     int (*side)(const jlt_chart *self, double *x);
 };
 

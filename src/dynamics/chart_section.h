@@ -15,13 +15,13 @@ typedef struct {
     jlt_chart base;
     const jlt_descriptor *table; /* the section's field */
     const jlt_section_chart *section;
-    unsigned plain;              /* states without lifted roots, which stand after them */
+    unsigned plain;              /* number of states that are no lifted roots; the roots stand after them */
     double values[JLT_CHART_VALUES_MAX]; /* parameters of the table, then levels */
 } jlt_chart_section;
 
-/** section: one of the table's, a general field with all its states. values: shape (param_count + level_count,), copied.
- *  It is reversible where a reversor that the table proves keeps the section and changes signs of coordinates alone: so found at
- *  points where there are states.
+/** Make the chart. In: table, a general field with all its states; section, one of its sections; values, shape (param_count +
+ *  level_count,), copied. The chart is reversible if a reversor that the table proves keeps the section and only changes signs of
+ *  coordinates, which is tested at points of the section.
  *  Errors: UNSUPPORTED, more values, coordinates or states than there is room for, or not as many coordinates and levels as states. */
 JLT_CHECKED jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *table, const jlt_section_chart *section,
                                               const double *values);
@@ -29,9 +29,9 @@ JLT_CHECKED jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_
 /** True where the section has a state at q, shape (dim,): q lies within the coordinates' intervals, and the region holds there. */
 bool jlt_chart_section_holds(const jlt_chart_section *self, const double *q);
 
-/** Points q, shape (dim,), that cover the coordinates' intervals, of which unbounded ones are seen for two units: number `index` of
- *  jlt_chart_section_points. A coordinate is looked at in so many places, the first of them quickest: angles in `angles`, all others in
- *  as many as make 4096 of them together. */
+/** A grid of points that covers the coordinates' intervals; of an unbounded interval two units are covered. Each angle takes `angles`
+ *  values, the other coordinates as many as make about 4096 combinations together. _points: how many points the grid has; _places:
+ *  how many values one coordinate takes; _point: q, shape (dim,), of point `index`, the first coordinate varying fastest. */
 size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles);
 unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles);
 void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles);

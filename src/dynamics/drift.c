@@ -90,7 +90,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
 {
     const jlt_descriptor *d = self->system->instance->descriptor;
     const jlt_kernel_function integrals = d->integral_values.call;
-    const double *block = self->system->field.p;
+    const double *prepared = self->system->field.p;
     double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now), *gradients = now + d->integral_count;
     jlt_flow flow = self->system->flow;
     jlt_section *section = NULL;
@@ -102,8 +102,8 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
     if (now == NULL) goto done;
     JLT_TRY(jlt_section_create(&section, &flow));
     JLT_TRY(jlt_section_start(section, &at, self->q, 1));
-    integrals(at.x, block, now);
-    d->integral_gradients.call(at.x, block, gradients);
+    integrals(at.x, prepared, now);
+    d->integral_gradients.call(at.x, prepared, gradients);
     set_first(self, now, gradients, at.x);
     for (size_t i = 1, steps, evaluations; i <= self->returns && !self->stopped; i++) {
         JLT_TRY(jlt_section_next(section, &at));
@@ -118,7 +118,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
             end->returns = i - 1;
             break;
         }
-        integrals(at.x, block, now);
+        integrals(at.x, prepared, now);
         jlt_section_cost(section, &steps, &evaluations);
         JLT_TRY(jlt_drift_note(self, i, at.t, evaluations, now));
     }

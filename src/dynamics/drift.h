@@ -10,11 +10,11 @@ enum { JLT_DRIFT_ROWS_MAX = 64 }; /* powers of two */
 
 typedef struct {
     size_t returns;
-    double t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched: |F - F(start)| by its size */
+    double t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched: |F - F(start)|/|F(start)| */
     size_t evaluations;
 } jlt_drift_row;
 
-/* What may come before all returns are done. */
+/* How the orbit ended before all returns were done. */
 typedef struct {
     char name[JLT_FATE_TEXT_MAX]; /* as fates are called; "": none */
     double t;                     /* in the table's unit */
@@ -43,7 +43,7 @@ typedef struct {
  *  returns, which count no turns, it then tells nothing of drift. Errors: as the chart's lift; NOMEM. */
 JLT_CHECKED jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral);
 
-/** One method over all returns of the section, or to the orbit's end. The drift is divided by |F(start)|, or not where that is
+/** Follow the orbit from self->q with one method, for all returns or to its end. The drift is divided by |F(start)|, or not where that is
  *  0 or no more than rounding. Errors: NONFINITE, an integral; those of the section. */
 JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method);
 
@@ -51,8 +51,9 @@ JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, co
  *  four doublings; NaN where fewer than three of the rows (count,) have one. */
 double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k);
 
-/** For those who follow orbits of their own: before the first return, with first and sizes set; after each, with the integrals
- *  (of the kernel) there; and at last. Errors of the second: NONFINITE. */
+/** The parts of jlt_drift_section, for callers that follow the orbit themselves. Call _begin before the first return, with first and
+ *  sizes set; _note after each return, with `now`, shape (integral_count,), the kernel's integrals at that point; _finish after the last.
+ *  Errors of _note: NONFINITE. */
 void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end);
 JLT_CHECKED jlt_status jlt_drift_note(jlt_drift *self, size_t returns, double t, size_t evaluations, const double *now);
 void jlt_drift_finish(jlt_drift *self, const jlt_drift_end *end);

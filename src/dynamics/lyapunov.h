@@ -12,7 +12,7 @@ typedef struct {
     double t;
     double exponents[JLT_CHART_DIM_MAX]; /* per time, largest first in the limit */
     size_t blurred;   /* returns that stretch more than rounding can tell: exponents between the first and the last are in doubt */
-    double sum_check; /* mean divergence along the orbit: equals the sum of the exponents up to the ends' flux over t */
+    double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX];
 } jlt_lyapunov_state;
 

@@ -2,7 +2,7 @@
  *  kernels. What comes out for a point depends neither on the others, nor on their order, nor on the number of threads.
  *
  *  A lane ends early near a pole, or when its orbit has all but come to rest. Such an orbit is followed on from there by the
- *  flow's own method, alone, so that its fate is the one that a jlt_map finds. So are all orbits where no lanes can go: on sections
+ *  flow's own method, alone, so that its fate is the one that a jlt_map finds. So are all orbits where lanes do not serve: on sections
  *  other than STATE = 0, or of a state with turns, with an end in time, or of many states. */
 #ifndef JLT_DYNAMICS_MAP_BATCH_H
 #define JLT_DYNAMICS_MAP_BATCH_H
@@ -33,7 +33,7 @@ typedef struct {
                                   where it is largest */
 } jlt_map_images;
 
-/** Arrays of all images, of one block each, for so many points of a section with d coordinates. Errors: NOMEM. */
+/** Allocate the arrays for the images of count points of a section with d coordinates. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_map_batch_images(jlt_map_images *out, unsigned d, size_t count);
 void jlt_map_batch_images_clear(jlt_map_images *self); /* legal on zeroed ones */
 

@@ -5,13 +5,14 @@
 
 #include "dynamics/section.h"
 
-/** The varied state that a point q begins as, and the flux there. Errors: as the chart's lift; DOMAIN, it is at rest. */
+/** Make the varied state with which the orbit from q, shape (dim,), starts, and the density of flux there.
+ *  Errors: as the chart's lift; DOMAIN, it is at rest. */
 JLT_CHECKED jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *flow, const double *q);
 
 typedef struct {
     double f[JLT_CHART_STATES_MAX]; /* the field at the return */
     double determinant;             /* of DP */
-    double told;                    /* what flux and divergence say of its size */
+    double told;                    /* the same from flux and divergence, by the identity in map.h */
     double size;                    /* the product of DP's row lengths, which rounding errors of both are relative to */
 } jlt_map_return;
 
@@ -20,6 +21,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
                                           double flux);
 
+/** Euclidean length of a row, shape (d,). */
 double jlt_map_return_row_length(const double *row, unsigned d);
 
 #endif

@@ -5,7 +5,8 @@
 
 #include "dynamics/orbits.h"
 
-/** Add what is found to the list. What comes out does not depend on the number of threads. Errors: as jlt_orbits_search. */
+/** Search from every start of the grid in `options`, and add the orbits found to the list. The result does not depend on the number of
+ *  threads. Errors: as jlt_orbits_search. */
 JLT_CHECKED jlt_status jlt_orbits_grid(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options);
 
 #endif

@@ -20,7 +20,7 @@ const char *jlt_periodic_type_name(jlt_orbit_type type);
 
 typedef struct {
     size_t period;                                       /* primitive, <= JLT_PERIODIC_MAX */
-    double points[JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
+    double points[(size_t)JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
     double T;                                            /* time of the whole orbit */
     double slope[4];         /* D(P^period) at the first point; on sections of two coordinates alone */
     double trace;

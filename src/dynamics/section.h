@@ -13,7 +13,7 @@
 typedef struct {
     const jlt_chart *chart;
     const jlt_field *field;
-    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's block; NULL: field->jacobian beside field->call */
+    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's prepared values; NULL: field->jacobian beside field->call */
     const jlt_method *method;         /* default: the first of the table */
     double tolerance;                 /* see integrate/method.h; default 1e-12 */
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */

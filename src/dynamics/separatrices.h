@@ -19,7 +19,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
                                              const jlt_manifold_options *options);
 
-/** After that, where they cross. Errors: those of jlt_homoclinic_find. */
+/** Find where the grown branches cross: fills crossings and count. Errors: those of jlt_homoclinic_find. */
 JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self);
 void jlt_separatrices_clear(jlt_separatrices *self); /* legal when zeroed */
 

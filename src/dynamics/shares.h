@@ -1,4 +1,5 @@
-/** How orbits of a section end, counted: all of them, and those that begin low, of sections whose tables say which those are. */
+/** Counts of how orbits of a section end. A section's table may say which starts are low and which ends are turned over (its clause
+ *  `turns`); orbits that begin low are then counted separately too. */
 #ifndef JLT_DYNAMICS_SHARES_H
 #define JLT_DYNAMICS_SHARES_H
 
@@ -8,19 +9,20 @@
 /* Zeroed is empty. */
 typedef struct {
     jlt_fates_count all, low;
-    jlt_fate turned; /* what has become of low ones that turned over */
+    jlt_fate turned; /* the fate of low ones that turned over */
     size_t empty;    /* points of a grid without a state */
 } jlt_shares;
 
-/** Whether the section says which orbits turn over. */
+/** Whether the section's table says which orbits turn over. */
 bool jlt_shares_turn(const jlt_system *system);
 
+/** Count the orbit that started at q, shape (dim,), and ended so. */
 void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end);
 
-/** Those that the method failed on. */
+/** How many orbits the method failed on. */
 size_t jlt_shares_failed(const jlt_shares *sum);
 
-/** Those on which the model's conditions held throughout. */
+/** On how many orbits the model's conditions held throughout. */
 size_t jlt_shares_held(const jlt_shares *sum);
 
 #endif

@@ -21,7 +21,7 @@ void jlt_shooting_reset(jlt_shooting *self);
 void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index, const double *q,
                       const double *slope, const double measured[4]);
 
-/** All returns by a map. Errors: those of jlt_map_apply. */
+/** Fill all returns by a map. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_shooting_of(jlt_shooting *out, jlt_map *map, const double *points, size_t period);
 
 #endif

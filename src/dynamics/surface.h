@@ -13,7 +13,7 @@
 /* Starts with the default values, by the names of the records: of a regular orbit, of a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
-/** Plain data. Values are the parameters of the table that are no levels, in its order, and then the levels. */
+/** Plain data. Its values are the parameters of the table that are no levels, in the table's order, then the levels. */
 typedef struct jlt_surface {
     const jlt_descriptor *asked;      /* the general field from which it was found */
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */
@@ -21,7 +21,7 @@ typedef struct jlt_surface {
     unsigned count, params;           /* of values: the parameters stand first, levels after them */
     const char *names[JLT_CHART_VALUES_MAX];   /* (count,) */
     double defaults[JLT_CHART_VALUES_MAX];     /* (count,); NaN where the tables have none */
-    unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): where the kernels of the section have each */
+    unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels */
 } jlt_surface;
 
 /** The section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those that are
@@ -40,24 +40,25 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
  *  options; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options);
 
-/** `make` of jlt_system_family as one of the values runs, with a jlt_surface_family as context. Errors: as jlt_surface_system. */
+/** A family of systems in one of the values: jlt_surface_at is the `make` of a jlt_system_family, with this as its context. */
 typedef struct {
     jlt_surface surface;
     double values[JLT_CHART_VALUES_MAX];
-    unsigned runs; /* the index of the value that does */
+    unsigned runs; /* index of the value that varies */
     jlt_flow options;
 } jlt_surface_family;
 
-/** A family with all values as they are by default, of which the one called `runs` does; crossed upwards, all else by default.
+/** Make the family in which the value named `runs` varies, and all others have their defaults; upward crossings count.
  *  Errors: ARG, no such value; UNSUPPORTED, as jlt_surface_find, or not proved. */
 JLT_CHECKED jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor *asked, const char *runs);
+/** The system at one value. Errors: as jlt_surface_system. */
 JLT_CHECKED jlt_status jlt_surface_at(void *surface_family, jlt_system **out, double value);
 
-/** Of a system made so: its chart in the table's units; that of the flow is in the flow's. */
+/** The chart, in the table's units, of a system that jlt_surface_system made; its flow.chart is in the flow's units. */
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system);
 
-/** Where the section has points in a coordinate, whatever the others: scanned, and refined by bisection; the widest interval where there
- *  are several. False: the coordinate is an angle, or not bounded; or there are none. */
+/** The values of one coordinate for which the section has a point, whatever the others are: an interval with ends refined by bisection,
+ *  the widest one where there are several. False: the coordinate is an angle, or not bounded; or there are none. */
 bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high);
 
 /** What is shown beside the coordinates, and at the end of an orbit: shape (section->beside_count,), (section->ending_count,), at a
@@ -68,8 +69,8 @@ void jlt_surface_ending(double *out, const jlt_system *system, const double *x);
 /** The coordinates, shape (dim,), of a state of a row off the section: angles are NaN. */
 void jlt_surface_off_section(double *q, const jlt_system *system, const double *x);
 
-/** Whether an orbit that starts at q has yet to turn; and the fate by which such an orbit has turned. False, and ALIVE, where the
- *  section says nothing of turning. */
+/** is_low: whether an orbit that starts at q, shape (dim,), has yet to turn over; turned_at: the fate by which it then turns over.
+ *  Without the clause `turns` in the table these are false and ALIVE. */
 bool jlt_surface_is_low(const jlt_system *system, const double *q);
 jlt_fate jlt_surface_turned_at(const jlt_system *system);
 

@@ -13,7 +13,7 @@ jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, c
 
     if (descriptor == NULL || descriptor->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
     JLT_TRY(jlt_instance_create_in(&self->instance, descriptor, params, units));
-    JLT_TRY(jlt_field_of(&self->field, descriptor, self->instance->block));
+    JLT_TRY(jlt_field_of(&self->field, descriptor, self->instance->prepared));
     if (options != NULL) self->flow = *options;
     else self->flow.direction = JLT_RISING;
     self->flow.field = &self->field;

@@ -7,7 +7,7 @@
 #include "kernel/instance.h"
 
 typedef struct {
-    jlt_instance *instance; /* its block in the flow's units */
+    jlt_instance *instance; /* its prepared values in the flow's units */
     jlt_observed *observed;
     jlt_units units;
     const struct jlt_surface *surface; /* of a section that tables describe (dynamics/surface.h); NULL: a plane */

@@ -4,7 +4,7 @@
 
 #include "dynamics/continuation.h"
 
-/* How a branch ended, or that none was found. */
+/* How a branch ended, or that none was found at a bifurcation. */
 typedef struct {
     bool found;
     size_t branch;
@@ -16,7 +16,7 @@ typedef struct {
     jlt_continuation_end end;             /* where that is JLT_OK */
 } jlt_tree_end;
 
-/* What is told of it, as it grows. */
+/* Functions of the caller that are called as the tree grows. */
 typedef struct {
     jlt_status (*point)(void *context, size_t branch, const jlt_continuation_point *point); /* an error ends all */
     void (*end)(void *context, const jlt_tree_end *end);
@@ -28,9 +28,9 @@ typedef struct {
     size_t last, longer;
 } jlt_tree_left;
 
-/** Follow the first orbit, and what begins on its branch, that many generations: both sides of a branch point, one of a period
- *  doubling. Sections of two coordinates only, where generations > 0. Errors: NOMEM; those of the sink; of the first branch
- *  those of jlt_continuation_run. */
+/** Follow the branch of the first orbit, then branches that begin on it, for that many generations: both
+ *  sides of a branch point, one side of a period doubling. Sections of two coordinates only, where generations > 0.
+ *  Errors: NOMEM; those of the sink; of the first branch those of jlt_continuation_run. */
 JLT_CHECKED jlt_status jlt_tree_grow(jlt_tree_left *left, const jlt_chart *chart, const jlt_family *family,
                                      const jlt_continuation_point *first, int direction, size_t generations,
                                      const jlt_continuation_options *options, const jlt_tree_sink *sink);

@@ -1,4 +1,4 @@
-/** How an orbit decays onto an equilibrium, judged by the field's Jacobian where the orbit is now.
+/** How an orbit decays onto an equilibrium, judged by the field's Jacobian at the orbit's current point.
  *
  *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to second
  *  order. States that rest exactly and that no moving state pushes (as those across a plane in which the motion stays) are left out: an orbit on such
@@ -16,8 +16,8 @@ typedef struct {
     double root_left_out;    /* when decays: how far what y does not account for could take the field's root; it is not relative */
 } jlt_approach;
 
-/** Whether what is left out beyond first order, y^2 times the ratio of the fastest rate to the slowest, is below a hundredth of
- *  the tolerance. */
+/** Whether y is known well enough: the terms of second order that it leaves out, y^2 times the ratio of the fastest rate to the
+ *  slowest, are below a hundredth of the tolerance. */
 bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper);
 
 /** Judge the stepper's current point. Cost: a Jacobian and its eigenvalues. A field with more than JLT_JACOBIAN_DIM_MAX states is

@@ -28,7 +28,7 @@ typedef enum {
 /** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */
 typedef struct {
     const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_isa_best */
-    const double *p;                 /* prepared block */
+    const double *p;                 /* prepared values */
     unsigned dim;                    /* states */
     bool clock;                      /* physical time is carried as the last column, in starts, rows and ends */
     unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and

@@ -15,6 +15,7 @@ void jlt_bernstein_deflate(double *b, unsigned degree);
 /** d (degree,) of the derivative. */
 void jlt_bernstein_derive(double *d, const double *b, unsigned degree);
 
+/** The value at theta, by de Casteljau's algorithm. */
 double jlt_bernstein_value(const double *b, unsigned degree, double theta);
 
 /** Sign changes among the coefficients: as many zeros on (0, 1), or fewer by an even number. */

@@ -5,7 +5,7 @@ static void values(const double *restrict x, const double *restrict p, double *r
     const jlt_conserved *self = (const jlt_conserved *)(const void *)p;
     const jlt_descriptor *d = self->descriptor;
 
-    if (d->integral_count > 0) d->integral_values.call(x, self->block, out);
+    if (d->integral_count > 0) d->integral_values.call(x, self->prepared, out);
     if (d->lifted_count > 0) d->root_relations(x, self->params, out + d->integral_count);
 }
 
@@ -14,17 +14,17 @@ static void gradients(const double *restrict x, const double *restrict p, double
     const jlt_conserved *self = (const jlt_conserved *)(const void *)p;
     const jlt_descriptor *d = self->descriptor;
 
-    if (d->integral_count > 0) d->integral_gradients.call(x, self->block, out);
+    if (d->integral_count > 0) d->integral_gradients.call(x, self->prepared, out);
     if (d->lifted_count > 0) d->root_relation_gradients(x, self->params, out + (size_t)d->integral_count * d->state_count);
 }
 
-jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor, const double *block,
+jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor, const double *prepared,
                             const double *params)
 {
     const unsigned count = descriptor->integral_count + descriptor->lifted_count;
 
     if (count > JLT_INVARIANTS_MAX) return JLT_ERR_UNSUPPORTED;
-    *keep = (jlt_conserved){ .descriptor = descriptor, .block = block, .params = params };
+    *keep = (jlt_conserved){ .descriptor = descriptor, .prepared = prepared, .params = params };
     *out = (jlt_invariants){ .count = count, .values = values, .gradients = gradients, .p = (const double *)(const void *)keep };
     return JLT_OK;
 }

@@ -1,20 +1,21 @@
-/** What a generated field keeps, for watching and projecting: its integrals, and where roots are lifted to states the relations
- *  root^2 = radicand, which a projection onto the integrals alone would spoil. */
+/** The conserved quantities of a generated field, for watching and projecting: its integrals; and, where roots are lifted to states, the
+ *  relations root^2 = radicand, which a projection onto the integrals alone would spoil. */
 #ifndef JLT_INTEGRATE_CONSERVED_H
 #define JLT_INTEGRATE_CONSERVED_H
 
 #include "integrate/field.h"
 #include "integrate/invariant.h"
 
-/** Plain data that must outlive the invariants made from it and serves as their block, hence the alignment. */
+/** Plain data that must outlive the invariants made from it and is passed to them as their prepared values, hence the alignment. */
 typedef struct {
     _Alignas(double) const jlt_descriptor *descriptor;
-    const double *block, *params;
+    const double *prepared, *params;
 } jlt_conserved;
 
-/** The invariants of the field of `descriptor`. block, shape (block_count,), and params, shape (param_count,), are those that it is
- *  integrated with; both must live as long. Errors: UNSUPPORTED, they are more than JLT_INVARIANTS_MAX. */
-JLT_CHECKED jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor, const double *block,
+/** The invariants of the field of `descriptor`. prepared, shape (prepared_count,), and params, shape (param_count,), are those that it is
+ *  integrated with; both must live as long. keep: storage to which *out points. Errors:
+ *  UNSUPPORTED, there are more than JLT_INVARIANTS_MAX. */
+JLT_CHECKED jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor, const double *prepared,
                                         const double *params);
 
 #endif

@@ -15,7 +15,7 @@ enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
 typedef struct {
     unsigned dim;                  /* 1 .. JLT_FIELD_DIM_MAX */
     jlt_kernel_function call;      /* x (dim,), p -> dx/dtau (dim,) */
-    const double *p;               /* passed through: a prepared block, or a structure aligned for double, cast */
+    const double *p;               /* passed through: prepared values, or a structure aligned for double, cast */
     jlt_kernel_function time_rate; /* x, p -> dt/dtau > 0 (1,); NULL: tau is t */
     jlt_kernel_function jacobian;  /* x, p -> df/dx (dim, dim); NULL where not known */
     jlt_kernel_jet jet;            /* NULL where not known; the method taylor needs it */
@@ -34,7 +34,7 @@ typedef struct {
 /** Make the field of a generated kernel. In the model's own time t the field watches the domain of its states; in a time of its
  *  own, where a root is lifted to a state, it need not. The last state is taken for the root that vanishes at a pole when the
  *  kernel has a time of its own and that state is bounded below by 0.
- *  In: p, the prepared block, which must live as long as the field. Errors: UNSUPPORTED, the descriptor has no right-hand
+ *  In: p, the prepared values, which must live as long as the field. Errors: UNSUPPORTED, the descriptor has no right-hand
  *  side. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
 

@@ -28,10 +28,10 @@ jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor 
     if (self == NULL) goto done;
     self->descriptor = descriptor;
     self->params = jlt_memory_array(descriptor->param_count, sizeof *self->params);
-    self->block = jlt_memory_array(descriptor->block_count, sizeof *self->block);
-    if (self->params == NULL || self->block == NULL) goto done;
+    self->prepared = jlt_memory_array(descriptor->prepared_count, sizeof *self->prepared);
+    if (self->params == NULL || self->prepared == NULL) goto done;
     jlt_units_count(self->params, params, descriptor->params, descriptor->param_count, units);
-    JLT_TRY(jlt_kernel_prepare_block(self->block, descriptor, self->params));
+    JLT_TRY(jlt_kernel_prepare_params(self->prepared, descriptor, self->params));
     memcpy(self->params, params, descriptor->param_count * sizeof *params);
     *instance = self;
     self = NULL; /* ownership moved to the caller */
@@ -44,7 +44,7 @@ void jlt_instance_destroy(jlt_instance *instance)
 {
     if (instance == NULL) return;
     free(instance->params);
-    free(instance->block);
+    free(instance->prepared);
     free(instance);
 }
 
@@ -73,8 +73,8 @@ jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, c
     for (int round = -1; round <= 1; round++) {
         for (unsigned i = 0; i < n; i++) x[i] = generic(&descriptor->states[i], i, round);
         jlt_units_count(y, x, descriptor->states, n, units);
-        descriptor->rhs.call(x, plain->block, f);
-        descriptor->rhs.call(y, counted->block, g);
+        descriptor->rhs.call(x, plain->prepared, f);
+        descriptor->rhs.call(y, counted->prepared, g);
         for (unsigned i = 0; i < n; i++) {
             const double back = ldexp(g[i], jlt_units_exponent(units, descriptor->states[i].unit) - units->time);
             if (isfinite(f[i]) && back != f[i]) *scales = false;
@@ -93,7 +93,7 @@ static jlt_status evaluate(const jlt_instance *instance, const jlt_kernel *kerne
     const jlt_status st = jlt_descriptor_check_state(instance->descriptor, x, &index);
 
     if (st != JLT_OK) return st;
-    return jlt_kernel_eval(out, kernel, x, instance->descriptor->state_count, instance->block);
+    return jlt_kernel_eval(out, kernel, x, instance->descriptor->state_count, instance->prepared);
 }
 
 jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x)

@@ -9,12 +9,12 @@
 
 typedef struct {
     const jlt_descriptor *descriptor;
-    double *params; /* shape (param_count,), owned, in the table's units */
-    double *block;  /* shape (block_count,), owned, prepared from params */
+    double *params;   /* shape (param_count,), owned, in the table's units */
+    double *prepared; /* shape (prepared_count,), owned, made from params */
 } jlt_instance;
 
 /** Bind a descriptor to parameters, checked against the table's conditions; expressions of parameters alone are evaluated once,
- *  into the block.
+ *  into the prepared values.
  *  Out: *instance, NULL on failure; destroy with jlt_instance_destroy. In: descriptor, which must live as long; params, shape
  *       (param_count,), in the order of descriptor->params, copied.
  *  Errors: ARG, a NULL; NONFINITE, a parameter or what is computed from them; DOMAIN, a parameter that breaks a condition of
@@ -22,7 +22,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
                                            const double *params);
 
-/** The same for callers who count states in other units than the table's (kernel/units.h): the block is prepared from the
+/** The same for callers who count states in other units than the table's (kernel/units.h): values are prepared from the
  *  parameters converted to them, so that kernels called with this instance take states, and give results, in them. `params`,
  *  here and in the instance, is in the table's units. */
 JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,

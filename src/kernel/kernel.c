@@ -31,25 +31,25 @@ jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, s
     return JLT_OK;
 }
 
-jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, const double *x, size_t count, const double *block)
+jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, const double *x, size_t count, const double *prepared)
 {
-    /* The block was checked when it was prepared. */
-    return jlt_kernel_eval_function(out, kernel->call, kernel->outputs, x, count, block, 0);
+    /* Prepared values were checked when they were made. */
+    return jlt_kernel_eval_function(out, kernel->call, kernel->outputs, x, count, prepared, 0);
 }
 
-jlt_status jlt_kernel_prepare_block(double *block, const jlt_descriptor *descriptor, const double *params)
+jlt_status jlt_kernel_prepare_params(double *prepared, const jlt_descriptor *descriptor, const double *params)
 {
     double result[JLT_KERNEL_OUTPUTS_MAX];
     jlt_guard guard;
     jlt_status st;
 
-    if (descriptor->prepare == NULL || descriptor->block_count > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
+    if (descriptor->prepare == NULL || descriptor->prepared_count > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
     if (!all_finite(params, descriptor->param_count)) return JLT_ERR_NONFINITE;
     jlt_guard_enter(&guard);
     descriptor->prepare(params, result);
     st = jlt_guard_leave(&guard);
     if (st != JLT_OK) return st;
-    if (!all_finite(result, descriptor->block_count)) return JLT_ERR_NONFINITE;
-    memcpy(block, result, descriptor->block_count * sizeof *block);
+    if (!all_finite(result, descriptor->prepared_count)) return JLT_ERR_NONFINITE;
+    memcpy(prepared, result, descriptor->prepared_count * sizeof *prepared);
     return JLT_OK;
 }

@@ -14,19 +14,20 @@ enum { JLT_KERNEL_OUTPUTS_MAX = 4096 };
 
 /** Evaluate one kernel.
  *  Out: out, shape (kernel->outputs,), untouched on failure.
- *  In:  x, shape (count,); block, as `prepare` filled it.
+ *  In:  x, shape (count,); prepared, as `prepare` filled it.
  *  Errors: UNSUPPORTED (no such kernel), NONFINITE (an argument or the result is not finite; overflow or underflow on the
  *          way), DOMAIN (a pole: division by zero, root of a negative number).
  *  Cost: the kernel, and about 0.2 us for the floating-point environment. */
 JLT_CHECKED jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, const double *x, size_t count,
-                                       const double *block);
+                                       const double *prepared);
 
 /** The same for kernels on unprepared parameters, such as those of a family of equilibria.
  *  Out: out, shape (outputs,). In: x, shape (count,), NULL where the kernel does not read it; params, shape (params,).  */
 JLT_CHECKED jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, size_t outputs,
                                                 const double *x, size_t count, const double *params, size_t param_count);
 
-/** Fill the prepared block. Out: block, shape (descriptor->block_count,). In: params, shape (param_count,). */
-JLT_CHECKED jlt_status jlt_kernel_prepare_block(double *block, const jlt_descriptor *descriptor, const double *params);
+/** Compute what kernels need that depends on parameters alone.
+ *  Out: prepared, shape (descriptor->prepared_count,). In: params, shape (param_count,). */
+JLT_CHECKED jlt_status jlt_kernel_prepare_params(double *prepared, const jlt_descriptor *descriptor, const double *params);
 
 #endif

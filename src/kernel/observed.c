@@ -71,7 +71,7 @@ void jlt_observed_values(const jlt_observed *observed, double *values, const dou
     double room[JLT_OBSERVED_STATES_MAX];
 
     if (general->descriptor->observe_count == 0) return;
-    general->descriptor->observe_values.call(in_table(observed, room, x), general->block, values);
+    general->descriptor->observe_values.call(in_table(observed, room, x), general->prepared, values);
 }
 
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x)
@@ -80,7 +80,7 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
     double values[JLT_OBSERVED_CONDITIONS_MAX], room[JLT_OBSERVED_STATES_MAX], least = INFINITY;
 
     if (d->valid_count == 0) return least;
-    d->valid_values.call(in_table(observed, room, x), observed->general->block, values);
+    d->valid_values.call(in_table(observed, room, x), observed->general->prepared, values);
     unsigned of = d->valid_count;
     for (unsigned i = 0; i < d->valid_count; i++)
         if (values[i] < least) {
@@ -100,6 +100,6 @@ double jlt_observed_condition_value(const jlt_observed *observed, unsigned condi
 {
     double values[JLT_OBSERVED_CONDITIONS_MAX], room[JLT_OBSERVED_STATES_MAX];
 
-    observed->general->descriptor->valid_values.call(in_table(observed, room, x), observed->general->block, values);
+    observed->general->descriptor->valid_values.call(in_table(observed, room, x), observed->general->prepared, values);
     return values[condition];
 }

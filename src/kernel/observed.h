@@ -12,7 +12,7 @@ enum { JLT_OBSERVED_CONDITIONS_MAX = 256, JLT_OBSERVED_STATES_MAX = 256 }; /* as
 
 typedef struct jlt_observed jlt_observed;
 
-/** Out: *observed, NULL on failure; destroy with jlt_observed_destroy.
+/** Bind the observed quantities and conditions to parameters. Out: *observed, NULL on failure; destroy with jlt_observed_destroy.
  *  In: of, the descriptor whose states will be passed in, without an eliminated state; params, shape (param_count,), in the
  *  table's units; units, those of the states. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params,

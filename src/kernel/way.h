@@ -33,11 +33,11 @@ const jlt_way_condition *jlt_way_broken(const jlt_way *way, const double *x, con
 const jlt_way *jlt_way_to(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *table, const double *x,
                           const double *params);
 
-/** Where the way leads. Out: y, shape (way->coordinate_count,), without lifted roots; other, shape (way->param_count,), the
+/** Map a state to the other table. Out: y, shape (way->coordinate_count,), without lifted roots; other, shape (way->param_count,), the
  *  parameters there. Errors: UNSUPPORTED, more values than are served; DOMAIN, an angle has no value at x; NONFINITE. */
 JLT_CHECKED jlt_status jlt_way_follow(const jlt_way *way, double *y, double *other, const double *x, const double *params);
 
-/** The parameters there alone, other, shape (way->param_count,), with no finite values asked for. x NULL: at no state in particular, so
+/** Map the parameters alone: other, shape (way->param_count,), with no finite values asked for. x NULL: at no state in particular, so
  *  that levels mean nothing. */
 void jlt_way_params(const jlt_way *way, double *other, const double *x, const double *params);
 

@@ -87,7 +87,7 @@ static void integrals(const jlt_course *self, double *values, const double *x)
     double all[JLT_PLAN_STATES_MAX];
 
     if (jlt_course_integrals(self) == 0) return;
-    self->watch->descriptor->integral_values.call(x, self->watch->block, all);
+    self->watch->descriptor->integral_values.call(x, self->watch->prepared, all);
     memcpy(values, all, jlt_course_integrals(self) * sizeof *values);
 }
 

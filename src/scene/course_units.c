@@ -58,7 +58,7 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     JLT_TRY(jlt_instance_create(&instance, model, question->params));
     for (unsigned i = 0; i < model->state_count; i++)
         still[i] = jlt_units_exponent(&(jlt_units){ .time = 1 }, model->states[i].unit) == 0 ? question->start[i] : 0;
-    model->rhs.call(still, instance->block, f);
+    model->rhs.call(still, instance->prepared, f);
     jlt_units_of_rate(&units, fmax(jlt_units_rate(&units, question->start, model->states, model->state_count, 0),
                                    jlt_units_rate(&units, f, model->states, model->state_count, 1)));
     JLT_TRY(jlt_instance_scales(&scales, model, question->params, &units));

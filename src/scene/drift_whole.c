@@ -66,8 +66,8 @@ jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, 
     jlt_units_count(out->start, out->start, field->states, field->state_count, &system->units);
     jlt_units_count(out->params, told, field->params, field->param_count, &system->units);
     JLT_TRY(jlt_instance_create_in(&out->instance, field, told, &system->units));
-    JLT_TRY(jlt_field_of(&out->field, field, out->instance->block));
-    JLT_TRY(jlt_conserved_of(&out->invariants, &out->conserved, field, out->instance->block, out->params));
+    JLT_TRY(jlt_field_of(&out->field, field, out->instance->prepared));
+    JLT_TRY(jlt_conserved_of(&out->invariants, &out->conserved, field, out->instance->prepared, out->params));
 done:
     if (st != JLT_OK) jlt_drift_whole_close(out);
     return st;

@@ -43,8 +43,8 @@ static linear split(const jlt_tier_edges *edges, const double *y)
     linear out;
 
     jlt_tier_extract(edges->view, x, y);
-    full->integral_values.call(x, edges->full->block, values);
-    full->integral_gradients.call(x, edges->full->block, gradients);
+    full->integral_values.call(x, edges->full->prepared, values);
+    full->integral_gradients.call(x, edges->full->prepared, gradients);
     out.w = x[kernel->eliminated_state];
     out.slope = gradients[kernel->level_integral * full->state_count + kernel->eliminated_state];
     out.rest = values[kernel->level_integral] - out.slope * out.w;

@@ -103,7 +103,7 @@ static jlt_status find_level(double *level, const jlt_tier_view *view, const jlt
     if (x == NULL) return JLT_OK;
     if (view->tier.asked->integral_count > JLT_WAY_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
     JLT_TRY(jlt_instance_create(&full, view->tier.asked, view->params[0]));
-    full->descriptor->integral_values.call(x, full->block, values);
+    full->descriptor->integral_values.call(x, full->prepared, values);
     *level = values[kernel->level_integral];
 done:
     jlt_instance_destroy(full);
@@ -151,7 +151,7 @@ static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, con
     if (is_eliminated(tier)) {
         for (unsigned i = 0; i < tier->table->state_count; i++)
             if (i != view->instance->descriptor->eliminated_state) y[used++] = at[i];
-        view->instance->descriptor->eliminated.call(y, view->instance->block, values);
+        view->instance->descriptor->eliminated.call(y, view->instance->prepared, values);
         if (!isfinite(*values))
             return refuse(refusal, "%s does not contain %s here", tier->table->integrals[view->instance->descriptor->level_integral].name,
                           tier->table->states[view->instance->descriptor->eliminated_state].name);
@@ -237,7 +237,7 @@ void jlt_tier_extract(const jlt_tier_view *view, double *x, const double *y)
         const unsigned at = kernel->eliminated_state;
         memcpy(x, y, at * sizeof *x);
         memcpy(x + at + 1, y + at, (tier->asked->state_count - at - 1) * sizeof *x);
-        kernel->eliminated.call(y, view->instance->block, &x[at]);
+        kernel->eliminated.call(y, view->instance->prepared, &x[at]);
         return;
     }
     for (unsigned i = tier->way_count; i > 0; i--) {

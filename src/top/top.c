@@ -79,7 +79,7 @@ static const jlt_descriptor *find_field(const char *variant)
     const jlt_descriptor *field = jlt_descriptor_find(JLT_DEFAULT_MODEL, variant, lifting, NULL);
 
     if (field == NULL || !jlt_top_is_known(field->family[0]) || field->state_count != LIFTED || field->param_count > JLT_WAY_VALUES_MAX
-        || field->block_count > JLT_WAY_VALUES_MAX || field->integral_count > JLT_WAY_VALUES_MAX)
+        || field->prepared_count > JLT_WAY_VALUES_MAX || field->integral_count > JLT_WAY_VALUES_MAX)
         return NULL;
     return field;
 }

@@ -37,7 +37,7 @@ int main(int argc, char **argv)
     const char *which = argc > 1 ? argv[1] : "";
     const jlt_kernel_batch *lanes = NULL;
 
-    if (d->block_count > sizeof block / sizeof *block || d->state_count != STATES) return 1;
+    if (d->prepared_count > sizeof block / sizeof *block || d->state_count != STATES) return 1;
     d->prepare(params, block);
     for (size_t i = 0; i < JLT_ISA_COUNT; i++)
         if (strcmp(d->batches[i]->isa, which) == 0) lanes = d->batches[i];

@@ -16,14 +16,14 @@ static ttc_model *read_table(const char *path)
 
 static size_t check_table(const char *path)
 {
-    ttc_plan plan;
+    ttc_catalogue plan;
     ttc_proof_report report = { 0 };
     ttc_model *model = read_table(path);
     if (model->lift.file != NULL) { /* coordinates of a section, which have no field */
         ttc_model_destroy(model);
         return 0;
     }
-    assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_QUICK));
+    assert_true(ttc_catalogue_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_QUICK));
     assert_true(ttc_prove_kernels(&plan, &report));
     for (size_t i = 0; i < report.proof_count; i++) {
         if (report.proofs[i].status != TTC_PROVED)
@@ -35,7 +35,7 @@ static size_t check_table(const char *path)
     print_message("%s: %zu kernels proved\n", model->name, report.proved);
     assert_int_equal(report.proved, count);
     free(report.proofs);
-    ttc_plan_clear(&plan);
+    ttc_catalogue_clear(&plan);
     ttc_model_destroy(model);
     return count;
 }
@@ -87,7 +87,7 @@ static ttc_program *altered(const ttc_program *program, ttc_value target)
 }
 
 /* Whether some kernel of this plan is not proved. */
-static bool is_refuted(const ttc_plan *plan)
+static bool is_refuted(const ttc_catalogue *plan)
 {
     ttc_proof_report report = { 0 };
     assert_true(ttc_prove_kernels(plan, &report));
@@ -100,7 +100,7 @@ static bool is_refuted(const ttc_plan *plan)
 }
 
 /* Exchanges every stride-th operation of a program of the plan in turn, and holds that it is noticed. Returns their number. */
-static size_t exchange_all(ttc_program **place, const ttc_plan *plan, const char *what, ttc_value stride)
+static size_t exchange_all(ttc_program **place, const ttc_catalogue *plan, const char *what, ttc_value stride)
 {
     ttc_program *original = *place;
     size_t count = 0;
@@ -123,17 +123,17 @@ static void a_kernel_with_one_operation_exchanged_is_refuted(void **state)
 {
     (void)state;
     static const ttc_kernel_kind kinds[] = { TTC_KERNEL_RHS, TTC_KERNEL_DIVERGENCE, TTC_KERNEL_INTEGRAL_GRADIENTS };
-    ttc_plan plan;
+    ttc_catalogue plan;
     size_t optimized = 0, reference = 0;
     ttc_model *model = read_table(JLT_SOURCE_DIR "/codegen/models/spherical_top.tt");
-    assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_FULL));
+    assert_true(ttc_catalogue_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_FULL));
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         /* The general field with this kernel, and those that it is compared with. */
         ttc_kernels few = *plan.fields[0].kernels;
         for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
             if (kind != TTC_KERNEL_RHS && kind != TTC_KERNEL_INTEGRAL_VALUES && kind != (int)kinds[k]) few.kernels[kind].count = 0;
-        ttc_planned field = { .kernels = &few };
-        ttc_plan general = { .model = model, .fields = &field, .count = 1 };
+        ttc_catalogue_entry field = { .kernels = &few };
+        ttc_catalogue general = { .model = model, .fields = &field, .count = 1 };
         const char *name = ttc_kernel_name(kinds[k]);
         assert_false(is_refuted(&general));
         optimized += exchange_all(&few.kernels[kinds[k]].optimized, &general, name, 1);
@@ -142,7 +142,7 @@ static void a_kernel_with_one_operation_exchanged_is_refuted(void **state)
     }
     print_message("%zu optimized and %zu reference programs refuted\n", optimized, reference);
     assert_true(optimized > 60 && reference > 20);
-    ttc_plan_clear(&plan);
+    ttc_catalogue_clear(&plan);
     ttc_model_destroy(model);
 }
 

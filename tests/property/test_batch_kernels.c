@@ -75,10 +75,10 @@ static void assert_same(double a, double b)
     assert_memory_equal(&a, &b, sizeof a);
 }
 
-/* A prepared block of parameters in 0.2 ... 1.2 that the variant serves; the caller frees it. */
+/* A prepared values of parameters in 0.2 ... 1.2 that the variant serves; the caller frees it. */
 static double *make_block(const jlt_descriptor *d, uint64_t *state)
 {
-    double params[INPUTS_MAX], *p = malloc((d->block_count + 1) * sizeof *p);
+    double params[INPUTS_MAX], *p = malloc((d->prepared_count + 1) * sizeof *p);
 
     assert_non_null(p);
     assert_true(d->param_count <= INPUTS_MAX);

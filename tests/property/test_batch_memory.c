@@ -78,7 +78,7 @@ static void a_hundred_times_the_rows_ask_for_the_same_memory(void **unused)
 
     (void)unused;
     assert_non_null(d);
-    assert_true(d->block_count <= 256);
+    assert_true(d->prepared_count <= 256);
     d->prepare(params, block);
     for (int i = 0; i < ORBITS; i++) {
         const double start[STATES] = { -0.635, 0.71925991434627578, 0, 1.368961034630924, 0.7725121358270043 };

@@ -86,7 +86,7 @@ static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned proj
     const jlt_descriptor *d = level();
     double params[] = { 1, 1, 1, I1, I3, a3, G }, block[256];
 
-    assert_true(d->block_count <= 256 && d->param_count == 7 && d->state_count == STATES);
+    assert_true(d->prepared_count <= 256 && d->param_count == 7 && d->state_count == STATES);
     d->prepare(params, block);
     const jlt_batch_map map = { .kernels = kernels, .p = block, .dim = STATES, .column = 2, .direction = 1, .root = 4,
                                 .root_floor = 1e-9, .tolerance = tolerance, .threads = threads, .project = project,

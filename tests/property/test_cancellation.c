@@ -214,7 +214,7 @@ static void find_prepared_losses(const fixture *f, ttc_loss *losses)
     }
     for (size_t k = 0; k < ttc_program_output_count(prepare); k++)
         if (is_lossy[ttc_program_output_at(prepare, k)])
-            assert_true(ttc_expression_cancels(f->kernels->field, f->kernels->block.entries[k]));
+            assert_true(ttc_expression_cancels(f->kernels->field, f->kernels->prepared.entries[k]));
     free(is_lossy);
 }
 
@@ -228,10 +228,10 @@ static void check_kernel(fixture *f, ttc_kernel_kind kind)
     ttc_loss *prepared_losses = calloc(ttc_program_size(prepare) + 1, sizeof *prepared_losses);
     rounded *values = calloc(ttc_program_size(program) + 1, sizeof *values);
     rounded *prepared = calloc(ttc_program_size(prepare) + 1, sizeof *prepared);
-    rounded *block = calloc(ttc_block_size(&f->kernels->block) + 1, sizeof *block);
+    rounded *block = calloc(ttc_prepared_size(&f->kernels->prepared) + 1, sizeof *block);
     jlt_random random;
     assert_true(losses != NULL && prepared_losses != NULL && values != NULL && prepared != NULL && block != NULL);
-    assert_true(ttc_program_losses(losses, program, field, &f->kernels->block));
+    assert_true(ttc_program_losses(losses, program, field, &f->kernels->prepared));
     find_prepared_losses(f, prepared_losses);
     jlt_random_seed(&random, 7);
     for (int sample = 0; sample < SAMPLES; sample++) {

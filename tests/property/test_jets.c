@@ -112,7 +112,7 @@ static void jets_solve_their_equations(void **unused)
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
         const unsigned columns = d->state_count + (d->time_factor.call != NULL);
-        double *p = malloc((d->block_count + 1) * sizeof *p), x[STATES_MAX];
+        double *p = malloc((d->prepared_count + 1) * sizeof *p), x[STATES_MAX];
         assert_non_null(p);
         for (int round = 0; round < ROUNDS; round++) {
             if (!choose_point(d, p, x, &state)) continue;
@@ -140,7 +140,7 @@ static void every_lane_has_the_scalar_coefficients_bit_for_bit(void **unused)
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
         const unsigned entries = (ORDER + 1) * (d->state_count + (d->time_factor.call != NULL));
-        double *p = malloc((d->block_count + 1) * sizeof *p), x[STATES_MAX];
+        double *p = malloc((d->prepared_count + 1) * sizeof *p), x[STATES_MAX];
         assert_non_null(p);
         for (int round = 0; round < ROUNDS; round++) {
             const bool inside = choose_point(d, p, x, &state);

@@ -149,7 +149,7 @@ static void check_sample(worst *w, const sample *s)
     const jlt_descriptor *d = s->descriptor;
     const jlt_ball_table *b = s->balls;
     unsigned n = d->state_count, rows[MOST_PARAMS * 4] = { 0 };
-    double *block = calloc(d->block_count + 1, sizeof *block), out[MOST_OUTPUTS];
+    double *block = calloc(d->prepared_count + 1, sizeof *block), out[MOST_OUTPUTS];
     assert_non_null(block);
     integral_rows(s, rows);
     feclearexcept(FE_ALL_EXCEPT);
@@ -209,7 +209,7 @@ static void the_root_keeps_its_digits_at_the_poles(void **unused)
         if (strcmp(jlt_registry[i]->model, "spherical_top") == 0) s.descriptor = jlt_registry[i];
     assert_non_null(s.descriptor);
     s.balls = s.descriptor->balls;
-    double *block = calloc(s.descriptor->block_count, sizeof *block), out[MOST_STATES];
+    double *block = calloc(s.descriptor->prepared_count, sizeof *block), out[MOST_STATES];
     assert_non_null(block);
     for (unsigned i = 0; i < s.descriptor->param_count; i++) s.params[i] = s.descriptor->params[i].value;
     s.descriptor->prepare(s.params, block);

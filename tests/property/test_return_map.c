@@ -53,7 +53,7 @@ static void chart_lies_on_its_levels_and_agrees_with_the_paper(void **unused)
         assert_true(d->integral_count <= 8);
         jlt_instance *kernel;
         assert_ok(jlt_instance_create(&kernel, d, system->instance->params));
-        d->integral_values.call(x, kernel->block, values);
+        d->integral_values.call(x, kernel->prepared, values);
         jlt_instance_destroy(kernel);
         while (strcmp(d->integrals[energy].name, "E") != 0) energy++;
         assert_near(values[energy], v.E, 1e-12 * (1 + fabs(v.E)));

@@ -104,7 +104,7 @@ static void kernels_of_sections_agree(void **state)
             for (unsigned k = 0; k < p.descriptor->param_count; k++) p.values[k] = p.descriptor->params[k].value;
             for (unsigned k = 0; k < s->level_count; k++) p.values[p.descriptor->param_count + k] = s->levels[k].value;
             assert_true(p.descriptor->state_count * 2 * (s->coordinate_count + s->level_count) <= MOST);
-            assert_true(p.descriptor->block_count <= MOST * 8);
+            assert_true(p.descriptor->prepared_count <= MOST * 8);
             for (unsigned k = 0; k < s->start_count * POINTS; k++) {
                 if (!draw_point(&p, s->starts[k % s->start_count].point)) continue;
                 check_point(&p);

@@ -141,7 +141,7 @@ static void moves_alike(const link_of *l, const place *from, const place *to)
 {
     const double h = 0x1p-17; /* eps^(1/3) */
     double block[40 * MOST], own[MOST], other[MOST], ahead[MOST], behind[MOST], y[MOST], factor = 1;
-    assert_true(l->own->block_count <= 40 * MOST && l->other->block_count <= 40 * MOST);
+    assert_true(l->own->prepared_count <= 40 * MOST && l->other->prepared_count <= 40 * MOST);
     l->other->prepare(to->params, block);
     l->other->rhs.call(to->x, block, other);
     l->own->prepare(from->params, block);

@@ -49,10 +49,10 @@ static inline void ride_open(ride *out, const char *tier, const jlt_top *top, co
     out->view.instance = out->instance;
     assert_true(d->state_count <= RIDE_COLUMNS);
     memcpy(out->start, y, d->state_count * sizeof *y);
-    assert_ok(jlt_field_of(&out->field, d, out->instance->block));
+    assert_ok(jlt_field_of(&out->field, d, out->instance->prepared));
     jlt_options watched = *options;
     watched.invariants = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call,
-                                            out->instance->block };
+                                            out->instance->prepared };
     assert_ok(jlt_orbit_create(&out->orbit, method, &out->field, &watched));
     assert_ok(jlt_orbit_start(out->orbit, 0, y, direction));
 }

@@ -170,7 +170,7 @@ static void batches_hold_twelve_digits_at_full_speed(void **state)
 
     assert_non_null(d);
     assert_ok(jlt_instance_create(&instance, d, params));
-    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->block, .dim = 5, .column = 2, .direction = 1,
+    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->prepared, .dim = 5, .column = 2, .direction = 1,
                                 .root = 4, .root_floor = 1e-9, .tolerance = 1e-14, .max_steps = 100000 };
     const jlt_batch_work near = batch_work(grazing, &map, judge_row, &r), far = batch_work(regular, &map, skip_row, NULL);
     print_message("batch: error %.1e, %zu steps, on the regular island %zu\n", r.error, near.steps, far.steps);

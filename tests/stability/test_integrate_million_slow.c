@@ -32,7 +32,7 @@ static jlt_field field_of_top(double *block)
     jlt_field field;
     const jlt_descriptor *descriptor = jlt_descriptor_find("spherical_top", NULL, "regular", NULL);
     assert_non_null(descriptor);
-    assert_true(descriptor->block_count <= BLOCK);
+    assert_true(descriptor->prepared_count <= BLOCK);
     descriptor->prepare(params, block);
     assert_ok(jlt_field_of(&field, descriptor, block));
     return field;

@@ -178,7 +178,7 @@ static void batches_end_such_lanes_by_name(void **unused)
         starts[i][i % 5] = bad[i / 5];
     }
     assert_ok(jlt_instance_create(&instance, d, params));
-    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->block, .dim = 5, .column = 2, .direction = 1,
+    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->prepared, .dim = 5, .column = 2, .direction = 1,
                                 .root = 4, .root_floor = 1e-10, .tolerance = 1e-10, .max_steps = 100000 };
     assert_ok(jlt_batch_section(&map, starts[0], 15, 3, no_row, note_end, &ended, NULL));
     assert_int_equal(ended, 15);

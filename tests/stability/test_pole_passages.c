@@ -161,7 +161,7 @@ static void batches_pass_as_well_as_single_orbits(void **state)
         start_of(x, rows[k]);
         ride_open(&r, "level", &top_51, x, NULL, &(jlt_options){ .tolerance = 1e-12 }, +1);
         memcpy(y, r.start, sizeof y);
-        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(r.instance->descriptor, 0), .p = r.instance->block, .dim = 5,
+        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(r.instance->descriptor, 0), .p = r.instance->prepared, .dim = 5,
                                     .column = 2, .direction = (int)rows[k][POLE], .root = 4, .root_floor = 1e-10,
                                     .tolerance = 1e-14, .max_steps = 10000 };
         assert_ok(jlt_batch_section(&map, y, 1, 1, keep_row, keep_end, &made, NULL));

@@ -166,7 +166,7 @@ static int keep_end(void *context, size_t orbit, jlt_lane_end end, size_t return
 
 static jlt_batch_map batch_of(const ride *r, double tolerance, int direction)
 {
-    return (jlt_batch_map){ .kernels = jlt_batch_isa_best(r->instance->descriptor, 0), .p = r->instance->block, .dim = 5,
+    return (jlt_batch_map){ .kernels = jlt_batch_isa_best(r->instance->descriptor, 0), .p = r->instance->prepared, .dim = 5,
                             .column = 2, .direction = direction, .root = 4, .root_floor = 1e-10, .tolerance = tolerance,
                             .max_steps = 100000 };
 }

@@ -3,11 +3,11 @@
 #define TEST_EXACT_PROGRAM_H
 
 #include "base/diagnostic.h"
-#include "fields/block.h"
+#include "fields/prepared.h"
 #include "fields/field.h"
 #include "optimize/lower.h"
-#include "optimize/system.h"
-#include "optimize/system_lower.h"
+#include "optimize/workspace.h"
+#include "optimize/workspace_lower.h"
 #include "read/model.h"
 
 #include <stdlib.h>
@@ -120,42 +120,42 @@ static inline void choose_point(fmpq *states, fmpq *params, unsigned number)
     for (unsigned i = 0; i < PARAMS_MAX; i++) fmpq_set_si(params + i, (slong)(3 * i + 2 + number), 5);
 }
 
-/* A program on the block, against the terms as they stand. */
-static inline void same_values(subject *s, const ttc_program *program, const ttc_block *block)
+/* A program on the prepared values, against the terms as they stand. */
+static inline void same_values(subject *s, const ttc_program *program, const ttc_prepared *prepared)
 {
     ttc_program *naive = ttc_lower(s->field, s->outputs, s->count, (ttc_lowering){ 0 });
-    ttc_program *prepare = ttc_lower(s->field, block->entries, block->count, (ttc_lowering){ .share = true });
-    fmpq *states = numbers(STATES_MAX), *params = numbers(PARAMS_MAX + block->count);
-    fmpq *expected = numbers(s->count), *found = numbers(s->count), *entries = numbers(block->count);
+    ttc_program *prepare = ttc_lower(s->field, prepared->entries, prepared->count, (ttc_lowering){ .share = true });
+    fmpq *states = numbers(STATES_MAX), *params = numbers(PARAMS_MAX + prepared->count);
+    fmpq *expected = numbers(s->count), *found = numbers(s->count), *entries = numbers(prepared->count);
     assert_true(naive != NULL && prepare != NULL && s->field->param_count <= PARAMS_MAX);
     for (unsigned k = 0; k < POINTS; k++) {
         choose_point(states, params, k);
         evaluate(expected, naive, states, params);
         evaluate(entries, prepare, states, params);
-        for (size_t i = 0; i < block->count; i++) fmpq_set(params + s->field->param_count + i, entries + i);
+        for (size_t i = 0; i < prepared->count; i++) fmpq_set(params + s->field->param_count + i, entries + i);
         evaluate(found, program, states, params);
         for (size_t i = 0; i < s->count; i++) assert_true(fmpq_equal(expected + i, found + i));
     }
     release(states, STATES_MAX);
-    release(params, PARAMS_MAX + block->count);
+    release(params, PARAMS_MAX + prepared->count);
     release(expected, s->count);
     release(found, s->count);
-    release(entries, block->count);
+    release(entries, prepared->count);
     ttc_program_destroy(naive);
     ttc_program_destroy(prepare);
 }
 
-/* The count of what a system computes, whose values are those of the terms. */
-static inline ttc_count check(subject *s, const ttc_system *system)
+/* The count of what a workspace computes, whose values are those of the terms. */
+static inline ttc_count check(subject *s, const ttc_workspace *workspace)
 {
-    ttc_block block = { .field = s->field };
-    assert_false(system->failed);
-    ttc_program *program = ttc_system_lower(system, &block);
+    ttc_prepared prepared = { .field = s->field };
+    assert_false(workspace->failed);
+    ttc_program *program = ttc_workspace_lower(workspace, &prepared);
     assert_non_null(program);
-    same_values(s, program, &block);
+    same_values(s, program, &prepared);
     ttc_count count = ttc_program_count(program);
     ttc_program_destroy(program);
-    ttc_block_clear(&block);
+    ttc_prepared_clear(&prepared);
     return count;
 }
 

@@ -23,7 +23,7 @@ static void all_instruction_sets_give_the_same_orbit(void **unused)
     jlt_field field;
 
     assert_non_null(descriptor);
-    assert_true(descriptor->block_count <= BLOCK);
+    assert_true(descriptor->prepared_count <= BLOCK);
     descriptor->prepare(params, block);
     assert_ok(jlt_field_of(&field, descriptor, block));
     top_section_point(start, by_hand, 0.44, -0.62, 2.15, -0.56);

@@ -186,7 +186,7 @@ static void nonfinite_arguments_are_refused_everywhere(void **unused)
             for (size_t b = 0; b < 3; b++) {
                 for (unsigned j = 0; j < d->state_count; j++) x[j] = 0.5;
                 x[i] = bad[b];
-                assert_int_equal(jlt_kernel_eval(out, &d->rhs, x, d->state_count, instance->block), JLT_ERR_NONFINITE);
+                assert_int_equal(jlt_kernel_eval(out, &d->rhs, x, d->state_count, instance->prepared), JLT_ERR_NONFINITE);
                 assert_int_equal(jlt_instance_rhs(instance, out, x), JLT_ERR_NONFINITE);
                 assert_int_equal(jlt_instance_jacobian(instance, out, x), JLT_ERR_NONFINITE);
                 assert_int_equal(jlt_instance_divergence(instance, out, x), JLT_ERR_NONFINITE);
@@ -208,9 +208,9 @@ static void poles_overflow_and_underflow_are_errors(void **unused)
     assert_int_equal(jlt_instance_rhs(instance, out, x), JLT_OK);
     x[0] = 1.0;
     assert_int_equal(jlt_instance_rhs(instance, out, x), JLT_ERR_DOMAIN);
-    assert_int_equal(jlt_kernel_eval(out, &d->rhs, x, 5, instance->block), JLT_ERR_DOMAIN);
+    assert_int_equal(jlt_kernel_eval(out, &d->rhs, x, 5, instance->prepared), JLT_ERR_DOMAIN);
     x[0] = 1.5;
-    assert_int_equal(jlt_kernel_eval(out, &d->rhs, x, 5, instance->block), JLT_ERR_DOMAIN);
+    assert_int_equal(jlt_kernel_eval(out, &d->rhs, x, 5, instance->prepared), JLT_ERR_DOMAIN);
     x[0] = 0.3;
     x[3] = 1e200;
     assert_int_equal(jlt_instance_rhs(instance, out, x), JLT_ERR_NONFINITE);

@@ -3,7 +3,7 @@
 #include "unit/check.h"
 
 #include "emit/emit.h"
-#include "kernels/plan.h"
+#include "kernels/catalogue.h"
 
 typedef struct {
     const char *table, *losses; /* of its rhs */
@@ -13,18 +13,18 @@ static void expect_losses(const char *table, const char *losses)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *model = ttc_model_parse(table, strlen(table), "sample.tt", diagnostics);
-    ttc_plan plan;
+    ttc_catalogue plan;
     ttc_text text = { 0 };
 
     assert_non_null(model);
-    assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_QUICK));
+    assert_true(ttc_catalogue_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_QUICK));
     ttc_emit_losses(&text, plan.fields[0].kernels, TTC_KERNEL_RHS);
     /* What follows of sums has its own tests. */
     const char *said = ttc_text_string(&text), *sums = strstr(said, TTC_LOSS_SEPARATOR "digits are lost");
     assert_int_equal(sums == NULL ? strlen(said) : (size_t)(sums - said), strlen(losses));
     assert_memory_equal(said, losses, strlen(losses));
     ttc_text_clear(&text);
-    ttc_plan_clear(&plan);
+    ttc_catalogue_clear(&plan);
     ttc_model_destroy(model);
     ttc_diagnostics_destroy(diagnostics);
 }

@@ -32,12 +32,12 @@ static void prepare_fills_the_block_and_no_more(void **unused)
     for (size_t d = 0; d < jlt_descriptor_count(); d++) {
         const jlt_descriptor *descriptor = jlt_descriptor_at(d);
         assert_in_range(descriptor->param_count, 0, PARAMETERS);
-        assert_in_range(descriptor->block_count, 0, ROOM - 1);
+        assert_in_range(descriptor->prepared_count, 0, ROOM - 1);
         for (size_t i = 0; i < ROOM; i++) memcpy(&block[i], &untouched, sizeof untouched);
         descriptor->prepare(params, block);
         for (size_t i = 0; i < ROOM; i++)
-            if (is_untouched(block[i]) != (i >= descriptor->block_count))
-                fail_msg("%s %s: entry %zu of %u is %s", descriptor->model, descriptor->variant, i, descriptor->block_count,
+            if (is_untouched(block[i]) != (i >= descriptor->prepared_count))
+                fail_msg("%s %s: entry %zu of %u is %s", descriptor->model, descriptor->variant, i, descriptor->prepared_count,
                          is_untouched(block[i]) ? "not written" : "written");
     }
 }

@@ -37,7 +37,7 @@ static void check_model(const char *name, const char *time, unsigned tangents)
     assert_non_null(d);
     for (unsigned i = 0; i < d->param_count; i++) params[i] = isfinite(d->params[i].value) ? d->params[i].value : 0.5;
     assert_ok(jlt_instance_create(&instance, d, params));
-    assert_ok(jlt_field_of(&plain, d, instance->block));
+    assert_ok(jlt_field_of(&plain, d, instance->prepared));
     for (unsigned isa = 0; isa < JLT_ISA_COUNT; isa++) {
         if (d->batches[isa] == NULL || !jlt_batch_isa_runs(d->batches[isa])) continue;
         plain.batch = d->batches[isa];

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# src/jellett.h serves C11 and C++17 under strict warnings, with gcc and, where it is installed, clang: it compiles, twice over; all
+# src/jellett.h serves C11, C++17 and C++20 under strict warnings, with gcc and, where it is installed, clang: it compiles, twice over; all
 # languages and compilers agree on the layout of structures; and the functions are C's in C++ too. It includes no header of commands
 # and none of outside libraries.
 set -euo pipefail
@@ -67,7 +67,9 @@ for compiler in gcc clang; do
     command -v $compiler > /dev/null && check $compiler -std=c11 "$scratch/use.c"
 done
 for compiler in g++ clang++; do
-    command -v $compiler > /dev/null && check $compiler -std=c++17 "$scratch/use.cpp"
+    for standard in c++17 c++20; do
+        command -v $compiler > /dev/null && check $compiler -std=$standard "$scratch/use.cpp"
+    done
 done
 [[ " ${used[*]} " == *" gcc "* && " ${used[*]} " == *" g++ "* ]] || fail "gcc and g++ are wanted: tools/install-deps"
 

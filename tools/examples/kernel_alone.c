@@ -8,13 +8,13 @@ int main(void)
 {
     const jlt_descriptor *d = &jlt_kernels_lorenz_general;
     const double params[] = { 10, 28, 8. / 3 }, x[] = { 1, 2, 20 }, h = 0.01;
-    double block[16], f[3], jacobian[9], series[21 * 3], sum[3] = { 0 };
+    double prepared[16], f[3], jacobian[9], series[21 * 3], sum[3] = { 0 };
 
-    if (d->block_count > 16 || d->param_count != 3 || d->state_count != 3) return 1;
-    d->prepare(params, block); /* once for given parameters */
-    d->rhs.call(x, block, f);
-    d->jacobian.call(x, block, jacobian);
-    d->jet(x, block, 20, series);
+    if (d->prepared_count > 16 || d->param_count != 3 || d->state_count != 3) return 1;
+    d->prepare(params, prepared); /* once for given parameters */
+    d->rhs.call(x, prepared, f);
+    d->jacobian.call(x, prepared, jacobian);
+    d->jet(x, prepared, 20, series);
     for (int k = 20; k >= 0; k--)
         for (int i = 0; i < 3; i++) sum[i] = sum[i] * h + series[3 * k + i];
     for (int i = 0; i < 3; i++)

@@ -130,7 +130,7 @@ static jlt_status draw(eigen_run *run, jlt_oracle *oracle, jlt_random *random, c
     jlt_status st = JLT_OK;
     double block[512];
 
-    if (balanced == NULL || balanced->integral_count != INTEGRALS || balanced->block_count > 512) return JLT_ERR_UNSUPPORTED;
+    if (balanced == NULL || balanced->integral_count != INTEGRALS || balanced->prepared_count > 512) return JLT_ERR_UNSUPPORTED;
     for (int k = 0; k < POINTS; k++) {
         point *p = &run->points[k];
         ttc_enclosure a[N * N], trace;

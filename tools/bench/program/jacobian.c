@@ -28,7 +28,7 @@ struct way {
 
 static void generated(const way *self, double *jacobian, const double *x)
 {
-    self->instance->descriptor->jacobian.call(x, self->instance->block, jacobian);
+    self->instance->descriptor->jacobian.call(x, self->instance->prepared, jacobian);
 }
 
 /* Im f(x + i h e_j)/h: no difference is formed, and h may be as small as one likes. */
@@ -55,9 +55,9 @@ static void central(const way *self, double *jacobian, const double *x)
     for (int j = 0; j < N; j++) {
         const double h = self->step * fmax(1, fabs(x[j])), high = x[j] + h, low = x[j] - h;
         z[j] = high;
-        f(z, self->instance->block, up);
+        f(z, self->instance->prepared, up);
         z[j] = low;
-        f(z, self->instance->block, down);
+        f(z, self->instance->prepared, down);
         for (int i = 0; i < N; i++) jacobian[i * N + j] = (up[i] - down[i]) / (high - low);
         z[j] = x[j];
     }
@@ -69,10 +69,10 @@ static void forward(const way *self, double *jacobian, const double *x)
     double z[N], up[N], here[N];
 
     memcpy(z, x, sizeof z);
-    f(x, self->instance->block, here);
+    f(x, self->instance->prepared, here);
     for (int j = 0; j < N; j++) {
         z[j] = x[j] + self->step * fmax(1, fabs(x[j]));
-        f(z, self->instance->block, up);
+        f(z, self->instance->prepared, up);
         for (int i = 0; i < N; i++) jacobian[i * N + j] = (up[i] - here[i]) / (z[j] - x[j]);
         z[j] = x[j];
     }
@@ -111,7 +111,7 @@ static jlt_status pass(void *context, bool first)
     for (int round = 0; round < ROUNDS; round++) {
         if (w->batch != NULL)
             for (unsigned k = 0; k < POINTS; k += w->batch->lanes)
-                w->batch->jacobian(w->by_columns + k, w->instance->block, w->lanes_out + k, POINTS);
+                w->batch->jacobian(w->by_columns + k, w->instance->prepared, w->lanes_out + k, POINTS);
         else
             for (int k = 0; k < POINTS; k++) w->of(w, w->found[k], w->x[k]);
     }

@@ -181,7 +181,7 @@ static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const proble
     jlt_status st = JLT_ERR_NOMEM;
     batch_run run = { .problem = p };
 
-    run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->block, .dim = dim, .column = (unsigned)p->section, .direction = 1,
+    run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->prepared, .dim = dim, .column = (unsigned)p->section, .direction = 1,
                                .root = p->root, .root_floor = 1e-9, .method = method, .tolerance = tolerance, .max_steps = 1000000,
                                .threads = threads, .project = project ? p->instance->descriptor->integral_count : 0 };
     run.starts = calloc(p->orbits, dim * sizeof *run.starts);

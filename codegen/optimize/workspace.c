@@ -1,58 +1,58 @@
-/* The optimizer's system: creates and changes its variables, cubes and sums. */
-#include "optimize/system.h"
+/* The optimizer's workspace: creates and changes its variables, cubes and sums. */
+#include "optimize/workspace.h"
 
 #include "fields/formula.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-ttc_system *ttc_system_clone(const ttc_system *system)
+ttc_workspace *ttc_workspace_clone(const ttc_workspace *workspace)
 {
-    ttc_system *copy = calloc(1, sizeof *copy);
+    ttc_workspace *copy = calloc(1, sizeof *copy);
     if (copy == NULL) return NULL;
-    *copy = *system;
+    *copy = *workspace;
     copy->names = NULL;
     copy->name_count = 0;
-    copy->capacity = system->count + 32;
+    copy->capacity = workspace->count + 32;
     copy->variables = calloc(copy->capacity, sizeof *copy->variables);
-    copy->outputs = calloc(system->output_count + 1, sizeof *copy->outputs);
+    copy->outputs = calloc(workspace->output_count + 1, sizeof *copy->outputs);
     copy->failed = copy->variables == NULL || copy->outputs == NULL;
     copy->count = 0;
-    for (uint32_t i = 0; i < system->count && !copy->failed; i++) {
+    for (uint32_t i = 0; i < workspace->count && !copy->failed; i++) {
         ttc_variable *v = copy->variables + copy->count++;
-        *v = system->variables[i];
+        *v = workspace->variables[i];
         v->definition = (ttc_polynomial){ 0 };
-        uint32_t n = system->variables[i].definition.count;
+        uint32_t n = workspace->variables[i].definition.count;
         if (n == 0) continue;
         v->definition.cubes = malloc(n * sizeof *v->definition.cubes);
         copy->failed |= v->definition.cubes == NULL;
         if (copy->failed) break;
-        memcpy(v->definition.cubes, system->variables[i].definition.cubes, n * sizeof *v->definition.cubes);
+        memcpy(v->definition.cubes, workspace->variables[i].definition.cubes, n * sizeof *v->definition.cubes);
         v->definition.count = v->definition.capacity = n;
     }
     if (!copy->failed) {
-        memcpy(copy->outputs, system->outputs, system->output_count * sizeof *copy->outputs);
+        memcpy(copy->outputs, workspace->outputs, workspace->output_count * sizeof *copy->outputs);
         return copy;
     }
-    ttc_system_destroy(copy);
+    ttc_workspace_destroy(copy);
     return NULL;
 }
 
-void ttc_system_destroy(ttc_system *system)
+void ttc_workspace_destroy(ttc_workspace *workspace)
 {
-    if (system == NULL) return;
-    for (uint32_t i = 0; i < system->count; i++) free(system->variables[i].definition.cubes);
-    for (size_t i = 0; i < system->name_count; i++) free(system->names[i]);
-    free(system->names);
-    free(system->variables);
-    free(system->outputs);
-    free(system);
+    if (workspace == NULL) return;
+    for (uint32_t i = 0; i < workspace->count; i++) free(workspace->variables[i].definition.cubes);
+    for (size_t i = 0; i < workspace->name_count; i++) free(workspace->names[i]);
+    free(workspace->names);
+    free(workspace->variables);
+    free(workspace->outputs);
+    free(workspace);
 }
 
-void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t variable)
+void ttc_workspace_write_name(const ttc_workspace *workspace, ttc_text *text, uint32_t variable)
 {
-    const ttc_variable *v = system->variables + variable;
-    const ttc_field *field = system->field;
+    const ttc_variable *v = workspace->variables + variable;
+    const ttc_field *field = workspace->field;
     if (v->kind == TTC_VARIABLE_INPUT) ttc_text_add(text, field->symbols[field->states[v->operand]].name);
     if (v->label == NULL) return;
     ttc_text_add(text, v->label);
@@ -63,41 +63,41 @@ void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t va
     if (bracket) ttc_text_add(text, ")");
 }
 
-void ttc_system_name(ttc_system *system, uint32_t variable, ttc_text *label)
+void ttc_workspace_name(ttc_workspace *workspace, uint32_t variable, ttc_text *label)
 {
-    char **names = label->failed ? NULL : realloc(system->names, (system->name_count + 1) * sizeof *names);
+    char **names = label->failed ? NULL : realloc(workspace->names, (workspace->name_count + 1) * sizeof *names);
     if (names == NULL) {
         ttc_text_clear(label);
         return;
     }
-    system->names = names;
-    names[system->name_count++] = label->bytes;
-    system->variables[variable].label = label->bytes;
+    workspace->names = names;
+    names[workspace->name_count++] = label->bytes;
+    workspace->variables[variable].label = label->bytes;
 }
 
-uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand)
+uint32_t ttc_workspace_add_variable(ttc_workspace *workspace, ttc_variable_kind kind, uint32_t operand)
 {
-    if (system->count == system->capacity) {
-        uint32_t capacity = 2 * system->capacity + 32;
-        ttc_variable *variables = realloc(system->variables, capacity * sizeof *variables);
+    if (workspace->count == workspace->capacity) {
+        uint32_t capacity = 2 * workspace->capacity + 32;
+        ttc_variable *variables = realloc(workspace->variables, capacity * sizeof *variables);
         if (variables == NULL) {
-            system->failed = true;
+            workspace->failed = true;
             return 0;
         }
-        system->variables = variables;
-        system->capacity = capacity;
+        workspace->variables = variables;
+        workspace->capacity = capacity;
     }
-    system->variables[system->count] = (ttc_variable){ .kind = kind, .operand = operand };
-    return system->count++;
+    workspace->variables[workspace->count] = (ttc_variable){ .kind = kind, .operand = operand };
+    return workspace->count++;
 }
 
-void ttc_polynomial_add(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube)
+void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube)
 {
     if (p->count == p->capacity) {
         uint32_t capacity = p->capacity == 0 ? 4 : 2 * p->capacity;
         ttc_cube *cubes = realloc(p->cubes, capacity * sizeof *cubes);
         if (cubes == NULL) {
-            system->failed = true;
+            workspace->failed = true;
             return;
         }
         p->cubes = cubes;
@@ -120,9 +120,9 @@ void ttc_polynomial_close_gaps(ttc_polynomial *p)
     p->count = count;
 }
 
-ttc_cube ttc_cube_one(const ttc_system *system)
+ttc_cube ttc_cube_one(const ttc_workspace *workspace)
 {
-    ttc_cube cube = { .scale = system->one, .sign = 1 };
+    ttc_cube cube = { .scale = workspace->one, .sign = 1 };
     return cube;
 }
 
@@ -156,37 +156,37 @@ bool ttc_cube_same_factors(const ttc_cube *a, const ttc_cube *b)
     return a->count == b->count && memcmp(a->factors, b->factors, a->count * sizeof *a->factors) == 0;
 }
 
-static ttc_id signed_scale(ttc_system *system, const ttc_cube *cube)
+static ttc_id signed_scale(ttc_workspace *workspace, const ttc_cube *cube)
 {
-    return ttc_multiply(system->field->graph, cube->scale, ttc_integer(system->field->graph, cube->sign));
+    return ttc_multiply(workspace->field->graph, cube->scale, ttc_integer(workspace->field->graph, cube->sign));
 }
 
-void ttc_polynomial_merge(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube)
+void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube)
 {
     for (uint32_t i = 0; i < p->count; i++) {
         if (!ttc_cube_same_factors(p->cubes + i, cube)) continue;
-        ttc_id mine = signed_scale(system, p->cubes + i), other = signed_scale(system, cube);
-        ttc_id sum = ttc_add(system->field->graph, mine, other);
-        system->failed |= sum == TTC_NONE;
-        if (system->failed) return;
-        if (ttc_is_number(system->field->graph, sum, 0)) {
+        ttc_id mine = signed_scale(workspace, p->cubes + i), other = signed_scale(workspace, cube);
+        ttc_id sum = ttc_add(workspace->field->graph, mine, other);
+        workspace->failed |= sum == TTC_NONE;
+        if (workspace->failed) return;
+        if (ttc_is_number(workspace->field->graph, sum, 0)) {
             ttc_polynomial_remove(p, i);
             return;
         }
-        p->cubes[i].scale = system->one;
+        p->cubes[i].scale = workspace->one;
         p->cubes[i].sign = 1;
-        ttc_cube_scale(system, p->cubes + i, sum);
+        ttc_cube_scale(workspace, p->cubes + i, sum);
         return;
     }
-    ttc_polynomial_add(system, p, cube);
+    ttc_polynomial_add(workspace, p, cube);
 }
 
-void ttc_cube_scale(ttc_system *system, ttc_cube *cube, ttc_id factor)
+void ttc_cube_scale(ttc_workspace *workspace, ttc_cube *cube, ttc_id factor)
 {
-    ttc_graph *graph = system->field->graph;
+    ttc_graph *graph = workspace->field->graph;
     ttc_id scale = ttc_multiply(graph, cube->scale, factor);
     if (scale == TTC_NONE) {
-        system->failed = true;
+        workspace->failed = true;
         return;
     }
     const fmpq *leading = ttc_kind_of(graph, scale) == TTC_SUM ? ttc_part_at(graph, scale, 0).coefficient
@@ -194,14 +194,14 @@ void ttc_cube_scale(ttc_system *system, ttc_cube *cube, ttc_id factor)
     if (ttc_kind_of(graph, scale) != TTC_SYMBOL && fmpq_sgn(leading) < 0) {
         scale = ttc_multiply(graph, scale, ttc_integer(graph, -1));
         cube->sign = (int8_t)-cube->sign;
-        system->failed |= scale == TTC_NONE;
+        workspace->failed |= scale == TTC_NONE;
     }
     cube->scale = scale;
 }
 
-unsigned ttc_cube_cost(const ttc_system *system, const ttc_cube *cube)
+unsigned ttc_cube_cost(const ttc_workspace *workspace, const ttc_cube *cube)
 {
-    unsigned parts = cube->count + (cube->scale != system->one ? 1u : 0u);
+    unsigned parts = cube->count + (cube->scale != workspace->one ? 1u : 0u);
     return parts > 1 ? parts - 1 : 0;
 }
 

@@ -1,10 +1,10 @@
-#include "optimize/system_lower.h"
+#include "optimize/workspace_lower.h"
 
 #include <stdlib.h>
 
 typedef struct {
-    const ttc_system *system;
-    ttc_block *block;
+    const ttc_workspace *workspace;
+    ttc_prepared *prepared;
     ttc_program *program;
     ttc_value *values; /* by variable */
     unsigned *ready;   /* by value */
@@ -49,10 +49,10 @@ static ttc_value apply(lowering *l, ttc_op op, ttc_value a, ttc_value b)
 
 static ttc_value lower_scale(lowering *l, ttc_id scale)
 {
-    const ttc_graph *graph = l->system->field->graph;
+    const ttc_graph *graph = l->workspace->field->graph;
     if (ttc_kind_of(graph, scale) == TTC_NUMBER)
         return note(l, ttc_program_constant(l->program, ttc_coefficient(graph, scale)));
-    return note(l, ttc_program_parameter(l->program, ttc_block_index(l->block, scale)));
+    return note(l, ttc_program_parameter(l->program, ttc_prepared_index(l->prepared, scale)));
 }
 
 /* Multiply what is ready first, pair by pair. */
@@ -60,7 +60,7 @@ static ttc_value lower_cube(lowering *l, const ttc_cube *cube, ttc_id scale)
 {
     ttc_value values[TTC_CUBE_LIMIT + 1];
     unsigned count = 0;
-    if (scale != l->system->one || cube->count == 0) values[count++] = lower_scale(l, scale);
+    if (scale != l->workspace->one || cube->count == 0) values[count++] = lower_scale(l, scale);
     for (unsigned i = 0; i < cube->count; i++) values[count++] = lower_variable(l, cube->factors[i]);
     while (count > 1 && !l->failed) {
         unsigned first = 0, second = 1;
@@ -124,13 +124,13 @@ static ttc_value add_terms(lowering *l, const term *terms, size_t count)
 static bool scales_take_sign(const lowering *l, const ttc_polynomial *p)
 {
     for (uint32_t i = 0; i < p->count; i++)
-        if (p->cubes[i].sign > 0 || p->cubes[i].scale == l->system->one) return false;
+        if (p->cubes[i].sign > 0 || p->cubes[i].scale == l->workspace->one) return false;
     return true;
 }
 
 static ttc_value lower_polynomial(lowering *l, const ttc_polynomial *p)
 {
-    ttc_graph *graph = l->system->field->graph;
+    ttc_graph *graph = l->workspace->field->graph;
     if (p->count == 0) return note(l, ttc_program_integer(l->program, 0));
     term *terms = calloc(p->count, sizeof *terms);
     l->failed |= terms == NULL;
@@ -141,7 +141,7 @@ static ttc_value lower_polynomial(lowering *l, const ttc_polynomial *p)
         l->failed |= scale == TTC_NONE;
         if (l->failed) break;
         terms[i].sign = negate_scales ? 1 : cube->sign;
-        terms[i].is_product = ttc_cube_cost(l->system, cube) > 0;
+        terms[i].is_product = ttc_cube_cost(l->workspace, cube) > 0;
         terms[i].value = lower_cube(l, cube, scale);
     }
     ttc_value value = TTC_NO_VALUE;
@@ -156,7 +156,7 @@ static ttc_value lower_polynomial(lowering *l, const ttc_polynomial *p)
 static void label(lowering *l, uint32_t variable, ttc_value value)
 {
     ttc_text text = { 0 };
-    ttc_system_write_name(l->system, &text, variable);
+    ttc_workspace_write_name(l->workspace, &text, variable);
     l->failed |= text.failed;
     if (!l->failed && text.length > 0) ttc_program_label(l->program, value, ttc_text_string(&text));
     ttc_text_clear(&text);
@@ -164,7 +164,7 @@ static void label(lowering *l, uint32_t variable, ttc_value value)
 
 static ttc_value lower_variable(lowering *l, uint32_t variable)
 {
-    const ttc_variable *v = l->system->variables + variable;
+    const ttc_variable *v = l->workspace->variables + variable;
     if (l->failed) return TTC_NO_VALUE;
     if (l->values[variable] != TTC_NO_VALUE) return l->values[variable];
     ttc_value value = TTC_NO_VALUE, operand = TTC_NO_VALUE;
@@ -203,17 +203,17 @@ static ttc_value lower_variable(lowering *l, uint32_t variable)
     return value;
 }
 
-ttc_program *ttc_system_lower(const ttc_system *system, ttc_block *block)
+ttc_program *ttc_workspace_lower(const ttc_workspace *workspace, ttc_prepared *prepared)
 {
-    lowering l = { .system = system, .block = block, .program = ttc_program_create() };
-    l.values = malloc((system->count + 1) * sizeof *l.values);
+    lowering l = { .workspace = workspace, .prepared = prepared, .program = ttc_program_create() };
+    l.values = malloc((workspace->count + 1) * sizeof *l.values);
     l.failed = l.program == NULL || l.values == NULL;
-    for (uint32_t i = 0; i < system->count && !l.failed; i++) l.values[i] = TTC_NO_VALUE;
-    for (uint32_t i = 0; i < system->output_count && !l.failed; i++) {
-        ttc_value value = lower_variable(&l, system->outputs[i]);
+    for (uint32_t i = 0; i < workspace->count && !l.failed; i++) l.values[i] = TTC_NO_VALUE;
+    for (uint32_t i = 0; i < workspace->output_count && !l.failed; i++) {
+        ttc_value value = lower_variable(&l, workspace->outputs[i]);
         if (!l.failed) ttc_program_output(l.program, value);
     }
-    ttc_program *trimmed = l.failed || block->failed || ttc_program_failed(l.program) ? NULL : ttc_program_trim(l.program);
+    ttc_program *trimmed = l.failed || prepared->failed || ttc_program_failed(l.program) ? NULL : ttc_program_trim(l.program);
     ttc_program_destroy(l.program);
     free(l.values);
     free(l.ready);

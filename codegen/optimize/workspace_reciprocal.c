@@ -1,7 +1,7 @@
 /* One division for many denominators. With R = 1/(d_1 ... d_k), the reciprocal of a product over a subset S is that over
  * S and one more j, times d_j: so all reciprocals in use are nodes of a tree that hangs from the full set. Or each is
  * written out, R times the denominators outside S, for an extraction to find what they share. */
-#include "optimize/system.h"
+#include "optimize/workspace.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 enum { MOST = 12 }; /* denominators in one division */
 
 typedef struct {
-    ttc_system *system;
+    ttc_workspace *workspace;
     uint32_t members[MOST]; /* reciprocal variables of one level */
     unsigned count;
     bool written_out;
@@ -18,18 +18,18 @@ typedef struct {
 } group;
 
 /* 1 for a reciprocal whose operand needs no other, and so on; 0: not yet known. */
-static unsigned level_of(const ttc_system *system, unsigned *levels, uint32_t variable)
+static unsigned level_of(const ttc_workspace *workspace, unsigned *levels, uint32_t variable)
 {
-    const ttc_variable *v = system->variables + variable;
+    const ttc_variable *v = workspace->variables + variable;
     unsigned level = 1;
     if (levels[variable] != 0) return levels[variable];
     if (v->kind != TTC_VARIABLE_UNIT) {
-        if (v->kind != TTC_VARIABLE_INPUT) level = level_of(system, levels, v->operand);
+        if (v->kind != TTC_VARIABLE_INPUT) level = level_of(workspace, levels, v->operand);
         if (v->kind == TTC_VARIABLE_RECIPROCAL) level++;
     }
     for (uint32_t i = 0; i < v->definition.count; i++)
         for (unsigned j = 0; j < v->definition.cubes[i].count; j++) {
-            unsigned inner = level_of(system, levels, v->definition.cubes[i].factors[j]);
+            unsigned inner = level_of(workspace, levels, v->definition.cubes[i].factors[j]);
             if (inner > level) level = inner;
         }
     levels[variable] = level;
@@ -41,11 +41,11 @@ static unsigned subset_of(const group *g, uint32_t variable)
 {
     for (unsigned i = 0; i < g->count; i++)
         if (g->members[i] == variable) return 1u << i;
-    const ttc_variable *v = g->system->variables + variable;
+    const ttc_variable *v = g->workspace->variables + variable;
     if (v->kind != TTC_VARIABLE_UNIT || v->is_output || v->definition.count != 1) return 0;
     const ttc_cube *cube = v->definition.cubes;
     unsigned subset = 0;
-    if (cube->sign < 0 || cube->scale != g->system->one) return 0;
+    if (cube->sign < 0 || cube->scale != g->workspace->one) return 0;
     for (unsigned i = 0; i < cube->count; i++) {
         unsigned part = subset_of(g, cube->factors[i]);
         if (part == 0 || (part & subset) != 0) return 0;
@@ -64,7 +64,7 @@ static unsigned size_of(unsigned subset)
 /* "1/(a*b)", when all operands have names. */
 static void name_subset(group *g, uint32_t variable, unsigned subset)
 {
-    ttc_system *system = g->system;
+    ttc_workspace *workspace = g->workspace;
     ttc_text text = { 0 };
     bool named = true;
     ttc_text_add(&text, size_of(subset) > 1 ? "1/(" : "1/");
@@ -72,23 +72,23 @@ static void name_subset(group *g, uint32_t variable, unsigned subset)
         if ((subset & 1u << i) == 0) continue;
         if (k++ > 0) ttc_text_add(&text, "*");
         ttc_text name = { 0 };
-        ttc_system_write_name(system, &name, g->operands[i]);
+        ttc_workspace_write_name(workspace, &name, g->operands[i]);
         named = name.length > 0 && !name.failed;
         bool bracket = named && strchr(name.bytes, '/') != NULL;
         ttc_text_format(&text, bracket ? "(%s)" : "%s", ttc_text_string(&name));
         ttc_text_clear(&name);
     }
     if (size_of(subset) > 1) ttc_text_add(&text, ")");
-    if (named) ttc_system_name(system, variable, &text);
+    if (named) ttc_workspace_name(workspace, variable, &text);
     else ttc_text_clear(&text);
 }
 
-static void define_by(ttc_system *system, uint32_t variable, const ttc_cube *cube)
+static void define_by(ttc_workspace *workspace, uint32_t variable, const ttc_cube *cube)
 {
-    ttc_variable *v = system->variables + variable;
+    ttc_variable *v = workspace->variables + variable;
     v->kind = TTC_VARIABLE_UNIT;
     v->definition.count = 0;
-    ttc_polynomial_add(system, &v->definition, cube);
+    ttc_polynomial_add(workspace, &v->definition, cube);
 }
 
 /* Of the members outside `subset`, the one whose addition leads to a subset that is wanted, or that most wanted ones
@@ -114,7 +114,7 @@ static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset);
 /* From the smallest available subset that holds this one, along wanted ones where possible. */
 static ttc_cube cube_along_tree(group *g, const unsigned char *wanted, unsigned subset)
 {
-    ttc_cube cube = ttc_cube_one(g->system);
+    ttc_cube cube = ttc_cube_one(g->workspace);
     unsigned full = (1u << g->count) - 1, target = full;
     for (unsigned s = subset; s <= full; s++)
         if (g->variable[s] != 0 && (subset & ~s) == 0 && size_of(s) < size_of(target)) target = s;
@@ -126,7 +126,7 @@ static ttc_cube cube_along_tree(group *g, const unsigned char *wanted, unsigned 
 
 static ttc_cube cube_written_out(const group *g, unsigned subset)
 {
-    ttc_cube cube = ttc_cube_one(g->system);
+    ttc_cube cube = ttc_cube_one(g->workspace);
     ttc_cube_multiply(&cube, g->variable[(1u << g->count) - 1] - 1);
     for (unsigned i = 0; i < g->count; i++)
         if ((subset & 1u << i) == 0) ttc_cube_multiply(&cube, g->operands[i]);
@@ -136,12 +136,12 @@ static ttc_cube cube_written_out(const group *g, unsigned subset)
 /* Make `subset` available. */
 static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
 {
-    ttc_system *system = g->system;
+    ttc_workspace *workspace = g->workspace;
     if (g->variable[subset] != 0) return g->variable[subset] - 1;
     ttc_cube cube = g->written_out ? cube_written_out(g, subset) : cube_along_tree(g, wanted, subset);
-    uint32_t variable = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
-    if (system->failed) return 0;
-    define_by(system, variable, &cube);
+    uint32_t variable = ttc_workspace_add_variable(workspace, TTC_VARIABLE_UNIT, 0);
+    if (workspace->failed) return 0;
+    define_by(workspace, variable, &cube);
     name_subset(g, variable, subset);
     g->variable[subset] = variable + 1;
     return variable;
@@ -149,33 +149,33 @@ static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
 
 static void share_group(group *g)
 {
-    ttc_system *system = g->system;
+    ttc_workspace *workspace = g->workspace;
     unsigned subsets = 1u << g->count;
-    uint32_t known = system->count;
+    uint32_t known = workspace->count;
     unsigned char *wanted = calloc(subsets, 1);
     unsigned *subset = calloc(known + 1, sizeof *subset);
     g->variable = calloc(subsets, sizeof *g->variable);
-    system->failed |= wanted == NULL || subset == NULL || g->variable == NULL;
-    if (system->failed) goto done;
+    workspace->failed |= wanted == NULL || subset == NULL || g->variable == NULL;
+    if (workspace->failed) goto done;
     for (uint32_t v = 0; v < known; v++) {
         subset[v] = subset_of(g, v);
         wanted[subset[v]] = 1;
     }
     wanted[0] = 0;
-    ttc_cube product = ttc_cube_one(system);
+    ttc_cube product = ttc_cube_one(workspace);
     for (unsigned i = 0; i < g->count; i++) ttc_cube_multiply(&product, g->operands[i]);
-    uint32_t all = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
-    if (system->failed) goto done;
-    ttc_polynomial_add(system, &system->variables[all].definition, &product);
-    g->variable[subsets - 1] = ttc_system_add_variable(system, TTC_VARIABLE_RECIPROCAL, all) + 1;
-    for (unsigned size = g->count; size > 0 && !system->failed; size--)
+    uint32_t all = ttc_workspace_add_variable(workspace, TTC_VARIABLE_UNIT, 0);
+    if (workspace->failed) goto done;
+    ttc_polynomial_add(workspace, &workspace->variables[all].definition, &product);
+    g->variable[subsets - 1] = ttc_workspace_add_variable(workspace, TTC_VARIABLE_RECIPROCAL, all) + 1;
+    for (unsigned size = g->count; size > 0 && !workspace->failed; size--)
         for (unsigned s = 1; s < subsets; s++)
             if (wanted[s] && size_of(s) == size) derive(g, wanted, s);
-    for (uint32_t v = 0; v < known && !system->failed; v++) {
-        ttc_cube alias = ttc_cube_one(system);
+    for (uint32_t v = 0; v < known && !workspace->failed; v++) {
+        ttc_cube alias = ttc_cube_one(workspace);
         if (subset[v] == 0) continue;
         ttc_cube_multiply(&alias, g->variable[subset[v]] - 1);
-        define_by(system, v, &alias);
+        define_by(workspace, v, &alias);
     }
 done:
     free(wanted);
@@ -183,20 +183,20 @@ done:
     free(g->variable);
 }
 
-void ttc_system_share_reciprocals(ttc_system *system, bool written_out)
+void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out)
 {
-    uint32_t count = system->count;
+    uint32_t count = workspace->count;
     unsigned *levels = calloc(count + 1, sizeof *levels), deepest = 0;
-    system->failed |= levels == NULL;
-    for (uint32_t v = 0; v < count && !system->failed; v++)
-        if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && level_of(system, levels, v) > deepest)
+    workspace->failed |= levels == NULL;
+    for (uint32_t v = 0; v < count && !workspace->failed; v++)
+        if (workspace->variables[v].kind == TTC_VARIABLE_RECIPROCAL && level_of(workspace, levels, v) > deepest)
             deepest = levels[v];
-    for (unsigned level = 2; level <= deepest && !system->failed; level++) {
-        group g = { .system = system, .written_out = written_out };
+    for (unsigned level = 2; level <= deepest && !workspace->failed; level++) {
+        group g = { .workspace = workspace, .written_out = written_out };
         for (uint32_t v = 0; v < count && g.count < MOST; v++)
-            if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && levels[v] == level) {
+            if (workspace->variables[v].kind == TTC_VARIABLE_RECIPROCAL && levels[v] == level) {
                 g.members[g.count] = v;
-                g.operands[g.count++] = system->variables[v].operand;
+                g.operands[g.count++] = workspace->variables[v].operand;
             }
         if (g.count > 1) share_group(&g);
     }

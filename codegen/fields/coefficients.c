@@ -1,4 +1,4 @@
-#include "fields/lambda.h"
+#include "fields/coefficients.h"
 
 #include <stdlib.h>
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 typedef struct {
-    ttc_system *system;
+    ttc_workspace *workspace;
     ttc_candidates candidates;
     uint64_t random, work;
     unsigned noise;
@@ -36,27 +36,27 @@ static int compare_cubes(const void *left, const void *right)
  * is compared with the next ones alone. */
 static void begin(extractor *e)
 {
-    ttc_system *system = e->system;
+    ttc_workspace *workspace = e->workspace;
     ttc_candidates *c = &e->candidates;
     uint64_t pairs = 0, terms = 1;
-    for (uint32_t v = 0; v < system->count; v++) {
+    for (uint32_t v = 0; v < workspace->count; v++) {
         uint64_t n = ttc_candidates_definition(c, v)->count;
         pairs += n * (n - 1) / 2;
         terms += n;
     }
     e->is_large = pairs > e->pair_limit;
     uint32_t window = e->is_large ? (uint32_t)(e->pair_limit / terms) + 1 : UINT32_MAX;
-    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+    for (uint32_t v = 0; v < workspace->count && !workspace->failed; v++) {
         ttc_polynomial *p = ttc_candidates_definition(c, v);
         if (p->count > window) qsort(p->cubes, p->count, sizeof *p->cubes, compare_cubes);
         ttc_candidates_enroll(c, v, window);
     }
-    for (uint32_t v = 0; v < system->count && !system->failed; v++) ttc_candidates_note_factors(c, v);
+    for (uint32_t v = 0; v < workspace->count && !workspace->failed; v++) ttc_candidates_note_factors(c, v);
 }
 
-static void take_factor(ttc_system *system, ttc_cube *cube, uint32_t factor)
+static void take_factor(ttc_workspace *workspace, ttc_cube *cube, uint32_t factor)
 {
-    if ((factor & TTC_SCALE_FACTOR) != 0) cube->scale = system->one;
+    if ((factor & TTC_SCALE_FACTOR) != 0) cube->scale = workspace->one;
     else ttc_cube_remove(cube, factor);
 }
 
@@ -69,9 +69,9 @@ static bool has_factors(const ttc_cube *cube, uint32_t a, uint32_t b)
 
 static uint32_t add_unit(extractor *e)
 {
-    uint32_t unit = ttc_system_add_variable(e->system, TTC_VARIABLE_UNIT, 0);
-    if (e->system->failed) return unit;
-    e->system->variables[unit].is_extracted = true;
+    uint32_t unit = ttc_workspace_add_variable(e->workspace, TTC_VARIABLE_UNIT, 0);
+    if (e->workspace->failed) return unit;
+    e->workspace->variables[unit].is_extracted = true;
     ttc_candidates_enroll(&e->candidates, unit, UINT32_MAX);
     return unit;
 }
@@ -79,8 +79,8 @@ static uint32_t add_unit(extractor *e)
 static void define_unit(extractor *e, uint32_t unit, const ttc_cube *cubes, uint32_t count)
 {
     ttc_candidates *c = &e->candidates;
-    for (uint32_t i = 0; i < count; i++) ttc_polynomial_add(e->system, ttc_candidates_definition(c, unit), cubes + i);
-    if (e->system->failed) return;
+    for (uint32_t i = 0; i < count; i++) ttc_polynomial_add(e->workspace, ttc_candidates_definition(c, unit), cubes + i);
+    if (e->workspace->failed) return;
     ttc_candidates_enroll(c, unit, UINT32_MAX);
     ttc_candidates_note_factors(c, unit);
 }
@@ -88,27 +88,27 @@ static void define_unit(extractor *e, uint32_t unit, const ttc_cube *cubes, uint
 /* a, a variable, times b, a variable or a scale, becomes a unit. */
 static void extract_factors(extractor *e, uint32_t a, uint32_t b)
 {
-    ttc_system *system = e->system;
+    ttc_workspace *workspace = e->workspace;
     ttc_candidates *c = &e->candidates;
     uint32_t unit = add_unit(e);
-    for (uint32_t o = system->failed ? 0 : c->first_occurrence[a]; o != 0 && !system->failed;) {
+    for (uint32_t o = workspace->failed ? 0 : c->first_occurrence[a]; o != 0 && !workspace->failed;) {
         ttc_occurrence at = c->occurrences[o - 1];
         ttc_cube *cube = ttc_candidates_definition(c, at.variable)->cubes + at.position;
         o = at.next;
         if (cube->sign == 0 || !has_factors(cube, a, b)) continue;
         ttc_candidates_retract(c, at.variable, at.position);
         while (has_factors(cube, a, b)) {
-            take_factor(system, cube, a);
-            take_factor(system, cube, b);
+            take_factor(workspace, cube, a);
+            take_factor(workspace, cube, b);
             ttc_cube_multiply(cube, unit);
         }
-        if (!system->failed) ttc_candidates_note_factor(c, unit, at.variable, at.position);
+        if (!workspace->failed) ttc_candidates_note_factor(c, unit, at.variable, at.position);
     }
-    ttc_cube product = ttc_cube_one(system);
+    ttc_cube product = ttc_cube_one(workspace);
     ttc_cube_multiply(&product, a);
     if ((b & TTC_SCALE_FACTOR) != 0) product.scale = b & ~TTC_SCALE_FACTOR;
     else ttc_cube_multiply(&product, b);
-    if (!system->failed) define_unit(e, unit, &product, 1);
+    if (!workspace->failed) define_unit(e, unit, &product, 1);
 }
 
 /* One term is left; taken ones have no sign. */
@@ -122,16 +122,16 @@ static bool is_single(const ttc_polynomial *p)
 /* The sum of two terms becomes a unit wherever it stands. */
 static void extract_terms(extractor *e, uint32_t group)
 {
-    ttc_system *system = e->system;
+    ttc_workspace *workspace = e->workspace;
     ttc_candidates *c = &e->candidates;
     uint32_t count = c->binomials.groups[group].size;
     ttc_term_pair *places = malloc((count + 1) * sizeof *places);
     ttc_binomial wanted, found;
     bool is_grouping = false;
-    system->failed |= places == NULL;
-    uint32_t unit = system->failed ? 0 : add_unit(e);
-    if (!system->failed) ttc_extract_index_places(&c->binomials, group, places);
-    for (uint32_t i = 0; i < count && !system->failed; i++) {
+    workspace->failed |= places == NULL;
+    uint32_t unit = workspace->failed ? 0 : add_unit(e);
+    if (!workspace->failed) ttc_extract_index_places(&c->binomials, group, places);
+    for (uint32_t i = 0; i < count && !workspace->failed; i++) {
         const ttc_term_pair *at = places + i;
         ttc_polynomial *p = ttc_candidates_definition(c, at->variable);
         if (ttc_candidates_is_changed(c, at->variable, at->first)) continue;
@@ -143,15 +143,15 @@ static void extract_terms(extractor *e, uint32_t group)
         ttc_candidates_retract(c, at->variable, at->second);
         p->cubes[at->first] = found.common;
         p->cubes[at->second].sign = 0;
-        const ttc_variable *changed = system->variables + at->variable;
+        const ttc_variable *changed = workspace->variables + at->variable;
         is_grouping |= is_single(p) && !changed->is_extracted && !changed->is_output;
-        if (!system->failed) ttc_candidates_note_factor(c, unit, at->variable, at->first);
+        if (!workspace->failed) ttc_candidates_note_factor(c, unit, at->variable, at->first);
     }
     free(places);
     const ttc_cube rests[] = { wanted.rest_a, wanted.rest_b };
     /* What was a sum of the table's, or one side of a difference of squares, may not be multiplied out later. */
-    if (!system->failed && is_grouping && system->field->keeps_digits) system->variables[unit].is_extracted = false;
-    if (!system->failed) define_unit(e, unit, rests, 2);
+    if (!workspace->failed && is_grouping && workspace->field->keeps_digits) workspace->variables[unit].is_extracted = false;
+    if (!workspace->failed) define_unit(e, unit, rests, 2);
 }
 
 /* The first of the groups worth most; NULL when none is worth anything. */
@@ -179,7 +179,7 @@ static void extract_all(extractor *e, bool are_terms, const ttc_ranked *chosen)
 {
     const ttc_extract_index *index = are_terms ? &e->candidates.binomials : &e->candidates.pairs;
     int32_t gain = chosen->gain;
-    for (size_t i = (size_t)(chosen - index->ranked); i < index->ranked_count && !e->system->failed; i++)
+    for (size_t i = (size_t)(chosen - index->ranked); i < index->ranked_count && !e->workspace->failed; i++)
         if (index->ranked[i].gain == gain && !index->groups[index->ranked[i].group].is_changed)
             extract_ranked(e, are_terms, index->ranked + i);
 }
@@ -189,24 +189,24 @@ static bool extract_best(extractor *e)
     uint64_t score = 0;
     ttc_candidates_renew(&e->candidates);
     e->work += e->candidates.pairs.members + e->candidates.binomials.members;
-    if (e->system->failed) return false;
+    if (e->workspace->failed) return false;
     const ttc_ranked *pair = best_of(e, &e->candidates.pairs, 0, &score);
     const ttc_ranked *terms = best_of(e, &e->candidates.binomials, 8, &score);
     const ttc_ranked *chosen = terms != NULL ? terms : pair;
     if (chosen == NULL) return false;
     if (e->is_large) extract_all(e, terms != NULL, chosen);
     else extract_ranked(e, terms != NULL, chosen);
-    return !e->system->failed;
+    return !e->workspace->failed;
 }
 
-uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_limit)
+uint64_t ttc_workspace_extract(ttc_workspace *workspace, uint64_t seed, uint64_t pair_limit)
 {
-    extractor e = { .system = system, .candidates.system = system, .random = seed, .pair_limit = pair_limit };
+    extractor e = { .workspace = workspace, .candidates.workspace = workspace, .random = seed, .pair_limit = pair_limit };
     static const unsigned noises[] = { 32, 64, 96, 160 };
     e.noise = seed == 0 ? 0 : noises[seed % 4];
     begin(&e);
     while (extract_best(&e)) continue;
-    for (uint32_t v = 0; v < system->count; v++) ttc_polynomial_close_gaps(&system->variables[v].definition);
+    for (uint32_t v = 0; v < workspace->count; v++) ttc_polynomial_close_gaps(&workspace->variables[v].definition);
     ttc_candidates_clear(&e.candidates);
     return e.work;
 }

@@ -1,6 +1,6 @@
 /** Coefficients of an expression that is a polynomial in one symbol. */
-#ifndef TTC_LAMBDA_H
-#define TTC_LAMBDA_H
+#ifndef TTC_COEFFICIENTS_H
+#define TTC_COEFFICIENTS_H
 
 #include "expression/graph.h"
 

@@ -4,8 +4,8 @@
  *  time, and so costs at most one multiplication, whatever it looks like. A variable is an input, a unit (a sum with a
  *  name: an author's grouping, a derivative, or a shared part that the optimizer made), or a function of another
  *  variable. Nothing here ever multiplies out an author's sum: rounding errors stay those of the table's grouping. */
-#ifndef TTC_SYSTEM_H
-#define TTC_SYSTEM_H
+#ifndef TTC_WORKSPACE_H
+#define TTC_WORKSPACE_H
 
 #include "fields/field.h"
 #include "base/text.h"
@@ -48,70 +48,71 @@ typedef struct {
     char **names; /* labels made here; a clone does not have them */
     size_t name_count;
     bool failed;       /* memory is out, or the graph refused */
-} ttc_system;
+} ttc_workspace;
 
-/** From expressions in the field's symbols. NULL: memory. */
-ttc_system *ttc_system_create(ttc_field *field, const ttc_id *outputs, size_t count);
-ttc_system *ttc_system_clone(const ttc_system *system); /* NULL: memory */
-void ttc_system_destroy(ttc_system *system);            /* legal on NULL */
+/** Make a workspace of expressions in the field's symbols. NULL: memory is out. */
+ttc_workspace *ttc_workspace_create(ttc_field *field, const ttc_id *outputs, size_t count);
+ttc_workspace *ttc_workspace_clone(const ttc_workspace *workspace); /* NULL: memory */
+void ttc_workspace_destroy(ttc_workspace *workspace);            /* legal on NULL */
 
 /* What a variable is called in comments, "" when it has no name. */
-void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t variable);
+void ttc_workspace_write_name(const ttc_workspace *workspace, ttc_text *text, uint32_t variable);
 
 /* Give a variable a label; takes ownership of the text. It has none when memory is out. */
-void ttc_system_name(ttc_system *system, uint32_t variable, ttc_text *label);
+void ttc_workspace_name(ttc_workspace *workspace, uint32_t variable, ttc_text *label);
 
-uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand);
-void ttc_polynomial_add(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube);
-/* The same, where a cube of equal factors takes the new one in, scales added. */
-void ttc_polynomial_merge(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube);
+uint32_t ttc_workspace_add_variable(ttc_workspace *workspace, ttc_variable_kind kind, uint32_t operand);
+/* p += cube; the cubes of p stay as they are. */
+void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
+/* The same, but where p has a cube with the same factors, the scales are added in that one. */
+void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
 void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index); /* keeps the order of the rest */
-void ttc_polynomial_close_gaps(ttc_polynomial *p); /* cubes of sign 0 leave */
+void ttc_polynomial_close_gaps(ttc_polynomial *p); /* removes cubes of sign 0 */
 
-ttc_cube ttc_cube_one(const ttc_system *system);
-/* False when the cube is full. */
+ttc_cube ttc_cube_one(const ttc_workspace *workspace);
+/* cube *= variable. False when the cube is full. */
 bool ttc_cube_multiply(ttc_cube *cube, uint32_t variable);
 void ttc_cube_remove(ttc_cube *cube, uint32_t variable); /* one occurrence, which must be there */
 unsigned ttc_cube_power(const ttc_cube *cube, uint32_t variable);
 bool ttc_cube_same_factors(const ttc_cube *a, const ttc_cube *b);
 /* cube *= sign and scale of an expression in parameters alone */
-void ttc_cube_scale(ttc_system *system, ttc_cube *cube, ttc_id factor);
+void ttc_cube_scale(ttc_workspace *workspace, ttc_cube *cube, ttc_id factor);
 /* Multiplications that the cube takes. */
-unsigned ttc_cube_cost(const ttc_system *system, const ttc_cube *cube);
+unsigned ttc_cube_cost(const ttc_workspace *workspace, const ttc_cube *cube);
 
 /* True when a scale is never zero, whatever the parameters, so that others may be divided by it. */
 bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 
-/** One division for all reciprocals that do not need each other: 1/(d_1 ... d_k), from which the single ones, and the
+/** Make one division serve all reciprocals that do not need each other: 1/(d_1 ... d_k), from which the single ones, and the
  *  products of them that are in use, are recovered by multiplications: along a tree of subsets, or each written out, for an
  *  extraction to find what they share. To be done last. */
-void ttc_system_share_reciprocals(ttc_system *system, bool written_out);
+void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out);
 
 /** Take out common factors, common products and common sums until nothing is gained. seed 0 always takes what gains
  *  most; others prefer it with some chance. pair_limit: where sums have more pairs of terms than this, each term is compared
  *  with some others alone, and a step takes all that is worth the same. Returns the work done, in comparisons. */
-uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_limit);
+uint64_t ttc_workspace_extract(ttc_workspace *workspace, uint64_t seed, uint64_t pair_limit);
 
-/* Undo what is used once, drop what is not used, and turn signs so that few negations are left. */
-void ttc_system_tidy(ttc_system *system);
+/* Write units that are used once back into their user, drop variables that are not used, and choose signs so that few negations are left. */
+void ttc_workspace_tidy(ttc_workspace *workspace);
 
 /* Put a unit back where it is used. False when a cube would be too long; nothing is changed then. */
-bool ttc_system_inline(ttc_system *system, uint32_t variable);
+bool ttc_workspace_inline(ttc_workspace *workspace, uint32_t variable);
 
-/* In every cube, a variable goes against its reciprocal, and the square of a root becomes its radicand. */
-void ttc_system_cancel(ttc_system *system);
+/* In every cube, cancel variables against their reciprocals, and replace the square of a root by its radicand. */
+void ttc_workspace_cancel(ttc_workspace *workspace);
 
 /** Write products out where they are used, so that they cancel there. Returns whether there were any. */
-bool ttc_system_write_out(ttc_system *system);
+bool ttc_workspace_write_out(ttc_workspace *workspace);
 
 /* Where the reciprocal of a root occurs in multiples of one power only, r^-3 say, it becomes that of r^3 = r r^2. */
-void ttc_system_raise_reciprocals(ttc_system *system);
+void ttc_workspace_raise_reciprocals(ttc_workspace *workspace);
 
 /** Every reciprocal of a root, 1/r, becomes r (1/r^2): a division by what the root is taken of need not wait for the root.
  *  Returns whether there were any. */
-bool ttc_system_divide_by_radicands(ttc_system *system);
+bool ttc_workspace_divide_by_radicands(ttc_workspace *workspace);
 
 /* Divide units by one of their scales where that saves multiplications. */
-void ttc_system_rescale(ttc_system *system);
+void ttc_workspace_rescale(ttc_workspace *workspace);
 
 #endif

@@ -1,4 +1,4 @@
-#include "prove/branch.h"
+#include "prove/subcase.h"
 
 static ttc_id term_node(ttc_task *task, const fmpz_mpoly_t polynomial, slong index)
 {
@@ -18,7 +18,7 @@ static ttc_id term_node(ttc_task *task, const fmpz_mpoly_t polynomial, slong ind
     return node;
 }
 
-ttc_id ttc_branch_expression(ttc_task *task, const fmpz_mpoly_t polynomial)
+ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial)
 {
     ttc_id sum = ttc_integer(task->model->graph, 0);
     for (slong i = 0; i < fmpz_mpoly_length(polynomial, task->ring->context); i++)
@@ -102,18 +102,18 @@ static ttc_id coefficient_node(ttc_task *task, const fmpz_mpoly_t factor, slong 
     fmpz_mpoly_t coefficient;
     fmpz_mpoly_init(coefficient, task->ring->context);
     fmpz_mpoly_get_coeff_vars_ui(coefficient, factor, &variable, &exponent, 1, task->ring->context);
-    ttc_id node = ttc_branch_expression(task, coefficient);
+    ttc_id node = ttc_subcase_expression(task, coefficient);
     fmpz_mpoly_clear(coefficient, task->ring->context);
     return node;
 }
 
 /* a x^2 + b x + c = 0 as x = y - b/(2a), y^2 = (b^2 - 4ac)/(4a^2); a x + b = 0 as x = -b/a. */
-bool ttc_branch_solve(ttc_branch *b, ttc_id *lead_out, ttc_task *task, const fmpz_mpoly_t factor)
+bool ttc_subcase_solve(ttc_subcase *b, ttc_id *lead_out, ttc_task *task, const fmpz_mpoly_t factor)
 {
     ttc_graph *graph = task->model->graph;
     ulong degree = 0;
     slong variable = choose_variable(task, factor, &degree);
-    if (variable < 0 || b->relation_count == TTC_BRANCH_RELATIONS_MAX) return false;
+    if (variable < 0 || b->relation_count == TTC_SUBCASE_RELATIONS_MAX) return false;
     uint32_t symbol = (uint32_t)ttc_valuation_symbol(task->field, variable);
     ttc_id coefficients[3] = { TTC_NONE };
     for (ulong k = 0; k <= degree; k++) coefficients[k] = coefficient_node(task, factor, variable, k);

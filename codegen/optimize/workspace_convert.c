@@ -1,11 +1,11 @@
-/* From expressions to a system of sums. */
+/* From expressions to a workspace of sums. */
 #include "fields/simplify.h"
-#include "optimize/system.h"
+#include "optimize/workspace.h"
 
 #include <stdlib.h>
 
 typedef struct {
-    ttc_system *system;
+    ttc_workspace *workspace;
     ttc_field *field;
     uint32_t *by_symbol;     /* variable + 1 */
     uint32_t *by_id;         /* of anonymous sums: variable + 1 */
@@ -23,7 +23,7 @@ static uint32_t reciprocal_of(converter *c, uint32_t variable)
         size_t capacity = 2 * (size_t)variable + 64;
         uint32_t *reciprocals = realloc(c->reciprocals, capacity * sizeof *reciprocals);
         if (reciprocals == NULL) {
-            c->system->failed = true;
+            c->workspace->failed = true;
             return 0;
         }
         for (size_t i = c->reciprocal_capacity; i < capacity; i++) reciprocals[i] = 0;
@@ -31,7 +31,7 @@ static uint32_t reciprocal_of(converter *c, uint32_t variable)
         c->reciprocal_capacity = capacity;
     }
     if (c->reciprocals[variable] == 0)
-        c->reciprocals[variable] = ttc_system_add_variable(c->system, TTC_VARIABLE_RECIPROCAL, variable) + 1;
+        c->reciprocals[variable] = ttc_workspace_add_variable(c->workspace, TTC_VARIABLE_RECIPROCAL, variable) + 1;
     return c->reciprocals[variable] - 1;
 }
 
@@ -39,14 +39,14 @@ static uint32_t reciprocal_of(converter *c, uint32_t variable)
 static void multiply(converter *c, ttc_cube *cube, uint32_t variable)
 {
     if (cube->count == TTC_CUBE_LIMIT) {
-        ttc_cube head = ttc_cube_one(c->system);
+        ttc_cube head = ttc_cube_one(c->workspace);
         while (cube->count > 1) {
             ttc_cube_multiply(&head, cube->factors[0]);
             ttc_cube_remove(cube, cube->factors[0]);
         }
-        uint32_t unit = ttc_system_add_variable(c->system, TTC_VARIABLE_UNIT, 0);
-        if (c->system->failed) return;
-        ttc_polynomial_add(c->system, &c->system->variables[unit].definition, &head);
+        uint32_t unit = ttc_workspace_add_variable(c->workspace, TTC_VARIABLE_UNIT, 0);
+        if (c->workspace->failed) return;
+        ttc_polynomial_add(c->workspace, &c->workspace->variables[unit].definition, &head);
         ttc_cube_multiply(cube, unit);
     }
     ttc_cube_multiply(cube, variable);
@@ -55,32 +55,32 @@ static void multiply(converter *c, ttc_cube *cube, uint32_t variable)
 /* The square of a root is its radicand, which is at hand before the root is taken. */
 static void multiply_power(converter *c, ttc_cube *cube, uint32_t variable, int32_t exponent)
 {
-    const ttc_variable *v = c->system->variables + variable;
+    const ttc_variable *v = c->workspace->variables + variable;
     if (v->kind == TTC_VARIABLE_ROOT && exponent >= 2) {
         multiply_power(c, cube, v->operand, exponent / 2);
         exponent %= 2;
     }
     if (exponent < 0) variable = reciprocal_of(c, variable);
-    for (int32_t k = 0; k < abs(exponent) && !c->system->failed; k++) multiply(c, cube, variable);
+    for (int32_t k = 0; k < abs(exponent) && !c->workspace->failed; k++) multiply(c, cube, variable);
 }
 
 static ttc_cube cube_of(converter *c, ttc_id id)
 {
     const ttc_graph *graph = c->field->graph;
-    ttc_cube cube = ttc_cube_one(c->system);
+    ttc_cube cube = ttc_cube_one(c->workspace);
     if (ttc_field_is_constant(c->field, id)) {
-        ttc_cube_scale(c->system, &cube, id);
+        ttc_cube_scale(c->workspace, &cube, id);
         return cube;
     }
     if (ttc_kind_of(graph, id) != TTC_PRODUCT) {
         multiply_power(c, &cube, variable_of(c, id), 1);
         return cube;
     }
-    ttc_cube_scale(c->system, &cube, ttc_number(c->field->graph, ttc_coefficient(graph, id)));
-    for (size_t i = 0; i < ttc_part_count(graph, id) && !c->system->failed; i++) {
+    ttc_cube_scale(c->workspace, &cube, ttc_number(c->field->graph, ttc_coefficient(graph, id)));
+    for (size_t i = 0; i < ttc_part_count(graph, id) && !c->workspace->failed; i++) {
         ttc_part part = ttc_part_at(graph, id, i);
         if (ttc_field_is_constant(c->field, part.id))
-            ttc_cube_scale(c->system, &cube, ttc_power(c->field->graph, part.id, part.exponent));
+            ttc_cube_scale(c->workspace, &cube, ttc_power(c->field->graph, part.id, part.exponent));
         else multiply_power(c, &cube, variable_of(c, part.id), part.exponent);
     }
     return cube;
@@ -92,15 +92,15 @@ static void fill(converter *c, uint32_t unit, ttc_id id)
     ttc_graph *graph = c->field->graph;
     bool is_sum = ttc_kind_of(graph, id) == TTC_SUM && !ttc_field_is_constant(c->field, id);
     if (ttc_is_number(graph, id, 0)) return;
-    ttc_cube cube = is_sum ? ttc_cube_one(c->system) : cube_of(c, id);
-    if (is_sum) ttc_cube_scale(c->system, &cube, ttc_number(graph, ttc_coefficient(graph, id)));
+    ttc_cube cube = is_sum ? ttc_cube_one(c->workspace) : cube_of(c, id);
+    if (is_sum) ttc_cube_scale(c->workspace, &cube, ttc_number(graph, ttc_coefficient(graph, id)));
     bool has_first = !is_sum || !fmpq_is_zero(ttc_coefficient(graph, id));
-    if (has_first && !c->system->failed) ttc_polynomial_add(c->system, &c->system->variables[unit].definition, &cube);
-    for (size_t i = 0; is_sum && i < ttc_part_count(graph, id) && !c->system->failed; i++) {
+    if (has_first && !c->workspace->failed) ttc_polynomial_add(c->workspace, &c->workspace->variables[unit].definition, &cube);
+    for (size_t i = 0; is_sum && i < ttc_part_count(graph, id) && !c->workspace->failed; i++) {
         ttc_part part = ttc_part_at(graph, id, i);
         cube = cube_of(c, part.id);
-        ttc_cube_scale(c->system, &cube, ttc_number(graph, part.coefficient));
-        if (!c->system->failed) ttc_polynomial_merge(c->system, &c->system->variables[unit].definition, &cube);
+        ttc_cube_scale(c->workspace, &cube, ttc_number(graph, part.coefficient));
+        if (!c->workspace->failed) ttc_polynomial_merge(c->workspace, &c->workspace->variables[unit].definition, &cube);
     }
 }
 
@@ -129,7 +129,7 @@ static ttc_id scale_root(const ttc_field *field, ttc_id scale)
 /* The square root of a cube; false when it has none. */
 static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
 {
-    *out = ttc_cube_one(c->system);
+    *out = ttc_cube_one(c->workspace);
     if (cube->count % 2 != 0) return false;
     for (unsigned i = 0; i < cube->count; i += 2) {
         if (cube->factors[i] != cube->factors[i + 1]) return false;
@@ -142,11 +142,11 @@ static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
 /* What two cubes share and is no square is taken from both: x y^2 and x z^2 leave y^2 and z^2. */
 static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
 {
-    ttc_cube common = ttc_cube_one(c->system);
+    ttc_cube common = ttc_cube_one(c->workspace);
     if (!c->field->keeps_digits) return common;
     if (a->scale == b->scale && scale_root(c->field, a->scale) == TTC_NONE) {
         common.scale = a->scale;
-        a->scale = b->scale = c->system->one;
+        a->scale = b->scale = c->workspace->one;
     }
     for (unsigned i = 0; i < a->count;) {
         uint32_t factor = a->factors[i];
@@ -164,40 +164,40 @@ static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
 /* C A^2 - C B^2 = C (A - B)(A + B): no digits are lost where A is near B, as they are in the difference of the squares. */
 static void split_squares(converter *c, uint32_t unit)
 {
-    ttc_polynomial *p = &c->system->variables[unit].definition;
+    ttc_polynomial *p = &c->workspace->variables[unit].definition;
     ttc_cube a, b;
     if (p->count != 2 || p->cubes[0].sign == p->cubes[1].sign) return;
     unsigned positive = p->cubes[0].sign > 0 ? 0 : 1;
     ttc_cube plus = p->cubes[positive], minus = p->cubes[1 - positive], product = take_common(c, &plus, &minus);
-    bool is_plain = product.count == 0 && product.scale == c->system->one && ttc_kind_of(c->field->graph, plus.scale) == TTC_NUMBER
+    bool is_plain = product.count == 0 && product.scale == c->workspace->one && ttc_kind_of(c->field->graph, plus.scale) == TTC_NUMBER
                     && ttc_kind_of(c->field->graph, minus.scale) == TTC_NUMBER;
     if (product.count + 2 > TTC_CUBE_LIMIT || !square_root(c, &a, &plus) || !square_root(c, &b, &minus)) return;
     c->field->form_count += !is_plain;
     for (int8_t sign = -1; sign <= 1; sign = (int8_t)(sign + 2)) {
-        uint32_t side = ttc_system_add_variable(c->system, TTC_VARIABLE_UNIT, 0);
-        if (c->system->failed) return;
+        uint32_t side = ttc_workspace_add_variable(c->workspace, TTC_VARIABLE_UNIT, 0);
+        if (c->workspace->failed) return;
         b.sign = sign;
-        ttc_polynomial_add(c->system, &c->system->variables[side].definition, &a);
-        ttc_polynomial_add(c->system, &c->system->variables[side].definition, &b);
-        if (sign < 0 && c->field->keeps_digits && !c->system->failed) split_squares(c, side);
+        ttc_polynomial_add(c->workspace, &c->workspace->variables[side].definition, &a);
+        ttc_polynomial_add(c->workspace, &c->workspace->variables[side].definition, &b);
+        if (sign < 0 && c->field->keeps_digits && !c->workspace->failed) split_squares(c, side);
         ttc_cube_multiply(&product, side);
     }
-    p = &c->system->variables[unit].definition;
+    p = &c->workspace->variables[unit].definition;
     p->count = 0;
-    ttc_polynomial_add(c->system, p, &product);
+    ttc_polynomial_add(c->workspace, p, &product);
 }
 
 static uint32_t new_unit(converter *c, ttc_id definition, const char *label)
 {
-    uint32_t unit = ttc_system_add_variable(c->system, TTC_VARIABLE_UNIT, 0);
-    if (c->system->failed) return 0;
-    c->system->variables[unit].label = label;
+    uint32_t unit = ttc_workspace_add_variable(c->workspace, TTC_VARIABLE_UNIT, 0);
+    if (c->workspace->failed) return 0;
+    c->workspace->variables[unit].label = label;
     if (definition >= c->id_count || !c->below_root[definition]) definition = ttc_simplify_roots(c->field, definition);
     if (c->field->keeps_digits) definition = ttc_write_without_cancellation(c->field, definition);
-    c->system->failed |= definition == TTC_NONE;
-    if (c->system->failed) return 0;
+    c->workspace->failed |= definition == TTC_NONE;
+    if (c->workspace->failed) return 0;
     fill(c, unit, definition);
-    if (!c->system->failed) split_squares(c, unit);
+    if (!c->workspace->failed) split_squares(c, unit);
     return unit;
 }
 
@@ -207,18 +207,18 @@ static uint32_t symbol_variable(converter *c, uint32_t symbol)
     const ttc_field_symbol *s = c->field->symbols + symbol;
     uint32_t variable = 0;
     if (s->role == TTC_ROLE_STATE) {
-        variable = ttc_system_add_variable(c->system, TTC_VARIABLE_INPUT, s->position);
+        variable = ttc_workspace_add_variable(c->workspace, TTC_VARIABLE_INPUT, s->position);
     } else if (s->role == TTC_ROLE_UNIT) {
         variable = new_unit(c, s->definition, s->name);
     } else if (s->role < TTC_ROLE_ROOT) { /* a symbol that was not resolved: memory is out */
-        c->system->failed = true;
+        c->workspace->failed = true;
     } else {
         static const ttc_variable_kind kinds[] = { [TTC_ROLE_ROOT] = TTC_VARIABLE_ROOT, [TTC_ROLE_COSINE] = TTC_VARIABLE_COSINE,
                                                    [TTC_ROLE_SINE] = TTC_VARIABLE_SINE, [TTC_ROLE_EXP] = TTC_VARIABLE_EXP,
                                                    [TTC_ROLE_LOG] = TTC_VARIABLE_LOG };
         uint32_t operand = variable_of(c, s->definition);
-        variable = ttc_system_add_variable(c->system, kinds[s->role], operand);
-        if (!c->system->failed) c->system->variables[variable].label = s->name;
+        variable = ttc_workspace_add_variable(c->workspace, kinds[s->role], operand);
+        if (!c->workspace->failed) c->workspace->variables[variable].label = s->name;
     }
     c->by_symbol[symbol] = variable + 1;
     return variable;
@@ -227,7 +227,7 @@ static uint32_t symbol_variable(converter *c, uint32_t symbol)
 /* A symbol, or an anonymous sum or product as a unit of its own. */
 static uint32_t variable_of(converter *c, ttc_id id)
 {
-    if (c->system->failed) return 0;
+    if (c->workspace->failed) return 0;
     if (ttc_kind_of(c->field->graph, id) == TTC_SYMBOL) return symbol_variable(c, ttc_symbol_of(c->field->graph, id));
     if (id < c->id_count && c->by_id[id] != 0) return c->by_id[id] - 1;
     uint32_t unit = new_unit(c, id, NULL);
@@ -248,31 +248,31 @@ static void mark_below(converter *c, ttc_id id)
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) mark_below(c, ttc_part_at(graph, id, i).id);
 }
 
-ttc_system *ttc_system_create(ttc_field *field, const ttc_id *outputs, size_t count)
+ttc_workspace *ttc_workspace_create(ttc_field *field, const ttc_id *outputs, size_t count)
 {
-    converter c = { .system = calloc(1, sizeof(ttc_system)), .field = field };
-    if (c.system == NULL) return NULL;
-    c.system->field = field;
-    c.system->one = ttc_integer(field->graph, 1);
-    c.system->outputs = calloc(count + 1, sizeof *c.system->outputs);
+    converter c = { .workspace = calloc(1, sizeof(ttc_workspace)), .field = field };
+    if (c.workspace == NULL) return NULL;
+    c.workspace->field = field;
+    c.workspace->one = ttc_integer(field->graph, 1);
+    c.workspace->outputs = calloc(count + 1, sizeof *c.workspace->outputs);
     c.id_count = ttc_graph_size(field->graph) + 1;
     c.by_symbol = calloc(field->symbol_count + 1, sizeof *c.by_symbol);
     c.by_id = calloc(c.id_count, sizeof *c.by_id);
     c.below_root = calloc(c.id_count, 1);
-    c.system->failed = c.system->outputs == NULL || c.by_symbol == NULL || c.by_id == NULL || c.below_root == NULL;
-    for (size_t i = 0; i < field->symbol_count && !c.system->failed; i++)
+    c.workspace->failed = c.workspace->outputs == NULL || c.by_symbol == NULL || c.by_id == NULL || c.below_root == NULL;
+    for (size_t i = 0; i < field->symbol_count && !c.workspace->failed; i++)
         if (field->symbols[i].role >= TTC_ROLE_ROOT) mark_below(&c, field->symbols[i].definition);
-    for (size_t i = 0; i < count && !c.system->failed; i++) {
+    for (size_t i = 0; i < count && !c.workspace->failed; i++) {
         uint32_t unit = new_unit(&c, outputs[i], NULL);
-        if (c.system->failed) break;
-        c.system->variables[unit].is_output = true;
-        c.system->outputs[c.system->output_count++] = unit;
+        if (c.workspace->failed) break;
+        c.workspace->variables[unit].is_output = true;
+        c.workspace->outputs[c.workspace->output_count++] = unit;
     }
     free(c.by_symbol);
     free(c.by_id);
     free(c.below_root);
     free(c.reciprocals);
-    if (!c.system->failed) return c.system;
-    ttc_system_destroy(c.system);
+    if (!c.workspace->failed) return c.workspace;
+    ttc_workspace_destroy(c.workspace);
     return NULL;
 }

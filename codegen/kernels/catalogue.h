@@ -1,0 +1,35 @@
+/** The catalogue of a model: every field that its table asks for, with its kernels. */
+#ifndef TTC_CATALOGUE_H
+#define TTC_CATALOGUE_H
+
+#include "kernels/kernels.h"
+
+typedef struct {
+    const ttc_variant *variant;
+    const ttc_time *time;
+    const ttc_elimination *elimination;
+    ttc_kernels *kernels;    /* NULL: skipped */
+    ttc_field_status status; /* why it was skipped */
+} ttc_catalogue_entry;
+
+typedef struct {
+    const ttc_model *model;
+    ttc_catalogue_entry *fields; /* general first; variants slowest, eliminations fastest */
+    size_t count;
+    ttc_place failed_at;     /* after a failure: the record that asks for the field which cannot be made, */
+    const char *failure;     /* and why; NULL otherwise */
+} ttc_catalogue;
+
+/* Which fields a catalogue has. */
+typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_catalogue_extent;
+
+/** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped.
+ *  Returns false when memory is out or an expression outgrows the graph; the catalogue is then empty but
+ *  for the failure. */
+bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_catalogue_extent extent, ttc_effort effort);
+/* The record that asks for a field: its elimination, its time, its variant, or the first equation. */
+ttc_place ttc_catalogue_place(const ttc_catalogue_entry *entry, const ttc_model *model);
+
+void ttc_catalogue_clear(ttc_catalogue *catalogue); /* legal on a zeroed catalogue */
+
+#endif

@@ -1,0 +1,124 @@
+/** Vectors of JLT_LANES doubles, for code that is compiled once for each instruction set. Edited in codegen/runtime/; ttc writes copies.
+ *
+ *  The includer defines JLT_LANES as 2, 4 or 8 first. Arithmetic is the compilers' own on vector types, lane by lane as in
+ *  scalar code; only the fused multiply-add and the square root need the instruction set's own names. Without FMA in the
+ *  target a*b + c is rounded twice, as the scalar kernels do there. */
+#ifndef JLT_LANES_H
+#define JLT_LANES_H
+
+#include <math.h>
+#include <stdint.h>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/* Vectors wider than the target's registers are passed in memory; nothing here is called from elsewhere, so it shows
+ * in no interface. */
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+typedef double jlt_lanes __attribute__((vector_size(8 * JLT_LANES)));
+typedef int64_t jlt_lane_mask __attribute__((vector_size(8 * JLT_LANES))); /* -1 where true, 0 where false */
+
+static inline jlt_lanes jlt_lanes_of(double value) { return value - (jlt_lanes){ 0 }; }
+
+static inline jlt_lanes jlt_lanes_load(const double *from) { return *(const jlt_lanes *)(const void *)from; }
+
+static inline void jlt_lanes_store(double *to, jlt_lanes value) { *(jlt_lanes *)(void *)to = value; }
+
+static inline jlt_lanes jlt_lanes_fma(jlt_lanes a, jlt_lanes b, jlt_lanes c)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif JLT_LANES == 4 && defined(__FMA__)
+    return (jlt_lanes)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline jlt_lanes jlt_lanes_fms(jlt_lanes a, jlt_lanes b, jlt_lanes c)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_fmsub_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif JLT_LANES == 4 && defined(__FMA__)
+    return (jlt_lanes)_mm256_fmsub_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    return a * b - c;
+#endif
+}
+
+static inline jlt_lanes jlt_lanes_fnma(jlt_lanes a, jlt_lanes b, jlt_lanes c)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_fnmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif JLT_LANES == 4 && defined(__FMA__)
+    return (jlt_lanes)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    return c - a * b;
+#endif
+}
+
+#define JLT_FMA(a, b, c) jlt_lanes_fma((a), (b), (c))
+#define JLT_FMS(a, b, c) jlt_lanes_fms((a), (b), (c))
+#define JLT_FNMA(a, b, c) jlt_lanes_fnma((a), (b), (c))
+
+static inline jlt_lanes jlt_lanes_root(jlt_lanes a)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_sqrt_pd((__m512d)a);
+#elif JLT_LANES == 4 && defined(__AVX__)
+    return (jlt_lanes)_mm256_sqrt_pd((__m256d)a);
+#elif JLT_LANES == 2 && defined(__SSE2__)
+    return (jlt_lanes)_mm_sqrt_pd((__m128d)a);
+#else
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = sqrt(a[lane]);
+    return a;
+#endif
+}
+
+static inline jlt_lanes jlt_lanes_cosine(jlt_lanes a)
+{
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = cos(a[lane]);
+    return a;
+}
+
+static inline jlt_lanes jlt_lanes_sine(jlt_lanes a)
+{
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = sin(a[lane]);
+    return a;
+}
+
+static inline jlt_lanes jlt_lanes_exp(jlt_lanes a)
+{
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = exp(a[lane]);
+    return a;
+}
+
+static inline jlt_lanes jlt_lanes_log(jlt_lanes a)
+{
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = log(a[lane]);
+    return a;
+}
+
+/* Bit j is set where lane j of the mask is true. */
+static inline unsigned jlt_lanes_bits(jlt_lane_mask mask)
+{
+#if JLT_LANES == 8 && defined(__AVX512DQ__)
+    return (unsigned)_mm512_movepi64_mask((__m512i)mask);
+#elif JLT_LANES == 4 && defined(__AVX__)
+    return (unsigned)_mm256_movemask_pd((__m256d)mask);
+#elif JLT_LANES == 2 && defined(__SSE2__)
+    return (unsigned)_mm_movemask_pd((__m128d)mask);
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < JLT_LANES; lane++) bits |= (unsigned)(mask[lane] & 1) << lane;
+    return bits;
+#endif
+}
+
+static inline jlt_lanes jlt_lanes_select(jlt_lane_mask mask, jlt_lanes yes, jlt_lanes no)
+{
+    return (jlt_lanes)((mask & (jlt_lane_mask)yes) | (~mask & (jlt_lane_mask)no));
+}
+
+#endif

@@ -1,0 +1,15 @@
+# cmake -DOUTPUT=FILE.c -DFILES=PATH;... -P Embed.cmake: write the table of codegen/emit/runtime.h, with the bytes of these files.
+set(texts "")
+set(entries "")
+set(count 0)
+foreach(path IN LISTS FILES)
+  get_filename_component(name "${path}" NAME)
+  file(READ "${path}" bytes HEX)
+  string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+  string(APPEND texts "/* ${name} */\nstatic const char text_${count}[] = {\n${bytes}0 };\n\n")
+  string(APPEND entries "    { \"${name}\", text_${count} },\n")
+  math(EXPR count "${count} + 1")
+endforeach()
+file(WRITE "${OUTPUT}" "#include \"emit/runtime.h\"\n\n${texts}const ttc_runtime_file ttc_runtime_files[] = {\n${entries}};\n\n"
+  "const size_t ttc_runtime_file_count = ${count};\n")
