@@ -138,13 +138,23 @@ typedef struct {
     size_t count, capacity;
 } found_list;
 
-static jlt_status push(found_list *list, const jlt_homoclinic *point)
+/* How far along the branches a point may lie from where it is: they leave each other by the angle. */
+static double blur(const jlt_homoclinic *point) { return point->residual / fabs(sin(point->angle)); }
+
+/* As far as the residuals of both tell. */
+static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_chart *chart)
+{
+    const double along = fmax(fabs(a->sigma_unstable - b->sigma_unstable), fabs(a->sigma_stable - b->sigma_stable));
+
+    return along < 1e-7 || (along < 1 && jlt_chart_distance(chart, a->q, b->q) < blur(a) + blur(b));
+}
+
+static jlt_status push(found_list *list, const jlt_homoclinic *point, const jlt_chart *chart)
 {
     size_t i;
 
     for (i = 0; i < list->count; i++)
-        if (fabs(list->points[i].sigma_unstable - point->sigma_unstable) < 1e-7 &&
-            fabs(list->points[i].sigma_stable - point->sigma_stable) < 1e-7) return JLT_OK;
+        if (is_same(&list->points[i], point, chart)) return JLT_OK;
     if (list->count == list->capacity) {
         const size_t capacity = list->capacity == 0 ? 16 : 2 * list->capacity;
         jlt_homoclinic *grown = realloc(list->points, capacity * sizeof *grown);
@@ -156,7 +166,7 @@ static jlt_status push(found_list *list, const jlt_homoclinic *point)
     return JLT_OK;
 }
 
-jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, const jlt_manifold *unstable,
+jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                const jlt_branch *unstable_branch, const jlt_manifold *stable,
                                const jlt_branch *stable_branch, jlt_map *coarse)
 {
@@ -167,6 +177,7 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, const jlt
 
     *points = NULL;
     *count = 0;
+    if (touching != NULL) *touching = 0;
     for (i = 0; i + 1 < unstable->count; i++)
         for (j = 0; j + 1 < stable->count; j++) {
             jlt_homoclinic point = { .lobe = NAN };
@@ -179,7 +190,8 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, const jlt
             if (st == JLT_ERR_NOMEM) goto done;
             if (st != JLT_OK || point.residual > 1e-8) continue;
             point.angle_error = angle_error(&point, unstable_branch, stable_branch, coarse);
-            JLT_TRY(push(&list, &point));
+            if (!(fabs(point.angle) <= point.angle_error) && blur(&point) < JLT_MANIFOLD_FINEST) JLT_TRY(push(&list, &point, chart));
+            else if (touching != NULL) ++*touching;
         }
     st = JLT_OK;
     if (list.count > 1) qsort(list.points, list.count, sizeof *list.points, compare);

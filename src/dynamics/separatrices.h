@@ -11,7 +11,7 @@ typedef struct {
     jlt_branch branch[JLT_SEPARATRICES];
     jlt_manifold curve[JLT_SEPARATRICES];
     jlt_homoclinic *crossings[2][2]; /* owned: by the side of the unstable branch, of the stable one */
-    size_t count[2][2];
+    size_t count[2][2], touching[2][2]; /* as of jlt_homoclinic_find */
 } jlt_separatrices;
 
 /** Grow all four; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map must outlive

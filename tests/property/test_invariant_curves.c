@@ -117,7 +117,7 @@ static void separatrices_cross_transversally(void **unused)
         assert_ok(jlt_branch_init(&branches[stable], map, &saddle, 0, stable, 1, 1e-4));
         assert_ok(jlt_manifold_grow(&curves[stable], &branches[stable], &options));
     }
-    assert_ok(jlt_homoclinic_find(&points, &count, &curves[0], &branches[0], &curves[1], &branches[1], coarse));
+    assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], coarse));
     for (size_t i = 0; i < count; i++) {
         assert_true(points[i].residual < 1e-8);
         transverse += fabs(points[i].angle) > 0.1 && points[i].angle_error < 1e-4;

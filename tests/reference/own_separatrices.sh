@@ -31,4 +31,9 @@ for w in 1 2/3; do
         END { if (n > 100 && worst < 1e-24) exit 0; print n " points, the worst off by " sqrt(worst); exit 1 }' out ||
         { echo "w = $w: not on the separatrix"; status=1; }
 done
+
+# Unstable and stable branches are one curve. Where their polygons cross there is no homoclinic point to tell.
+jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --length 2.4 --crossings points.csv > out 2> err < /dev/null || cat err
+[ "$(grep -vc '^#' points.csv)" -eq 1 ] || { echo "homoclinic points of an integrable system: $(grep -v '^#' points.csv | head -3)"; status=1; }
+grep -qE 'at [0-9]+ places separatrices touch, or cross by no more than errors tell' err || { echo "nothing is said of touching: $(cat err)"; status=1; }
 exit $status

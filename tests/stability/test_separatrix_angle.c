@@ -57,7 +57,7 @@ static crossing cross(int place, double tolerance, const char *method, double se
         piece(&curve[s], &branch[s], (s == 0 ? places[place].unstable : places[place].stable) - shift, points[s], sigmas[s],
               lengths[s]);
     }
-    assert_ok(jlt_homoclinic_find(&found, &c.count, &curve[0], &branch[0], &curve[1], &branch[1], coarse_map));
+    assert_ok(jlt_homoclinic_find(&found, &c.count, NULL, &curve[0], &branch[0], &curve[1], &branch[1], coarse_map));
     if (c.count > 0) c.point = found[0];
     free(found);
     jlt_map_destroy(coarse_map);
