@@ -7,6 +7,7 @@
 #include "kernels/plan.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
+#include "readback/prove_functions.h"
 #include "readback/prove_kernels.h"
 
 #include <stdlib.h>
@@ -236,7 +237,7 @@ static bool mark_unproved(ttc_plan *plan, const ttc_proof_report *report, const 
 static void prove_kernels(const ttc_plan *plan, ttc_proof_report *report, int *status)
 {
     const size_t claims = report->proof_count;
-    if (!ttc_prove_kernels(plan, report)) {
+    if (!ttc_prove_kernels(plan, report) || !ttc_prove_functions(plan, report)) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", plan->model->file);
         ttc_command_raise(status, TTC_EXIT_MEMORY);
     }

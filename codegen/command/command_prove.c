@@ -3,6 +3,7 @@
 #include "command/command_challenge.h"
 #include "command/command_guard.h"
 #include "prove/mutate.h"
+#include "readback/prove_functions.h"
 #include "readback/prove_kernels.h"
 
 #include <string.h>
@@ -158,7 +159,7 @@ static int prove(const ttc_model *model, const ttc_options *options, json_t *rep
     json_t *problems = json_array();
     bool has_plan = options->kernels && model->lift.file == NULL && ttc_command_plan(&plan, model, options, &status, problems);
     ttc_proof_report *report = ttc_command_prove_guarded(model, options, &status);
-    if (report != NULL && has_plan && !ttc_prove_kernels(&plan, report)) {
+    if (report != NULL && has_plan && !(ttc_prove_kernels(&plan, report) && ttc_prove_functions(&plan, report))) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);
         ttc_command_raise(&status, TTC_EXIT_MEMORY);
     }
