@@ -8,6 +8,7 @@
 #include "kernels/catalogue.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
+#include "readback/prove_functions.h"
 #include "readback/prove_kernels.h"
 
 #include <stdlib.h>
@@ -227,7 +228,7 @@ static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *repo
 static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report, int *status)
 {
     const size_t claims = report->proof_count;
-    if (!ttc_prove_kernels(catalogue, report)) {
+    if (!ttc_prove_kernels(catalogue, report) || !ttc_prove_functions(catalogue, report)) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", catalogue->model->file);
         ttc_command_raise(status, TTC_EXIT_MEMORY);
     }

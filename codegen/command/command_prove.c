@@ -3,6 +3,7 @@
 #include "command/command_challenge.h"
 #include "command/command_guard.h"
 #include "prove/mutate.h"
+#include "readback/prove_functions.h"
 #include "readback/prove_kernels.h"
 
 #include <string.h>
@@ -158,7 +159,7 @@ static int prove(const ttc_model *model, const ttc_options *options, json_t *rep
     json_t *problems = json_array();
     bool has_catalogue = options->kernels && model->lift.file == NULL && ttc_command_catalogue(&catalogue, model, options, &status, problems);
     ttc_proof_report *report = ttc_command_prove_guarded(model, options, &status);
-    if (report != NULL && has_catalogue && !ttc_prove_kernels(&catalogue, report)) {
+    if (report != NULL && has_catalogue && !(ttc_prove_kernels(&catalogue, report) && ttc_prove_functions(&catalogue, report))) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);
         ttc_command_raise(&status, TTC_EXIT_MEMORY);
     }

@@ -1,0 +1,35 @@
+/** One function of emitted C against the expressions of a table. Used by prove_functions.c. */
+#ifndef TTC_FUNCTION_CHECK_H
+#define TTC_FUNCTION_CHECK_H
+
+#include "algebra/valuation.h"
+#include "prove/prove.h"
+
+/* What x[i] and params[i] stand for, in one ring. */
+typedef struct {
+    const ttc_model *model;
+    ttc_valuation *valuation;
+    ttc_ring *ring;
+    ttc_ratio *inputs, *parameters;
+    size_t input_count, parameter_count;
+    unsigned char *is_given; /* (parameter_count,): 0 where no symbol of the model has this place */
+} ttc_function_reading;
+
+/** inputs: symbols, shape (input_count,), of states and, after them, of roots that a time lifts; with lifted_free these are coordinates of
+ *  their own. parameters: symbols by place, shape (parameter_count,); UINT32_MAX: none. False: memory. */
+bool ttc_function_reading_open(ttc_function_reading *out, const ttc_model *model, const uint32_t *inputs, size_t input_count,
+                               const uint32_t *parameters, size_t parameter_count, bool lifted_free);
+void ttc_function_reading_close(ttc_function_reading *reading); /* legal on a zeroed one */
+
+/* An output: the value of an expression of the model, or its derivative by a symbol. */
+typedef struct {
+    ttc_id value;
+    uint32_t by; /* UINT32_MAX: none */
+} ttc_function_output;
+
+/** Read the function `name` of the text and compare it with `expected`, shape (count,); fill status and remainder of *proof. False:
+ *  memory. */
+bool ttc_function_check(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading,
+                        const ttc_function_output *expected, size_t count);
+
+#endif
