@@ -61,13 +61,15 @@ static void curve(jlt_plot *plot, unsigned column, unsigned series, const char *
     fputc('\'', plot->stream);
 }
 
-/* Beside a panel, one of so many: lines of the key nearer to each other where it is low. */
+/* Beside a panel, one of so many: where it is low the key's lines are nearer to each other, and then smaller. */
 static void key(jlt_plot *plot, unsigned entries, unsigned panels)
 {
-    const double height = 0.6 * plot->look->height * 72 / 2.54 / panels / jlt_look_points(plot->look);
-    char where[96];
+    const double letter = jlt_look_points(plot->look), height = 0.6 * plot->look->height * 72 / 2.54 / panels / letter;
+    const double spacing = fmin(1, height / 1.8 / entries), size = fmin(1, fmax(0.7, spacing / 0.85));
+    char where[128];
 
-    snprintf(where, sizeof where, "outside right center horizontal maxcols 1 Left reverse samplen 1.5 spacing %.2f", fmin(1, fmax(0.7, height / 1.8 / entries)));
+    snprintf(where, sizeof where, "outside right center horizontal maxcols 1 Left reverse samplen 1.5 spacing %.2f font ',%.3g'",
+             fmax(0.85, spacing), letter * size);
     jlt_look_key(plot->stream, plot->look, where);
 }
 

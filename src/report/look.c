@@ -99,8 +99,8 @@ static size_t fitting(const char *text, double room, bool markup)
 
 unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup)
 {
-    /* a title stands over the middle of the axes, up to two letters beside that of the picture; below its first line a caption is small */
-    const double room = self->width * 72 / 2.54 / jlt_look_points(self) - 4.5;
+    /* a title stands over the middle of the axes, up to three letters beside that of the picture; below its first line a caption is small */
+    const double room = self->width * 72 / 2.54 / jlt_look_points(self) - 6.5;
     unsigned lines = 1;
     bool small = false;
 
@@ -147,11 +147,22 @@ static void angle_ticks(FILE *stream, char axis, double low, double high, double
     fputs(")\n", stream);
 }
 
+/* How many multiples of the step lie in the range. */
+static double ticks(jlt_extent range, double step)
+{
+    return floor(range.high / step + 1e-9) - ceil(range.low / step - 1e-9) + 1;
+}
+
 double jlt_look_step(jlt_extent range, double room)
 {
     const double least = (range.high - range.low) / fmax(3, room), power = pow(10, floor(log10(least))), part = least / power * (1 - 1e-9);
 
-    return (part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10) * power;
+    const double round = part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10;
+    /* A single tick tells no scale: then the next shorter step that puts two of them into the range. */
+    static const double shorter[] = { 10, 8, 6, 5, 4, 3, 2, 1.5, 1 };
+    for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
+        if (shorter[i] <= round && ticks(range, shorter[i] * power) >= 2) return shorter[i] * power;
+    return round * power;
 }
 
 jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels)

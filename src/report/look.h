@@ -49,7 +49,7 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
 /** "SYMBOL [UNIT]" as markup; unit may be "". label: shape (JLT_LOOK_LABEL_MAX,). */
 void jlt_look_label(char *label, const char *name, const char *unit);
 
-/** The distance of ticks, at most so many of them. */
+/** The distance of ticks in a range: about `room` of them or fewer, and two at least where the range is not empty. */
 double jlt_look_step(jlt_extent range, double room);
 
 /** An axis, 'x' or 'y': its label in markup, and its range, which --xrange and --yrange replace; returns the one it has. As many ticks as fit, where the picture has
