@@ -66,6 +66,7 @@ TOP = [
     ("almost a double eigenvalue", "a3=0", "gamma3=3/5,v_nu=32/9,omega3=1.0000000000000000000000000000001", "stable"),
     ("no axial inertia", "a3=0,I3=0", "gamma3=0.3,v_nu=0.7,omega3=1.1", "unstable"),
     ("axial inertia of 1e-30", "a3=0,I3=1e-30", "gamma3=0.3,v_nu=0.7,omega3=1.1", "stable"),
+    ("axial inertia of 1e-140", "a3=0,I3=1e-140", "gamma3=0.3,v_nu=0.7,omega3=1.1", "stable"),
     ("parameters to 1e150", "a3=0,m=1e150,R=1e-75,I1=1.5,I3=1.2", "gamma3=0.3,v_nu=1e-75,omega3=1.1", "stable"),
     ("parameters to 1e-150", "a3=0,m=1e-150,R=1e75,I1=1.5,I3=1.2", "gamma3=0.3,v_nu=1e75,omega3=1.1", "stable"),
     ("without weight", "g=0", "gamma3=0.3,v_nu=0.7,omega3=1.1", "stable"),
