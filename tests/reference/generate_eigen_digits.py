@@ -91,9 +91,10 @@ def cases():
     yield "Toda's ring at rest", "toda", "unstable", toda()
     # lambda^2 = -a c.
     yield "Lotka and Volterra", "lotka_volterra --set a=2/3,c=3/7", "centre", mpmath.matrix([[0, -mp(3) / 7], [mp(2) / 3, 0]])
-    # Routh's critical ratio is 0.0385: above it L4 is unstable. It lies off the axis, where the reversor proves nothing of zeros.
-    yield ("L4 above the critical ratio", "restricted_three_body --set mu=1/20 --at x=0.45,y=0.866 --find", "unstable",
-           triangular(mp(1) / 20))
+    # Below Routh's critical ratio of 0.0385 L4 is a centre.
+    yield "L4", "restricted_three_body", "centre", triangular(mp("0.012277471"))
+    yield "L4 found", "restricted_three_body --at x=0.4877,y=0.866 --find", "centre", triangular(mp("0.012277471"))
+    yield "L4 above the critical ratio", "restricted_three_body --set mu=1/20", "unstable", triangular(mp(1) / 20)
 
 
 def eigenvalues(a):
@@ -109,9 +110,9 @@ def eigenvalues(a):
 
 def main(path):
     with open(path, "w", encoding="ascii") as out:
-        out.write("# written by generate_eigen_digits.py: title;options;verdict;whether all zeros are proved;re1;im1;re2;im2;...\n")
+        out.write("# written by generate_eigen_digits.py: title;options;verdict;re1;im1;re2;im2;...\n")
         for title, options, verdict, a in cases():
-            row = [title, options, verdict, "no" if options.startswith("restricted") else "yes"]
+            row = [title, options, verdict]
             for z in sorted(eigenvalues(a), key=lambda z: (z.real, z.imag)):
                 row += [mpmath.nstr(z.real, 60, strip_zeros=False), mpmath.nstr(z.imag, 60, strip_zeros=False)]
             out.write(";".join(row) + "\n")
