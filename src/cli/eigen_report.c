@@ -35,7 +35,7 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
                  row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
     else if (e->stage == JLT_EQUILIBRIUM_DIGITS)
         snprintf(text, size, "no number of digits can be given here: %s", e->status == JLT_ERR_NO_CONVERGENCE
-                 ? "eigenvalues too close together, and no exact numbers (leave --digits out)" : jlt_status_text(e->status));
+                 ? "eigenvalues are multiple, or too close together, and there are no exact numbers (leave --digits out)" : jlt_status_text(e->status));
     else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
     else if (e->status == JLT_ERR_EMPTY)

@@ -25,6 +25,8 @@ typedef struct {
     const jlt_ball_question *question;
     slong n, precision;
     bool last;      /* no higher precision follows: what is open stays so */
+    bool late;      /* eigenvalues that are not told apart yet are taken for multiple ones */
+    bool clustered; /* so they were: no precision tells their real numbers */
     bool proved;    /* the point is an equilibrium, and zero is as often an eigenvalue as is said, with as many eigenvectors */
     bool settled;   /* no real part is open, nor the sign of it */
     arb_ptr params, x;
@@ -37,7 +39,8 @@ typedef struct {
 
 /** The eigenvalues other than zero. Parts that are exactly zero are so in the balls: imaginary ones of real roots, real ones of
  *  pairs on the imaginary axis, where the polynomial is even.
- *  In/out: *p. Out: growing and decaying of *s. False where this precision does not separate them. */
+ *  In/out: *p. Out: growing and decaying of *s. False where this precision does not separate them; a late one then gives
+ *  balls that several share. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as Arb has it. */
 bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p);
 
 /** Every number to its nearest double. *sure: no ball holds two numbers that round apart. False: one is beyond the doubles. */

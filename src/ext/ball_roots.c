@@ -116,6 +116,69 @@ static void sort(jlt_ball_problem *p)
         }
 }
 
+static bool overlaps_another(acb_srcptr values, slong count, slong which)
+{
+    for (slong i = 0; i < count; i++)
+        if (i != which && acb_overlaps(values + i, values + which)) return true;
+    return false;
+}
+
+static void widen(acb_t value, const mag_t error, ulong times)
+{
+    mag_t more;
+
+    mag_init(more);
+    mag_mul_ui(more, error, times);
+    arb_add_error_mag(acb_realref(value), more);
+    arb_add_error_mag(acb_imagref(value), more);
+    mag_clear(more);
+}
+
+/* Disks of one radius about n numbers hold all eigenvalues, and those that hang together as many as they are. Widened by 2 n radii,
+ * and some more, each holds all that its neighbours do: one that is alone holds a simple eigenvalue, which is real where its number
+ * is within two radii of the axis, as its conjugate would lie in the same disk. Of those that share a disk neither is known. False
+ * where zero is not as often among them as it should be. */
+static bool find_clusters(jlt_ball_spectrum *s, jlt_ball_problem *p)
+{
+    acb_ptr values = _acb_vec_init(p->n), narrow = _acb_vec_init(p->n);
+    acb_mat_t a, vectors;
+    mag_t radius;
+    size_t zeros = 0;
+    bool good;
+
+    acb_mat_init(a, p->n, p->n);
+    acb_mat_init(vectors, p->n, p->n);
+    mag_init(radius);
+    acb_mat_set_arb_mat(a, p->a);
+    acb_mat_approx_eig_qr(values, NULL, vectors, a, NULL, 0, p->precision);
+    acb_mat_eig_global_enclosure(radius, a, values, vectors, p->precision);
+    good = !mag_is_inf(radius);
+    for (slong i = 0; good && i < p->n; i++) {
+        acb_get_mid(values + i, values + i);
+        acb_set(narrow + i, values + i);
+        widen(narrow + i, radius, 2);
+        widen(values + i, radius, 2 * (ulong)p->n + 8);
+    }
+    p->count = 0;
+    p->settled = true;
+    for (slong i = 0; good && i < p->n; i++) {
+        const bool shared = overlaps_another(values, p->n, i);
+        if (acb_contains_zero(values + i)) {
+            zeros++;
+            continue;
+        }
+        if (!shared && arb_contains_zero(acb_imagref(narrow + i))) arb_zero(acb_imagref(values + i));
+        take(s, p, values + i, 1, (jlt_ball_root){ 1, true });
+        p->kinds[p->count - 1].multiplicity += shared;
+    }
+    mag_clear(radius);
+    acb_mat_clear(vectors);
+    acb_mat_clear(a);
+    _acb_vec_clear(narrow, p->n);
+    _acb_vec_clear(values, p->n);
+    return good && zeros == s->zeros;
+}
+
 bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
 {
     jlt_exact_matrix *exact = p->question->exact;
@@ -139,6 +202,7 @@ bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
         good = find(roots, poly, p->precision);
         if (good) take(s, p, roots, arb_poly_degree(poly), kind);
     }
+    if (!good && p->late && exact == NULL) good = p->clustered = find_clusters(s, p);
     sort(p);
     arb_poly_clear(poly);
     _acb_vec_clear(roots, p->n);

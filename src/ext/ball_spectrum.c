@@ -199,7 +199,7 @@ static jlt_status attempt(jlt_ball_spectrum *s, bool *finished, jlt_ball_problem
     if (s->rooted && decimals) s->texts = jlt_ball_texts_create(&sure, p);
     if (s->rooted && decimals && s->texts == NULL) return JLT_ERR_NOMEM;
     s->sure = sure;
-    *finished = sure && s->proved;
+    *finished = (sure || p->clustered) && s->proved;
     return JLT_OK;
 }
 
@@ -218,6 +218,7 @@ jlt_status jlt_ball_spectrum_compute(jlt_ball_spectrum *spectrum, const jlt_ball
         jlt_ball_problem p;
         begin(&p, question, precision);
         p.last = 2 * precision > last;
+        p.late = precision >= 4 * first;
         if (precision > first && question->exact != NULL) jlt_exact_matrix_split(question->exact);
         st = attempt(&s, &finished, &p);
         end(&p);

@@ -58,8 +58,8 @@ typedef struct {
  *  makes the characteristic polynomial even or odd where it leaves the equilibrium where it is.
  *  Out: *spectrum, untouched on failure.
  *  Errors: ARG (more than JLT_BALL_SIZE_MAX states, a bad fraction, too many digits); UNSUPPORTED (no such table); EMPTY (no
- *  equilibrium within reach); NO_CONVERGENCE (6144 bits, or eight times what the digits take, do not separate eigenvalues:
- *  multiple ones, without exact numbers); NONFINITE (beyond the doubles); NOMEM.
+ *  equilibrium within reach); NO_CONVERGENCE (6144 bits, or eight times what the digits take, do not enclose eigenvalues: defective
+ *  ones, without exact numbers); NONFINITE (beyond the doubles); NOMEM.
  *  Cost: a fraction of a millisecond for five states where 192 bits do. Source: Arb, acb_poly_find_roots. */
 JLT_CHECKED jlt_status jlt_ball_spectrum_compute(jlt_ball_spectrum *spectrum, const jlt_ball_question *question);
 

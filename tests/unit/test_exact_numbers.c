@@ -26,8 +26,8 @@ static bool holds(const jlt_surd *a, const jlt_surd_field *field, double value)
     return near;
 }
 
-/* Oracle: identities among nested roots, by hand. Each root is one of the field already where it can be, so that the difference of both
- * sides is zero in all its coordinates. */
+/* Oracle: identities among nested roots, by hand. Each root is one of the field already where it can be, so that the difference of
+ * both sides is zero in all its coordinates. */
 static void roots_that_are_there_already_are_not_adjoined(void **unused)
 {
     jlt_surd_field *field = jlt_surd_field_create();
@@ -151,7 +151,8 @@ static void has_factor(const jlt_exact_matrix *m, size_t which, size_t degree, s
 /* Oracle: matrices in blocks, by hand. lambda^2 = -sqrt(2), twice, without and with a coupling that makes a Jordan block of it. */
 static void pairs_on_the_axis_are_even_factors_that_know_their_eigenvectors(void **unused)
 {
-    static const entry blocks[] = { { 0, 1, 1, false }, { 1, 0, -1, true }, { 2, 3, 1, false }, { 3, 2, -1, true }, { 0, 2, 1, false } };
+    static const entry blocks[] = { { 0, 1, 1, false }, { 1, 0, -1, true }, { 2, 3, 1, false }, { 3, 2, -1, true },
+                                    { 0, 2, 1, false } };
 
     (void)unused;
     for (size_t coupled = 0; coupled < 2; coupled++) {
@@ -166,8 +167,8 @@ static void pairs_on_the_axis_are_even_factors_that_know_their_eigenvectors(void
 /* (lambda - 1)(lambda + 1) is even, with no root on the axis; lambda - 3, twice, with one eigenvector; lambda, twice, with two. */
 static void factors_are_told_apart_by_sign_and_multiplicity(void **unused)
 {
-    static const entry entries[] = { { 0, 0, 1, false }, { 1, 1, -1, false }, { 0, 1, 5, true }, { 2, 2, 3, false }, { 3, 3, 3, false },
-                                     { 2, 3, 7, false }, { 1, 3, 2, true } };
+    static const entry entries[] = { { 0, 0, 1, false }, { 1, 1, -1, false }, { 0, 1, 5, true }, { 2, 2, 3, false },
+                                     { 3, 3, 3, false }, { 2, 3, 7, false }, { 1, 3, 2, true } };
     jlt_exact_matrix *m = matrix_of(6, entries, sizeof entries / sizeof *entries);
 
     (void)unused;
@@ -194,8 +195,8 @@ static void a_defective_zero_is_one(void **unused)
 /* lambda^2 + 4 and lambda^2 - 9 beside lambda - 2: the roots that come in pairs of either sign are taken out of one factor. */
 static void roots_in_pairs_are_parted_from_others(void **unused)
 {
-    static const entry entries[] = { { 0, 1, 4, false }, { 1, 0, -1, false }, { 2, 3, 9, false }, { 3, 2, 1, false }, { 4, 4, 2, false },
-                                     { 1, 4, 6, true } };
+    static const entry entries[] = { { 0, 1, 4, false }, { 1, 0, -1, false }, { 2, 3, 9, false }, { 3, 2, 1, false },
+                                     { 4, 4, 2, false }, { 1, 4, 6, true } };
     jlt_exact_matrix *m = matrix_of(5, entries, sizeof entries / sizeof *entries);
 
     (void)unused;
@@ -205,7 +206,8 @@ static void roots_in_pairs_are_parted_from_others(void **unused)
     jlt_exact_matrix_destroy(m);
 }
 
-/* Oracle: SymPy's polynomial of the matrix, lambda^4 - 13 lambda^3 + (24 - 54 r) lambda^2 + (80 r - 92) lambda + 960 - 504 r, r^2 = 2. */
+/* Oracle: SymPy's polynomial of the matrix, lambda^4 - 13 lambda^3 + (24 - 54 r) lambda^2 + (80 r - 92) lambda + 960 - 504 r, where
+ * r^2 = 2. */
 static void a_full_matrix_has_the_polynomial_that_others_find(void **unused)
 {
     static const int rows[4][4] = { { 1, 2, 3, 4 }, { 5, 6, 7, 8 }, { 2, 6, 4, 8 }, { 3, 1, 1, 2 } };
