@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "prove/prove.h"
 
-/** Append to `report` one proof a function of the plan's general fields: kind "kernel", name "FIELD KIND.RECORD.FUNCTION". Its totals are
+/** Append to `report` one proof a function of the catalogue's general fields: kind "kernel", name "FIELD KIND.RECORD.FUNCTION". Its totals are
  *  brought up to date. False when memory is out; the report is then still valid. Cost: below a second for a table of the top. */
 bool ttc_prove_functions(const ttc_catalogue *catalogue, ttc_proof_report *report);
 

@@ -1,13 +1,13 @@
 /* Planar circular restricted three-body problem
  *
  *  Source:     V. Szebehely, Theory of Orbits, Academic Press, 1967; R. F. Arenstorf, Amer. J. Math. 85 (1963) 27-35
- *  Table:      restricted_three_body, SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7
+ *  Table:      restricted_three_body, SHA-256 be92c80fa5ae653bcafd1a9f9b49cfb47d443deafac9921503338276e0a9706f
  *  Command:    ttc generate --effort full --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3    8    7    1    2    0      9    6   (40)
- *  jacobian            4   15    7    1    2    0     11    8   (104)
- *  rhs_jacobian        4   17   11    1    2    0     12   10   (133)
+ *  jacobian            4   15    7    1    2    0     12    9   (104)
+ *  rhs_jacobian        4   17   11    1    2    0     12   11   (133)
  *  divergence          0    0    0    0    0    0      0    0   (0)
  *  integral_values     2    3    7    1    2    0      7    5   (27)
  *  integral_gradients  3    3    5    2    2    0      7    6   (36)
@@ -20,8 +20,8 @@
  *    takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes
  *    takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in -3 + 3*mu, x + -1 + mu,
- *      1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2,
- *      1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x),
+ *      (-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2,
+ *      1/r1^2*1/r1^2*r1*(-3 + 3*mu)*1/r1^2 - 1/r2^2*r2*1/r2^2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x),
  *      a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x), d(vy)/dt, d(vx)/dt
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -46,11 +46,11 @@ static void prepare(const double *restrict params, double *restrict out)
     out[0] = params[0];
     const double t0 = (-1.0) + params[0]; /* -1 + mu */
     out[1] = t0;
-    const double t1 = params[0]*3.0; /* mu*3 */
+    const double t1 = t0/params[0]; /* (-1 + mu)/mu */
     out[2] = t1;
-    const double t2 = t1 + (-3.0); /* mu*3 + -3 */
+    const double t2 = params[0]*3.0; /* mu*3 */
     out[3] = t2;
-    const double t3 = t0/params[0]; /* (-1 + mu)/mu */
+    const double t3 = t2 + (-3.0); /* mu*3 + -3 */
     out[4] = t3;
 }
 
@@ -97,37 +97,37 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = 1.0;
     out[11] = 2.0;
     out[14] = (-2.0);
-    const double t0 = p[0] + x[0]; /* mu + x */
-    const double t1 = x[1]*x[1]; /* y*y */
-    const double t2 = p[1] + x[0]; /* -1 + mu + x */
-    const double t3 = JLT_FMA(t0, t0, t1); /* r1^2 = (mu + x)*(mu + x) + y*y */
-    const double t4 = JLT_FMA(t2, t2, t1); /* r2^2 = (-1 + mu + x)*(-1 + mu + x) + y*y */
-    const double t5 = t3*t4; /* r1^2*r2^2 */
-    const double t6 = 1.0/t5; /* 1/(r1^2*r2^2) */
-    const double t7 = sqrt(t3); /* r1 = sqrt(r1^2) */
-    const double t8 = t3*t6; /* 1/r2^2 = r1^2*1/(r1^2*r2^2) */
-    const double t9 = t4*t6; /* 1/r1^2 = r2^2*1/(r1^2*r2^2) */
-    const double t10 = sqrt(t4); /* r2 = sqrt(r2^2) */
-    const double t11 = t7*t9; /* r1*1/r1^2 */
-    const double t12 = t8*t10; /* 1/r2^2*r2 */
-    const double t13 = t9*t11; /* 1/r1^2*r1*1/r1^2 */
-    const double t14 = t8*t12; /* 1/r2^2*1/r2^2*r2 */
-    const double t15 = p[2]*t8; /* 3*mu*1/r2^2 */
-    const double t16 = p[3]*t9; /* (-3 + 3*mu)*1/r1^2 */
-    const double t17 = t14*t15; /* 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
-    const double t18 = t13*t16; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
-    const double t19 = JLT_FMA(p[1], t13, 1.0); /* (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 */
-    const double t20 = JLT_FNMA(p[0], t14, t19); /* (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2 */
-    const double t21 = t2*t17; /* (-1 + mu + x)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
-    const double t22 = JLT_FMA(t2, t21, t20); /* (-1 + mu + x)*(-1 + mu + x)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 + (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2 */
-    const double t23 = t18 - t17; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
-    const double t24 = JLT_FNMA(t1, t23, t20); /* (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2 - y*y*t23 */
-    out[13] = t24;
-    const double t25 = t0*t18; /* (mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
-    const double t26 = JLT_FNMA(t0, t25, t22); /* t22 - (mu + x)*(mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
-    out[8] = t26;
-    const double t27 = t21 - t25; /* (-1 + mu + x)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 - (mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
-    const double t28 = x[1]*t27; /* y*t27 */
+    const double t0 = x[0] + p[1]; /* x + -1 + mu */
+    const double t1 = p[0] + x[0]; /* mu + x */
+    const double t2 = x[1]*x[1]; /* y*y */
+    const double t3 = t0*t0; /* (x + -1 + mu)*(x + -1 + mu) */
+    const double t4 = JLT_FMA(t1, t1, t2); /* r1^2 = (mu + x)*(mu + x) + y*y */
+    const double t5 = t2 + t3; /* r2^2 = y*y + (x + -1 + mu)*(x + -1 + mu) */
+    const double t6 = t4*t5; /* r1^2*r2^2 */
+    const double t7 = 1.0/t6; /* 1/(r1^2*r2^2) */
+    const double t8 = sqrt(t4); /* r1 = sqrt(r1^2) */
+    const double t9 = t4*t7; /* 1/r2^2 = r1^2*1/(r1^2*r2^2) */
+    const double t10 = t5*t7; /* 1/r1^2 = r2^2*1/(r1^2*r2^2) */
+    const double t11 = sqrt(t5); /* r2 = sqrt(r2^2) */
+    const double t12 = t8*t10; /* r1*1/r1^2 */
+    const double t13 = t9*t11; /* 1/r2^2*r2 */
+    const double t14 = t10*t12; /* 1/r1^2*r1*1/r1^2 */
+    const double t15 = t9*t13; /* 1/r2^2*1/r2^2*r2 */
+    const double t16 = p[4]*t10; /* (-3 + 3*mu)*1/r1^2 */
+    const double t17 = p[3]*t9; /* 3*mu*1/r2^2 */
+    const double t18 = t14*t16; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t19 = JLT_FMS(p[2], t14, t15); /* (-1 + mu)/mu*1/r1^2*r1*1/r1^2 - 1/r2^2*1/r2^2*r2 */
+    const double t20 = t15*t17; /* 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
+    const double t21 = JLT_FMA(p[0], t19, 1.0); /* mu*((-1 + mu)/mu*1/r1^2*r1*1/r1^2 - 1/r2^2*1/r2^2*r2) + 1 */
+    const double t22 = JLT_FMA(t3, t20, t21); /* (x + -1 + mu)*(x + -1 + mu)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 + mu*((-1 + mu)/mu*1/r1^2*r1*1/r1^2 - 1/r2^2*1/r2^2*r2) + 1 */
+    const double t23 = t1*t18; /* (mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t24 = JLT_FNMA(t1, t23, t22); /* t22 - (mu + x)*(mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    out[8] = t24;
+    const double t25 = JLT_FMS(t0, t20, t23); /* (x + -1 + mu)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 - (mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t26 = t20 - t18; /* 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 - 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t27 = JLT_FMA(t2, t26, t21); /* y*y*t26 + mu*((-1 + mu)/mu*1/r1^2*r1*1/r1^2 - 1/r2^2*1/r2^2*r2) + 1 */
+    out[13] = t27;
+    const double t28 = x[1]*t25; /* y*t25 */
     out[9] = t28;
     out[12] = t28;
 }
@@ -150,44 +150,44 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[18] = (-2.0);
     const double t0 = x[0] + p[1]; /* x + -1 + mu */
     const double t1 = x[1]*x[1]; /* y*y */
-    const double t2 = x[0] + p[0]; /* x + mu */
-    const double t3 = JLT_FMA(t0, t0, t1); /* r2^2 = (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t4 = JLT_FMA(t2, t2, t1); /* r1^2 = (x + mu)*(x + mu) + y*y */
-    const double t5 = t3*t4; /* r2^2*r1^2 */
-    const double t6 = 1.0/t5; /* 1/(r2^2*r1^2) */
-    const double t7 = sqrt(t4); /* r1 = sqrt(r1^2) */
-    const double t8 = t4*t6; /* 1/r2^2 = r1^2*1/(r2^2*r1^2) */
-    const double t9 = t3*t6; /* 1/r1^2 = r2^2*1/(r2^2*r1^2) */
-    const double t10 = sqrt(t3); /* r2 = sqrt(r2^2) */
-    const double t11 = t7*t9; /* r1*1/r1^2 */
-    const double t12 = t8*t10; /* 1/r2^2*r2 */
-    const double t13 = t9*t11; /* 1/r1^2*r1*1/r1^2 */
-    const double t14 = t8*t12; /* 1/r2^2*1/r2^2*r2 */
-    const double t15 = p[3]*t9; /* (-3 + 3*mu)*1/r1^2 */
-    const double t16 = p[2]*t8; /* 3*mu*1/r2^2 */
-    const double t17 = t13*t15; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
-    const double t18 = p[1]*t13; /* (-1 + mu)*1/r1^2*r1*1/r1^2 */
-    const double t19 = t0*t14; /* (x + -1 + mu)*1/r2^2*1/r2^2*r2 */
-    const double t20 = 1.0 + t18; /* 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 */
-    const double t21 = JLT_FNMA(p[0], t14, t20); /* 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2 */
-    const double t22 = JLT_FNMA(t14, t16, t17); /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
-    const double t23 = JLT_FNMA(t1, t22, t21); /* 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2 - y*y*t22 */
-    out[17] = t23;
-    const double t24 = t16*t19; /* 3*mu*1/r2^2*(x + -1 + mu)*1/r2^2*1/r2^2*r2 */
-    const double t25 = t2*t17; /* (x + mu)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
-    const double t26 = JLT_FMA(t0, t24, t21); /* (x + -1 + mu)*3*mu*1/r2^2*(x + -1 + mu)*1/r2^2*1/r2^2*r2 + 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2 */
-    const double t27 = JLT_FNMA(t2, t25, t26); /* t26 - (x + mu)*(x + mu)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t2 = t0*t0; /* (x + -1 + mu)*(x + -1 + mu) */
+    const double t3 = x[0] + p[0]; /* x + mu */
+    const double t4 = t1 + t2; /* r2^2 = y*y + (x + -1 + mu)*(x + -1 + mu) */
+    const double t5 = JLT_FMA(t3, t3, t1); /* r1^2 = (x + mu)*(x + mu) + y*y */
+    const double t6 = t4*t5; /* r2^2*r1^2 */
+    const double t7 = 1.0/t6; /* 1/(r2^2*r1^2) */
+    const double t8 = sqrt(t4); /* r2 = sqrt(r2^2) */
+    const double t9 = t4*t7; /* 1/r1^2 = r2^2*1/(r2^2*r1^2) */
+    const double t10 = t5*t7; /* 1/r2^2 = r1^2*1/(r2^2*r1^2) */
+    const double t11 = sqrt(t5); /* r1 = sqrt(r1^2) */
+    const double t12 = t8*t10; /* r2*1/r2^2 */
+    const double t13 = t9*t11; /* 1/r1^2*r1 */
+    const double t14 = t10*t12; /* 1/r2^2*r2*1/r2^2 */
+    const double t15 = t9*t13; /* 1/r1^2*1/r1^2*r1 */
+    const double t16 = p[3]*t10; /* 3*mu*1/r2^2 */
+    const double t17 = p[4]*t9; /* (-3 + 3*mu)*1/r1^2 */
+    const double t18 = t14*t16; /* 1/r2^2*r2*1/r2^2*3*mu*1/r2^2 */
+    const double t19 = p[0]*t14; /* mu*1/r2^2*r2*1/r2^2 */
+    const double t20 = t3*t15; /* (x + mu)*1/r1^2*1/r1^2*r1 */
+    const double t21 = JLT_FMA(p[1], t15, 1.0); /* (-1 + mu)*1/r1^2*1/r1^2*r1 + 1 */
+    const double t22 = t21 - t19; /* (-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2 */
+    const double t23 = JLT_FMA(t2, t18, t22); /* (x + -1 + mu)*(x + -1 + mu)*1/r2^2*r2*1/r2^2*3*mu*1/r2^2 + (-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2 */
+    const double t24 = JLT_FMS(t15, t17, t18); /* 1/r1^2*1/r1^2*r1*(-3 + 3*mu)*1/r1^2 - 1/r2^2*r2*1/r2^2*3*mu*1/r2^2 */
+    const double t25 = JLT_FNMA(t1, t24, t22); /* (-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2 - y*y*t24 */
+    out[17] = t25;
+    const double t26 = t17*t20; /* (-3 + 3*mu)*1/r1^2*(x + mu)*1/r1^2*1/r1^2*r1 */
+    const double t27 = JLT_FNMA(t3, t26, t23); /* t23 - (x + mu)*(-3 + 3*mu)*1/r1^2*(x + mu)*1/r1^2*1/r1^2*r1 */
     out[12] = t27;
-    const double t28 = t24 - t25; /* 3*mu*1/r2^2*(x + -1 + mu)*1/r2^2*1/r2^2*r2 - (x + mu)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t28 = JLT_FMS(t0, t18, t26); /* (x + -1 + mu)*1/r2^2*r2*1/r2^2*3*mu*1/r2^2 - (-3 + 3*mu)*1/r1^2*(x + mu)*1/r1^2*1/r1^2*r1 */
     const double t29 = x[1]*t28; /* y*t28 */
     out[13] = t29;
     out[16] = t29;
-    const double t30 = x[1]*t21; /* y*(1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2) */
-    const double t31 = JLT_FNMA(x[2], 2.0, t30); /* y*(1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2) - vx*2 */
+    const double t30 = x[1]*t22; /* y*((-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2) */
+    const double t31 = JLT_FNMA(x[2], 2.0, t30); /* y*((-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2) - vx*2 */
     out[3] = t31;
     const double t32 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
-    const double t33 = JLT_FNMA(p[0], t19, t32); /* vy*2 + x - mu*(x + -1 + mu)*1/r2^2*1/r2^2*r2 */
-    const double t34 = JLT_FMA(t2, t18, t33); /* (x + mu)*(-1 + mu)*1/r1^2*r1*1/r1^2 + vy*2 + x - mu*(x + -1 + mu)*1/r2^2*1/r2^2*r2 */
+    const double t33 = JLT_FNMA(t0, t19, t32); /* vy*2 + x - (x + -1 + mu)*mu*1/r2^2*r2*1/r2^2 */
+    const double t34 = JLT_FMA(p[1], t20, t33); /* (-1 + mu)*(x + mu)*1/r1^2*1/r1^2*r1 + vy*2 + x - (x + -1 + mu)*mu*1/r2^2*r2*1/r2^2 */
     out[2] = t34;
 }
 
@@ -211,7 +211,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t8 = JLT_FMA(t7, t7, t0); /* (x + mu)*(x + mu) + y*y */
     const double t9 = sqrt(t8); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
     const double t10 = t6*t9; /* r2*r1 */
-    const double t11 = JLT_FMS(t6, p[4], t9); /* r2*(-1 + mu)/mu - r1 */
+    const double t11 = JLT_FMS(t6, p[2], t9); /* r2*(-1 + mu)/mu - r1 */
     const double t12 = p[0]*t11; /* mu*(r2*(-1 + mu)/mu - r1) */
     const double t13 = t12/t10; /* mu*(r2*(-1 + mu)/mu - r1)/(r2*r1) */
     const double t14 = JLT_FNMA((1.0 / 2.0), t3, t13); /* mu*(r2*(-1 + mu)/mu - r1)/(r2*r1) - 1/2*(x*x + y*y - vx*vx - vy*vy) */
@@ -339,6 +339,56 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
         + (-v_mu*v_y/(v_r2*v_r2*v_r2));
 }
 
+static const unsigned char family0_is_free[] = { 0, 0, 0, 0 };
+
+static void family0_impose(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+}
+
+static void family0_point(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    const double t0 = (1.0 / 2.0) - params[0]; /* x = 1/2 - mu */
+    out[0] = t0;
+    const double t1 = sqrt((3.0 / 4.0)); /* h = sqrt(3/4) */
+    out[1] = t1;
+    out[2] = 0.0;
+    out[3] = 0.0;
+}
+
+static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    (void)params;
+    out[0] = 0.0;
+}
+
+static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = 1.0;
+    out[2] = 1.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    const double t0 = (-27.0)*params[0]; /* (-27)*mu */
+    const double t1 = params[0] + (-1.0); /* mu + -1 */
+    const double t2 = t0*t1; /* (-27)*mu*(mu + -1) */
+    const double t3 = t2/4.0; /* (-27)*mu*(mu + -1)/4 */
+    out[4] = t3;
+}
+
+static const jlt_equilibria equilibria[] = {
+    { .name = "triangular", .condition = "",
+      .is_free = family0_is_free,
+      .impose = family0_impose,
+      .point = family0_point,
+      .trace = family0_trace,
+      .charpoly = family0_charpoly,
+      .left_null_count = 0, .obstructs = 0 },
+};
+
 static const jlt_quantity states[] = {
     { "x", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
     { "y", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -370,7 +420,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .elimination = "",
     .title = "Planar circular restricted three-body problem",
     .source = "V. Szebehely, Theory of Orbits, Academic Press, 1967; R. F. Arenstorf, Amer. J. Math. 85 (1963) 27-35",
-    .sha256 = "017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7",
+    .sha256 = "be92c80fa5ae653bcafd1a9f9b49cfb47d443deafac9921503338276e0a9706f",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_restricted_three_body, .family = jlt_family_restricted_three_body, .claims = jlt_claims_restricted_three_body,
     .state_count = 4, .param_count = 1, .prepared_count = 5,
@@ -379,10 +429,10 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 8, 7, 1, 2, 0, 9, 6 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
         "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in x + -1 + mu, d(vx)/dt, a part of d(vy)/dt, d(vy)/dt" },
-    .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 11, 8 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -3 + 3*mu, -1 + mu + x, (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2, 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x), a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 12, 10 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -3 + 3*mu, x + -1 + mu, 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2, 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x), a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x), d(vy)/dt, d(vx)/dt" },
+    .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 12, 9 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -3 + 3*mu, x + -1 + mu, ((-1 + mu)/mu)*1/r1^2*r1*1/r1^2 - 1/r2^2*1/r2^2*r2, mu*(((-1 + mu)/mu)*1/r1^2*r1*1/r1^2 - 1/r2^2*1/r2^2*r2) + 1, d(d(vx)/dt)/d(x), a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x), 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2 - 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2, d(d(vy)/dt)/d(y)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 12, 11 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -3 + 3*mu, x + -1 + mu, (-1 + mu)*1/r1^2*1/r1^2*r1 + 1 - mu*1/r2^2*r2*1/r2^2, 1/r1^2*1/r1^2*r1*(-3 + 3*mu)*1/r1^2 - 1/r2^2*r2*1/r2^2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x), a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x), d(vy)/dt, d(vx)/dt" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .integral_values = { integral_values, 1, { 2, 3, 7, 1, 2, 0, 7, 5 }, { 11, 12, 0, 2, 2, 0, 8, 4 },
@@ -398,9 +448,10 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
-    .integral_count = 1, .measure_count = 1, .equilibria_count = 0,
+    .integral_count = 1, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,
+    .equilibria = equilibria,
 #ifndef JLT_WITHOUT_BALLS
     .balls = &jlt_balls_restricted_three_body_general,
 #endif

@@ -1,7 +1,7 @@
 /* Planar circular restricted three-body problem: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      restricted_three_body, SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7
+ *  Table:      restricted_three_body, SHA-256 be92c80fa5ae653bcafd1a9f9b49cfb47d443deafac9921503338276e0a9706f
  *  Command:    ttc generate --effort full --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
@@ -219,6 +219,21 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     _arb_vec_clear(t, 32);
 }
 
+static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
+{
+    arb_ptr t = _arb_vec_init(1);
+    (void)x;
+    (void)params;
+    (void)prec;
+    arb_set_si(t + 0, 0);
+    arb_set(out + 0, t + 0);
+    _arb_vec_clear(t, 1);
+}
+
+static const char *const general_trace[] = { "triangular" };
+
+static const jlt_ball_function general_traces[] = { general_trace0 };
+
 extern const jlt_ball_table jlt_balls_restricted_three_body_general;
 const jlt_ball_table jlt_balls_restricted_three_body_general = {
     .model = "restricted_three_body", .time = "", .elimination = "",
@@ -230,5 +245,8 @@ const jlt_ball_table jlt_balls_restricted_three_body_general = {
     .integral = general_integral,
     .integral_values = general_integral_values,
     .integral_gradients = general_integral_gradients,
+    .trace_count = 1,
+    .trace = general_trace,
+    .traces = general_traces,
 };
 

@@ -1,4 +1,4 @@
-/* restricted_three_body: its table byte for byte (SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* restricted_three_body: its table byte for byte (SHA-256 be92c80fa5ae653bcafd1a9f9b49cfb47d443deafac9921503338276e0a9706f), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_restricted_three_body[];
@@ -42,6 +42,12 @@ const char jlt_table_restricted_three_body[] = {
     'i','n','t','e','g','r','a','l',' ','j','a','c','o','b','i',' ','=',' ','(','v','x','^','2',' ','+',' ','v','y','^','2',' ','-',' ','x','^','2',' ','-',' ','y','^','2',')','/','2',' ','-',' ','(','1',' ','-',' ','m','u',')','/','r','1',' ','-',' ','m','u','/','r','2','\n',
     'm','e','a','s','u','r','e',' ','v','o','l','u','m','e',' ','=',' ','1','\n',
     'r','e','v','e','r','s','o','r',' ','y',' ','-','>',' ','-','y',',',' ','v','x',' ','-','>',' ','-','v','x','\n',
+    '\n',
+    '#',' ','L','a','g','r','a','n','g','e','\'','s',' ','t','r','i','a','n','g','u','l','a','r',' ','p','o','i','n','t',' ','L','4',';',' ','o','f',' ','L','5',',',' ','i','t','s',' ','i','m','a','g','e',' ','w','i','t','h',' ','y',' ','<',' ','0',',',' ','a','l','l',' ','o','f',' ','t','h','i','s',' ','h','o','l','d','s',' ','a','s',' ','w','e','l','l','.','\n',
+    'r','o','o','t',' ','h',' ','=',' ','s','q','r','t','(','3','/','4',')','\n',
+    'e','q','u','i','l','i','b','r','i','a',' ','t','r','i','a','n','g','u','l','a','r',' ',':',' ','x',' ','=',' ','1','/','2',' ','-',' ','m','u',',',' ','y',' ','=',' ','h',',',' ','v','x',' ','=',' ','0',',',' ','v','y',' ','=',' ','0','\n',
+    ' ',' ','t','r','a','c','e',' ','t','r','i','a','n','g','u','l','a','r',' ','=',' ','0','\n',
+    ' ',' ','c','h','a','r','p','o','l','y',' ','t','r','i','a','n','g','u','l','a','r',' ','=',' ','l','a','m','b','d','a','^','4',' ','+',' ','l','a','m','b','d','a','^','2',' ','+',' ','2','7','*','m','u','*','(','1',' ','-',' ','m','u',')','/','4','\n',
     '\0'
 };
 
@@ -49,8 +55,12 @@ const jlt_claim jlt_claims_restricted_three_body[] = {
     { "integral", "jacobi", "", JLT_PROVED, "", NULL },
     { "measure", "volume", "", JLT_PROVED, "", NULL },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "equilibria", "triangular", "", JLT_PROVED, "", NULL },
+    { "trace", "triangular", "", JLT_PROVED, "", NULL },
+    { "charpoly", "triangular", "", JLT_PROVED, "", NULL },
     { "root", "r1", "", JLT_PROVED, "", NULL },
     { "root", "r2", "", JLT_PROVED, "", NULL },
+    { "root", "h", "", JLT_PROVED, "", NULL },
     { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
 };
 

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256 };
+enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, REVERSORS_MAX = 8 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
@@ -19,7 +19,7 @@ static const double on_axis = 1e-6;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict)
 {
-    static const char *const texts[] = { "stable", "unstable", "centre", "undecided" };
+    static const char *const texts[] = { "stable", "unstable", "centre", "not settled" };
     return texts[verdict];
 }
 
@@ -254,15 +254,44 @@ done:
     return st;
 }
 
-jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
-                                     const jlt_ball_value *params, const jlt_ball_value *x)
+/* Signs of the reversors that are proved; returns how many. */
+static size_t reversors_of(const signed char **signs, const jlt_descriptor *d)
 {
-    const jlt_ball_question question = { descriptor->balls, params, x, result->reach, result->sources, result->integrals };
-    jlt_deflation *eigen = &result->eigen;
+    size_t count = 0;
+
+    for (unsigned i = 0; i < d->reversor_count && count < REVERSORS_MAX; i++)
+        if (d->claims[d->reversors[i].claim].verdict == JLT_PROVED) signs[count++] = d->reversors[i].signs;
+    return count;
+}
+
+static void take_values(jlt_deflation *eigen, const jlt_ball_spectrum *s)
+{
+    eigen->kept = s->n - s->attributed;
+    for (size_t i = 0; i < s->zeros; i++) {
+        const bool forced = i < s->attributed;
+        eigen->values[i] = (jlt_eigenvalue){ 0.0, 0.0, !forced && s->defective ? INFINITY : NAN, 0.0, forced ? s->source[i] : -1 };
+    }
+    for (size_t i = s->zeros; i < s->n; i++) {
+        const jlt_ball_eigenvalue *value = &s->values[i - s->zeros];
+        eigen->values[i] = (jlt_eigenvalue){ value->re, value->im, value->condition, value->error, -1 };
+    }
+}
+
+jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
+                                     const jlt_ball_value *params, const jlt_ball_value *x, struct jlt_exact_matrix *exact,
+                                     long digits)
+{
+    const signed char *signs[REVERSORS_MAX];
+    const jlt_ball_question question = {
+        .table = descriptor->balls, .params = params, .states = x, .reach = result->reach, .integrals = result->sources,
+        .integral_count = result->integrals, .reversors = signs, .reversor_count = reversors_of(signs, descriptor),
+        .exact = exact, .digits = digits
+    };
     jlt_ball_spectrum s;
     const jlt_status st = jlt_ball_spectrum_compute(&s, &question);
 
     if (st != JLT_OK) return st;
+    memcpy(result->jacobian, s.jacobian, s.n * s.n * sizeof *s.jacobian);
     for (size_t k = 0; k <= s.n; k++) {
         result->charpoly[k] = s.charpoly[k];
         result->charpoly_error[k] = s.charpoly_error[k];
@@ -270,20 +299,15 @@ jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descri
     result->trace = s.trace;
     result->trace_error = s.trace_error;
     result->obstructs = fabs(s.trace) > s.trace_error;
-    eigen->defective_zero = s.defective;
-    eigen->doubtful_zero = 0;
-    if (s.growing || s.defective) result->verdict = JLT_UNSTABLE;
-    else result->verdict = s.decaying ? JLT_STABLE : JLT_CENTRE;
-    if (!s.rooted) return JLT_OK;
     result->precision = s.precision;
-    eigen->kept = s.n - s.attributed;
-    for (size_t i = 0; i < s.zeros; i++) {
-        const bool forced = i < s.attributed;
-        eigen->values[i] = (jlt_eigenvalue){ 0.0, 0.0, !forced && s.defective ? INFINITY : NAN, 0.0, forced ? s.source[i] : -1 };
-    }
-    for (size_t i = s.zeros; i < s.n; i++) {
-        const jlt_ball_eigenvalue *value = &s.values[i - s.zeros];
-        eigen->values[i] = (jlt_eigenvalue){ value->re, value->im, value->condition, value->error, -1 };
-    }
+    result->texts = s.texts;
+    result->eigen.defective_zero = s.defective;
+    result->eigen.doubtful_zero = 0;
+    result->proved = s.proved;
+    result->sure = s.sure;
+    if (!s.proved) result->verdict = JLT_UNDECIDED;
+    else if (s.growing || s.defective) result->verdict = JLT_UNSTABLE;
+    else result->verdict = s.decaying ? JLT_STABLE : JLT_CENTRE;
+    if (s.rooted) take_values(&result->eigen, &s);
     return JLT_OK;
 }

@@ -8,6 +8,8 @@
 #include "ext/ball_spectrum.h"
 #include "kernel_abi.h"
 
+#include <stdbool.h>
+
 enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 
 /* A state counts as an equilibrium when one lies this near: relative to each |x_j|, and to the distance of x_j from the
@@ -18,9 +20,9 @@ enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 /* Motion near the equilibrium, across the integrals' levels and the family of equilibria it belongs to. */
 typedef enum {
     JLT_STABLE,   /* every eigenvalue but zero has a negative real part, and zero is semisimple */
-    JLT_UNSTABLE, /* one has a positive real part, or zero is defective: growth, at least linear */
-    JLT_CENTRE,   /* neither: some lie on the imaginary axis to within their error, or all are zero */
-    JLT_UNDECIDED /* errors leave it open */
+    JLT_UNSTABLE, /* one has a positive real part, or one on the imaginary axis is defective: growth, at least linear */
+    JLT_CENTRE,   /* neither: some lie on the imaginary axis, or all are zero */
+    JLT_UNDECIDED /* not settled */
 } jlt_verdict;
 
 typedef struct {
@@ -42,12 +44,15 @@ typedef struct {
     double trace_formula;             /* the table's; NaN when it has none */
     jlt_deflation eigen;
     long precision;                   /* bits of the arithmetic behind the eigenvalues */
+    bool proved;                      /* the verdict is, at an equilibrium that is: else it is to within first-order bounds */
+    bool sure;                        /* every number is the nearest one */
+    jlt_ball_texts *texts;            /* all numbers as decimals, for jlt_ball_texts_destroy; NULL where none were asked for */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
     jlt_verdict verdict;
     int obstructs;                    /* the trace differs from zero by more than its error: no smooth positive density */
 } jlt_linearization;
 
-const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "undecided" */
+const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */
 
 /** Fill states that were not given, from the family of equilibria whose condition the parameters satisfy; zero where no
  *  family says otherwise.
@@ -74,12 +79,16 @@ JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, cons
                                                  const double *params, const double *x, const double *jacobian_error,
                                                  const double *gradient_error);
 
-/** The same in ball arithmetic, from exact values: polynomial, trace, eigenvalues and verdict of a report that
- *  jlt_linearization_compute has filled. What belongs to doubles alone (differences from other routes) stays.
- *  In/out: *result, untouched on failure. In: params, shape (params,); x, shape (states,); the table's descriptor.
+/** The same in ball arithmetic, from exact values: Jacobian, polynomial, trace, eigenvalues and verdict of a report that
+ *  jlt_linearization_compute has filled, each number the nearest double. What belongs to doubles alone (differences from other
+ *  routes) stays. The verdict is proved, or JLT_UNDECIDED.
+ *  In/out: *result, untouched on failure. In: params, shape (params,); x, shape (states,); the table's descriptor; exact, the
+ *  equilibrium in exact numbers, without which multiple eigenvalues, and zeros that no integral and no reversor explains, are not
+ *  settled; or NULL; digits, of texts, or 0 for none.
  *  Errors: as jlt_ball_spectrum_compute. Source: as there. */
 JLT_CHECKED jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
-                                                 const jlt_ball_value *params, const jlt_ball_value *x);
+                                                 const jlt_ball_value *params, const jlt_ball_value *x,
+                                                 struct jlt_exact_matrix *exact, long digits);
 
 /** Newton's method (shortest steps in the least-squares sense, since equilibria come in families) from x to a nearby
  *  equilibrium. States that the caller gave are held as far as possible: first all of them, then all but the last, and so on.

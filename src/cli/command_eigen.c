@@ -4,12 +4,14 @@
 
 #include <stdlib.h>
 
-enum { KEY_FIND = 256, KEY_SWEEP };
+enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST };
 
 static const struct argp_option option_table[] = {
     { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
     { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
     { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "digits", KEY_DIGITS, "N", 0, "Numbers with N digits (1 to 1000), all of them right; not with --sweep or --csv", 1 },
+    { "fast", KEY_FAST, NULL, 0, "Doubles alone, with bounds on their errors; verdicts are not proved", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
     { 0 },
@@ -19,16 +21,24 @@ static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_eigen_request *r = state->input;
     jlt_exit code = JLT_EXIT_DONE;
+    size_t digits;
 
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &r->common; break;
     case 'a': jlt_common_list(&r->at, value, "--at"); break;
     case KEY_FIND: r->question.find = true; break;
     case KEY_SWEEP: code = jlt_eigen_parse_sweep(r, value); break;
+    case KEY_DIGITS:
+        code = jlt_grid_count(&digits, value, 1, JLT_BALL_TEXTS_DIGITS_MAX, "--digits");
+        if (code == JLT_EXIT_DONE) r->question.digits = (long)digits;
+        break;
+    case KEY_FAST: r->question.fast = true; break;
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
     case ARGP_KEY_END:
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
+        if (r->question.digits > 0 && (r->question.fast || r->csv || r->axis_count > 0))
+            argp_error(state, "--digits excludes --fast, --csv and --sweep");
         break;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -46,12 +56,16 @@ static const struct argp parser = {
     "  jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1\n"
     "  jellett eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 \\\n"
     "    --sweep gamma3=-0.99:0.99:201 --plot locus.svg\n"
-    "  jellett eigen --at gamma3=-0.6,omega_n=1 --find\n\n"
-    "Values are read exactly (1/3, 0.51), and eigenvalues and verdict are those of the exact equilibrium, in ball arithmetic of "
-    "as many bits as settle them (192 to 6144); where none do, they are those of doubles, each with a bound on its error, and "
-    "the verdict is \"undecided\" where the bounds leave it open. Eigenvalues that integrals force to vanish are exactly zero. A "
-    "state that is off every equilibrium by more than the rounding of its digits, or by a part of its distance from a pole, is "
-    "refused with status 3, and its residual is said.",
+    "  jellett eigen --at gamma3=-0.6,omega_n=1 --find --digits 50\n\n"
+    "Values are read exactly (1/3, 0.51), and matrix, characteristic polynomial, trace and eigenvalues are those of the exact "
+    "equilibrium, in ball arithmetic of as many bits as it takes (192 to 6144) to make every number the nearest double, or "
+    "the nearest decimal of N digits. \"stable\", \"unstable\" and \"centre\" are proved: that the equilibrium exists, by exact "
+    "arithmetic with square roots or by Krawczyk's test; zeros, and pairs on the imaginary axis, by exact polynomials, by "
+    "integrals, and by a reversor that leaves the equilibrium where it is. Else the verdict is \"not settled\" at these bits. "
+    "Eigenvalues that integrals force to vanish are exactly zero. Rows of a sweep are the same at the doubles printed; with "
+    "--fast numbers and verdicts are those of doubles, each eigenvalue with a bound on its error. A state that is off every "
+    "equilibrium by more than the rounding of its digits, or by a part of its distance from a pole, is refused with status 3, "
+    "and its residual is said.",
     children, NULL, NULL,
 };
 
@@ -87,6 +101,7 @@ static jlt_exit single(jlt_eigen_request *r)
     if (code == JLT_EXIT_DONE && r->common.plot != NULL) code = jlt_eigen_draw(r, row, 1);
 done:
     jlt_command_discard(&output);
+    jlt_ball_texts_destroy(row->found.result.texts);
     free(row);
     return code;
 }
@@ -103,7 +118,7 @@ static jlt_exit take_exact(jlt_eigen_request *r)
         q->params[i] = jlt_assign_fraction(&r->common.set, d->params[i].name);
         if (q->params[i] == NULL) q->params[i] = q->oracle->defaults[i];
     }
-    for (size_t i = 0; !q->find && i < d->state_count; i++) q->x[i] = jlt_assign_fraction(&r->at, d->states[i].name);
+    for (size_t i = 0; i < d->state_count; i++) q->x[i] = jlt_assign_fraction(&r->at, d->states[i].name);
     for (size_t i = 0; i < r->axis_count; i++) {
         const jlt_eigen_target *target = &r->targets[i];
         *(target->is_state ? &q->x[target->index] : &q->params[target->index]) = NULL;
@@ -163,6 +178,6 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_eigen = {
-    "eigen", "[MODEL] --set PARAM=VALUE,... --at STATE=VALUE,... [--find] [--sweep ...] [--json|--csv] [--plot FILE]",
+    "eigen", "[MODEL] --set PARAM=VALUE,... --at STATE=VALUE,... [--find] [--sweep ...|--digits N] [--json|--csv] [--plot FILE]",
     "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run, &parser
 };

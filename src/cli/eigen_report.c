@@ -15,9 +15,10 @@ static const char *source_of(const jlt_linearization *r, const jlt_eigenvalue *v
 
 static const char *consequence(const jlt_linearization *r)
 {
-    return r->obstructs ? "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
-                          "(Proposition 1)"
-                        : "the trace is zero to within its error: this equilibrium excludes no invariant measure";
+    if (r->obstructs) return "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
+                             "(Proposition 1)";
+    return r->trace_error > 0.0 ? "the trace is zero to within its error: this equilibrium excludes no invariant measure"
+                                : "the trace is zero: this equilibrium excludes no invariant measure";
 }
 
 void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
@@ -32,6 +33,9 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     else if (e->stage == JLT_EQUILIBRIUM_STATES)
         snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, 
                  row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
+    else if (e->stage == JLT_EQUILIBRIUM_DIGITS)
+        snprintf(text, size, "no number of digits can be given here: %s", e->status == JLT_ERR_NO_CONVERGENCE
+                 ? "eigenvalues are multiple, or too close together, and there are no exact numbers (leave --digits out)" : jlt_status_text(e->status));
     else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
     else if (e->status == JLT_ERR_EMPTY)
@@ -44,16 +48,33 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     else snprintf(text, size, "%s", jlt_status_text(e->status));
 }
 
+/* A number in a column of this width: the decimal where there is one. */
+static void write_number(FILE *stream, int width, int precision, const char *decimal, double value)
+{
+    if (decimal != NULL) fprintf(stream, "%*s", width, decimal);
+    else fprintf(stream, "%*.*g", width, precision, value);
+}
+
+/* Decimals, shape (count,), or NULL for the fewest digits that read back. */
 static void write_values(FILE *stream, const char *title, const jlt_quantity *quantities, const double *values,
-                         size_t count)
+                         char *const *decimals, size_t count)
 {
     fprintf(stream, "%-12s", title);
-    jlt_decimal_write_named(stream, quantities, values, count);
+    if (decimals == NULL) jlt_decimal_write_named(stream, quantities, values, count);
+    for (size_t i = 0; decimals != NULL && i < count; i++) fprintf(stream, " %s=%s", quantities[i].name, decimals[i]);
     fputc('\n', stream);
 }
 
-static void write_eigenvalue(FILE *stream, const jlt_linearization *r, const jlt_eigenvalue *value)
+static void write_error(FILE *stream, double error)
 {
+    if (error > 0.0) fprintf(stream, "error < %.2g", error);
+    else fputs("exactly", stream);
+}
+
+static void write_eigenvalue(FILE *stream, const jlt_linearization *r, size_t which)
+{
+    const jlt_eigenvalue *value = &r->eigen.values[which];
+    const jlt_ball_texts *texts = r->texts;
     const char *source = source_of(r, value);
     char number[80];
 
@@ -61,44 +82,77 @@ static void write_eigenvalue(FILE *stream, const jlt_linearization *r, const jlt
         fprintf(stream, "  %-48s by the integral %s\n", "0 exactly", source);
         return;
     }
-    if (value->im == 0.0) snprintf(number, sizeof number, "%.17g", value->re);
-    else snprintf(number, sizeof number, "%.17g %+.17gi", value->re, value->im);
-    fprintf(stream, "  %-48s error < %.2g, condition ", number, value->error);
+    if (texts != NULL) {
+        const char *im = texts->im[which];
+        fprintf(stream, "  %s", texts->re[which]);
+        if (strcmp(im, "0") != 0) fprintf(stream, " %s%si", *im == '-' ? "" : "+", im);
+    } else {
+        if (value->im == 0.0) snprintf(number, sizeof number, "%.17g", value->re);
+        else snprintf(number, sizeof number, "%.17g %+.17gi", value->re, value->im);
+        fprintf(stream, "  %-48s ", number);
+        write_error(stream, value->error);
+    }
+    fputs(texts != NULL ? "   condition " : ", condition ", stream);
     if (isfinite(value->condition)) fprintf(stream, "%.3g\n", value->condition);
     else fputs(isnan(value->condition) ? "not defined\n" : "infinite: defective\n", stream);
+}
+
+static void write_matrix(FILE *stream, const jlt_linearization *r)
+{
+    const size_t n = r->n;
+
+    fputs("\nJacobian\n", stream);
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < n; j++) {
+            fputc(' ', stream);
+            write_number(stream, r->texts == NULL ? 24 : 0, 16, r->texts == NULL ? NULL : r->texts->jacobian[i * n + j],
+                         r->jacobian[i * n + j]);
+        }
+        fputc('\n', stream);
+    }
+    fputs("\ncharacteristic polynomial, highest power first\n", stream);
+    for (size_t k = 0; k <= n; k++) {
+        fprintf(stream, "  lambda^%-2zu ", n - k);
+        write_number(stream, r->texts == NULL ? 24 : 0, 17, r->texts == NULL ? NULL : r->texts->charpoly[k], r->charpoly[k]);
+        if (r->texts == NULL && r->charpoly_error[k] > 0.0) fprintf(stream, "   error < %.2g", r->charpoly_error[k]);
+        if (!isnan(r->charpoly_formula[k])) fprintf(stream, "   formula %.17g", r->charpoly_formula[k]);
+        fputc('\n', stream);
+    }
+    fputs("\ntrace        ", stream);
+    write_number(stream, 0, 17, r->texts == NULL ? NULL : r->texts->trace, r->trace);
+    if (r->texts == NULL) fputs(", ", stream);
+    if (r->texts == NULL) write_error(stream, r->trace_error);
+    if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g", r->trace_formula);
+    fputc('\n', stream);
+}
+
+static void write_verdict(FILE *stream, const jlt_linearization *r)
+{
+    fprintf(stream, "\nverdict      %s", jlt_linearization_verdict(r->verdict));
+    if (r->verdict == JLT_UNDECIDED) fprintf(stream, " at %ld bits", r->precision);
+    else if (!r->proved) fputs(", not proved", stream);
+    fprintf(stream, "\nmeasure      %s\n", consequence(r));
 }
 
 void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
 {
     const jlt_descriptor *d = row->descriptor;
     const jlt_linearization *r = &row->found.result;
-    const size_t n = r->n;
 
     fprintf(stream, "%s: %s\n", d->model, d->title);
     fprintf(stream, "kernels      %s, table %.12s\n", r->descriptor->variant[0] == '\0' ? "general" : r->descriptor->variant,
             d->sha256);
-    write_values(stream, "parameters", d->params, row->params, d->param_count);
-    write_values(stream, "state", d->states, row->x, n);
+    write_values(stream, "parameters", d->params, row->params, r->texts == NULL ? NULL : r->texts->param, d->param_count);
+    write_values(stream, "state", d->states, row->x, r->texts == NULL ? NULL : r->texts->state, r->n);
     fprintf(stream, "family       %s%s%s\n", r->family == NULL ? "none of the table" : r->family->name,
             r->family == NULL || r->family->condition[0] == '\0' ? "" : ", when ",
             r->family == NULL ? "" : r->family->condition);
-    fprintf(stream, "residual     %.3g (relative %.2g; refused above %.0e)\n\nJacobian\n", r->residual, r->residual_ratio,
+    fprintf(stream, "residual     %.3g (relative %.2g; refused above %.0e)\n", r->residual, r->residual_ratio,
             JLT_LINEARIZATION_TOLERANCE);
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < n; j++) fprintf(stream, " %24.16g", r->jacobian[i * n + j]);
-        fputc('\n', stream);
-    }
-    fputs("\ncharacteristic polynomial, highest power first\n", stream);
-    for (size_t k = 0; k <= n; k++) {
-        fprintf(stream, "  lambda^%-2zu %24.17g", n - k, r->charpoly[k]);
-        if (r->charpoly_error[k] > 0.0) fprintf(stream, "   error < %.2g", r->charpoly_error[k]);
-        if (!isnan(r->charpoly_formula[k])) fprintf(stream, "   formula %.17g", r->charpoly_formula[k]);
-        fputc('\n', stream);
-    }
-    fprintf(stream, "\ntrace        %.17g, error < %.2g", r->trace, r->trace_error);
-    if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g", r->trace_formula);
-    fprintf(stream, "\n\neigenvalues, with %ld bits\n", r->precision);
-    for (size_t i = 0; i < n; i++) write_eigenvalue(stream, r, &r->eigen.values[i]);
+    write_matrix(stream, r);
+    fprintf(stream, "\neigenvalues, with %ld bits%s\n", r->precision,
+            r->texts != NULL && !r->sure ? ", which do not settle what is zero" : "");
+    for (size_t i = 0; i < r->n; i++) write_eigenvalue(stream, r, i);
     if (r->eigen.defective_zero) fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
     fputs("  other routes in doubles, relative to the matrix: ", stream);
     if (!isnan(r->eigen.gsl_difference))
@@ -106,7 +160,7 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
     fputs("ARPACK ", stream);
     if (isnan(r->eigen.arpack_difference)) fprintf(stream, "not used (%s)\n", r->eigen.arpack_note);
     else fprintf(stream, "%.2g\n", r->eigen.arpack_difference);
-    fprintf(stream, "\nverdict      %s\nmeasure      %s\n", jlt_linearization_verdict(r->verdict), consequence(r));
+    write_verdict(stream, r);
 }
 
 static json_t *eigenvalues_json(const jlt_linearization *r)
@@ -121,6 +175,41 @@ static json_t *eigenvalues_json(const jlt_linearization *r)
                                                jlt_json_string(source_of(r, value))));
     }
     return array;
+}
+
+static json_t *texts_json(char *const *texts, size_t count)
+{
+    json_t *array = json_array();
+
+    for (size_t i = 0; i < count; i++) json_array_append_new(array, json_string(texts[i]));
+    return array;
+}
+
+static json_t *named_texts_json(const jlt_quantity *quantities, char *const *texts, size_t count)
+{
+    json_t *o = json_object();
+
+    for (size_t i = 0; i < count; i++) json_object_set_new(o, quantities[i].name, json_string(texts[i]));
+    return o;
+}
+
+/* The same numbers as decimals, in texts. */
+static json_t *decimals_json(const jlt_descriptor *d, const jlt_linearization *r)
+{
+    const jlt_ball_texts *t = r->texts;
+    json_t *o = json_object(), *jacobian = json_array();
+
+    for (size_t i = 0; i < t->n; i++) json_array_append_new(jacobian, texts_json(t->jacobian + i * t->n, t->n));
+    json_object_set_new(o, "digits", json_integer(t->digits));
+    json_object_set_new(o, "sure", json_boolean(r->sure));
+    json_object_set_new(o, "parameters", named_texts_json(d->params, t->param, t->params));
+    json_object_set_new(o, "state", named_texts_json(d->states, t->state, t->n));
+    json_object_set_new(o, "jacobian", jacobian);
+    json_object_set_new(o, "charpoly", texts_json(t->charpoly, t->n + 1));
+    json_object_set_new(o, "trace", json_string(t->trace));
+    json_object_set_new(o, "re", texts_json(t->re, t->n));
+    json_object_set_new(o, "im", texts_json(t->im, t->n));
+    return o;
 }
 
 static json_t *row_json(const jlt_eigen_row *row)
@@ -161,6 +250,8 @@ static json_t *row_json(const jlt_eigen_row *row)
     json_object_set_new(o, "arpack_difference", jlt_json_number(r->eigen.arpack_difference));
     json_object_set_new(o, "arpack_note", json_string(r->eigen.arpack_note));
     json_object_set_new(o, "verdict", json_string(jlt_linearization_verdict(r->verdict)));
+    json_object_set_new(o, "verdict_proved", json_boolean(r->proved));
+    if (r->texts != NULL) json_object_set_new(o, "decimals", decimals_json(d, r));
     json_object_set_new(o, "measure_excluded", json_boolean(r->obstructs));
     json_object_set_new(o, "measure", json_string(consequence(r)));
     return o;
@@ -182,6 +273,7 @@ static void write_csv_header(FILE *stream, const jlt_eigen_request *request)
         if (!request->targets[i].is_state) request->params[request->targets[i].index] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ .command = request->common.command, .descriptor = d, .params = request->params });
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
+    if (request->question.fast) fputs("# doubles alone: verdicts are not proved\n", stream);
     for (size_t i = 0; i < request->axis_count; i++)
         if (!request->targets[i].is_state) fprintf(stream, "%s,", request->axes[i].name);
     for (unsigned i = 0; i < d->state_count; i++) fprintf(stream, "%s,", d->states[i].name);

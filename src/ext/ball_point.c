@@ -7,8 +7,18 @@
 #endif
 
 #include <math.h>
+#include <string.h>
 
-enum { SIZE = JLT_BALL_SIZE_MAX, FARTHEST = 100 };
+enum { SIZE = JLT_BALL_SIZE_MAX, FARTHEST = 100, THINNINGS = 3 };
+
+/* `rank` equations in as many states: the first of each order. */
+typedef struct {
+    const jlt_ball_table *table;
+    const jlt_ball_question *question;
+    arb_srcptr params;
+    slong precision;
+    unsigned n, rank, rows[SIZE], columns[SIZE];
+} system_of;
 
 bool jlt_ball_point_set(arb_t out, const jlt_ball_value *value, slong precision)
 {
@@ -29,33 +39,51 @@ bool jlt_ball_point_set(arb_t out, const jlt_ball_value *value, slong precision)
     return good;
 }
 
-static bool vanishes(const jlt_ball_table *table, arb_srcptr x, arb_srcptr params, slong precision)
+bool jlt_ball_point_fixed(arb_srcptr x, const signed char *signs, size_t states)
 {
-    arb_ptr f = _arb_vec_init(table->state_count);
-    bool zero = true;
+    for (size_t i = 0; i < states; i++)
+        if (signs[i] < 0 && !arb_is_zero(x + i)) return false;
+    return true;
+}
 
-    table->rhs(f, x, params, precision);
-    for (unsigned i = 0; i < table->state_count; i++) zero = zero && arb_is_finite(f + i) && arb_contains_zero(f + i);
-    _arb_vec_clear(f, table->state_count);
-    return zero;
+slong jlt_ball_point_integral(const jlt_ball_table *table, const char *name)
+{
+    for (unsigned i = 0; i < table->integral_count; i++)
+        if (strcmp(table->integral[i], name) == 0) return (slong)i;
+    return -1;
+}
+
+static jlt_ball_point vanishes(const system_of *s, arb_srcptr x)
+{
+    arb_ptr f = _arb_vec_init(s->n);
+    bool zero = true, exactly = true;
+
+    s->table->rhs(f, x, s->params, s->precision);
+    for (unsigned i = 0; i < s->n; i++) {
+        zero = zero && arb_is_finite(f + i) && arb_contains_zero(f + i);
+        exactly = exactly && arb_is_zero(f + i);
+    }
+    _arb_vec_clear(f, s->n);
+    return exactly ? JLT_BALL_POINT_PROVED : zero ? JLT_BALL_POINT_NEAR : JLT_BALL_POINT_NONE;
 }
 
 /* Equations and states in the order of complete pivoting on the Jacobian in units of what is within reach; returns how many
- * pivots there are. Doubles suffice: the order is a guess that the field's vanishing confirms. */
-static unsigned order(unsigned *rows, unsigned *columns, const jlt_ball_table *table, arb_srcptr x, arb_srcptr params,
-                      const double *reach, slong precision)
+ * pivots there are. States with a fraction stay out of it where they are held. Doubles suffice: the order is a guess that the
+ * field's vanishing confirms. */
+static unsigned order(system_of *s, arb_srcptr x, bool hold)
 {
-    const unsigned n = table->state_count;
+    const unsigned n = s->n;
     arb_ptr jacobian = _arb_vec_init((slong)n * n);
     double m[SIZE * SIZE];
-    unsigned rank = 0;
+    unsigned rank = 0, *rows = s->rows, *columns = s->columns;
 
-    table->jacobian(jacobian, x, params, precision);
+    s->table->jacobian(jacobian, x, s->params, s->precision);
     for (unsigned i = 0; i < n; i++) {
         double largest = 0.0;
         rows[i] = columns[i] = i;
         for (unsigned j = 0; j < n; j++) {
-            m[i * n + j] = reach[j] * arf_get_d(arb_midref(jacobian + i * n + j), ARF_RND_NEAR);
+            const bool held = hold && s->question->states[j].fraction != NULL;
+            m[i * n + j] = held ? 0.0 : s->question->reach[j] * arf_get_d(arb_midref(jacobian + i * n + j), ARF_RND_NEAR);
             largest = fmax(largest, fabs(m[i * n + j]));
         }
         for (unsigned j = 0; j < n && largest > 0.0; j++) m[i * n + j] /= largest;
@@ -78,46 +106,52 @@ static unsigned order(unsigned *rows, unsigned *columns, const jlt_ball_table *t
     return rank;
 }
 
-/* One Newton step of `rank` equations in as many states, in place; step, shape (rank, 1), is what was taken off. */
-static bool advance(arb_ptr x, arb_mat_t step, const jlt_ball_table *table, arb_srcptr params, const unsigned *rows,
-                    const unsigned *columns, unsigned rank, slong precision)
+/* The system's equations at x, shape (rank, 1), and their derivatives in its states, shape (rank, rank). */
+static void evaluate(arb_mat_t f, arb_mat_t slopes, const system_of *s, arb_srcptr x)
 {
-    const unsigned n = table->state_count;
-    arb_ptr f = _arb_vec_init(n), jacobian = _arb_vec_init((slong)n * n);
-    arb_mat_t a, b;
+    const unsigned n = s->n;
+    arb_ptr all = _arb_vec_init(n), jacobian = _arb_vec_init((slong)n * n);
+
+    s->table->rhs(all, x, s->params, s->precision);
+    s->table->jacobian(jacobian, x, s->params, s->precision);
+    for (unsigned i = 0; i < s->rank; i++) {
+        arb_set(arb_mat_entry(f, i, 0), all + s->rows[i]);
+        for (unsigned j = 0; j < s->rank; j++) arb_set(arb_mat_entry(slopes, i, j), jacobian + s->rows[i] * n + s->columns[j]);
+    }
+    _arb_vec_clear(jacobian, (slong)n * n);
+    _arb_vec_clear(all, n);
+}
+
+/* One Newton step, in place; step, shape (rank, 1), is what was taken off. */
+static bool advance(arb_ptr x, arb_mat_t step, const system_of *s)
+{
+    arb_mat_t f, slopes;
     bool good;
 
-    arb_mat_init(a, rank, rank);
-    arb_mat_init(b, rank, 1);
-    table->rhs(f, x, params, precision);
-    table->jacobian(jacobian, x, params, precision);
-    for (unsigned i = 0; i < rank; i++) {
-        arb_set(arb_mat_entry(b, i, 0), f + rows[i]);
-        for (unsigned j = 0; j < rank; j++) arb_set(arb_mat_entry(a, i, j), jacobian + rows[i] * n + columns[j]);
+    arb_mat_init(f, s->rank, 1);
+    arb_mat_init(slopes, s->rank, s->rank);
+    evaluate(f, slopes, s, x);
+    good = arb_mat_solve(step, slopes, f, s->precision);
+    for (unsigned i = 0; good && i < s->rank; i++) {
+        arb_sub(x + s->columns[i], x + s->columns[i], arb_mat_entry(step, i, 0), s->precision);
+        arb_get_mid_arb(x + s->columns[i], x + s->columns[i]);
     }
-    good = arb_mat_solve(step, a, b, precision);
-    for (unsigned i = 0; good && i < rank; i++) {
-        arb_sub(x + columns[i], x + columns[i], arb_mat_entry(step, i, 0), precision);
-        arb_get_mid_arb(x + columns[i], x + columns[i]);
-    }
-    arb_mat_clear(b);
-    arb_mat_clear(a);
-    _arb_vec_clear(jacobian, (slong)n * n);
-    _arb_vec_clear(f, n);
+    arb_mat_clear(slopes);
+    arb_mat_clear(f);
     return good;
 }
 
-static bool near(arb_srcptr x, arb_srcptr start, const double *reach, unsigned n, slong precision)
+static bool near(const system_of *s, arb_srcptr x, arb_srcptr start)
 {
     arb_t distance, limit;
     bool good = true;
 
     arb_init(distance);
     arb_init(limit);
-    for (unsigned j = 0; j < n; j++) {
-        arb_sub(distance, x + j, start + j, precision);
+    for (unsigned j = 0; j < s->n; j++) {
+        arb_sub(distance, x + j, start + j, s->precision);
         arb_abs(distance, distance);
-        arb_set_d(limit, FARTHEST * reach[j]);
+        arb_set_d(limit, FARTHEST * s->question->reach[j]);
         good = good && (arb_contains_zero(distance) || arb_lt(distance, limit));
     }
     arb_clear(limit);
@@ -126,51 +160,187 @@ static bool near(arb_srcptr x, arb_srcptr start, const double *reach, unsigned n
 }
 
 /* Newton's method from x, whose digits double a step; then x with its errors. */
-static bool refine(arb_ptr x, const jlt_ball_table *table, arb_srcptr params, const unsigned *rows, const unsigned *columns,
-                   unsigned rank, slong precision)
+static bool refine(arb_ptr x, const system_of *s)
 {
     arb_mat_t step;
     bool good = true;
 
-    arb_mat_init(step, rank, 1);
-    for (slong digits = 16; good && digits < 8 * precision; digits *= 2)
-        good = advance(x, step, table, params, rows, columns, rank, precision);
-    for (unsigned i = 0; good && i < rank; i++) {
+    arb_mat_init(step, s->rank, 1);
+    for (slong digits = 16; good && digits < 8 * s->precision; digits *= 2) good = advance(x, step, s);
+    for (unsigned i = 0; good && i < s->rank; i++) {
+        arb_ptr state = x + s->columns[i];
         mag_t error;
         mag_init(error);
         arb_get_mag(error, arb_mat_entry(step, i, 0));
         mag_mul_2exp_si(error, error, 1);
-        arb_add_error_mag(x + columns[i], error);
-        arb_get_mag(error, x + columns[i]);
-        mag_mul_2exp_si(error, error, 4 - precision);
-        arb_add_error_mag(x + columns[i], error);
+        arb_add_error_mag(state, error);
+        arb_get_mag(error, state);
+        mag_mul_2exp_si(error, error, 4 - s->precision);
+        arb_add_error_mag(state, error);
         mag_clear(error);
     }
     arb_mat_clear(step);
     return good;
 }
 
-bool jlt_ball_point_find(arb_ptr x, const jlt_ball_table *table, arb_srcptr params, const jlt_ball_question *question,
-                         slong precision)
+/* K(X) = c - Y F(c) + (1 - Y F'(X))(X - c) with c the middle of X and Y near the inverse of F'(c): in place of X where it lies in
+ * the interior of X. */
+static bool contract(arb_ptr x, const system_of *s)
 {
-    const unsigned n = table->state_count;
-    arb_ptr start = _arb_vec_init(n), trial = _arb_vec_init(n);
-    unsigned rows[SIZE], columns[SIZE], most = 0;
-    bool found = true;
+    const slong rank = s->rank;
+    arb_ptr middle = _arb_vec_init(s->n);
+    arb_mat_t f, slopes, inverse, image, off, moved;
+    bool inside;
 
-    for (unsigned j = 0; found && j < n; j++) found = jlt_ball_point_set(start + j, &question->states[j], precision);
-    if (found) {
-        _arb_vec_set(trial, start, n);
-        found = vanishes(table, trial, params, precision);
-        if (!found) most = order(rows, columns, table, start, params, question->reach, precision);
+    arb_mat_init(f, rank, 1);
+    arb_mat_init(slopes, rank, rank);
+    arb_mat_init(inverse, rank, rank);
+    arb_mat_init(image, rank, rank);
+    arb_mat_init(off, rank, 1);
+    arb_mat_init(moved, rank, 1);
+    _arb_vec_set(middle, x, s->n);
+    for (slong i = 0; i < rank; i++) {
+        arb_get_mid_arb(middle + s->columns[i], x + s->columns[i]);
+        arb_sub(arb_mat_entry(off, i, 0), x + s->columns[i], middle + s->columns[i], s->precision);
     }
-    for (unsigned rank = 1; !found && rank <= most; rank++) {
-        for (unsigned j = 0; j < n; j++) arb_get_mid_arb(trial + j, start + j);
-        found = refine(trial, table, params, rows, columns, rank, precision) &&
-                near(trial, start, question->reach, n, precision) && vanishes(table, trial, params, precision);
+    evaluate(f, slopes, s, middle);
+    arb_mat_get_mid(image, slopes);
+    inside = arb_mat_inv(inverse, image, s->precision);
+    arb_mat_get_mid(inverse, inverse);
+    arb_mat_mul(moved, inverse, f, s->precision);
+    evaluate(f, slopes, s, x);
+    arb_mat_mul(image, inverse, slopes, s->precision);
+    arb_mat_one(slopes);
+    arb_mat_sub(image, slopes, image, s->precision);
+    arb_mat_mul(f, image, off, s->precision);
+    for (slong i = 0; i < rank; i++) {
+        arb_ptr value = middle + s->columns[i];
+        arb_sub(value, value, arb_mat_entry(moved, i, 0), s->precision);
+        arb_add(value, value, arb_mat_entry(f, i, 0), s->precision);
+        inside = inside && arb_is_finite(value) && arb_contains_interior(x + s->columns[i], value);
     }
-    if (found) _arb_vec_set(x, trial, n);
-    _arb_vec_clear(trial, n);
-    _arb_vec_clear(start, n);
+    if (inside) _arb_vec_set(x, middle, s->n);
+    arb_mat_clear(moved);
+    arb_mat_clear(off);
+    arb_mat_clear(image);
+    arb_mat_clear(inverse);
+    arb_mat_clear(slopes);
+    arb_mat_clear(f);
+    _arb_vec_clear(middle, s->n);
+    return inside;
+}
+
+/* Krawczyk's test in a ball of half the digits, which then gets as thin as it can. */
+static bool contains_solution(arb_ptr x, const system_of *s)
+{
+    arb_ptr wide = _arb_vec_init(s->n);
+    bool proved;
+
+    _arb_vec_set(wide, x, s->n);
+    for (unsigned i = 0; i < s->rank; i++) {
+        mag_t room;
+        mag_init(room);
+        arb_get_mag(room, x + s->columns[i]);
+        mag_mul_2exp_si(room, room, -s->precision / 2);
+        arb_add_error_mag(wide + s->columns[i], room);
+        mag_clear(room);
+    }
+    proved = contract(wide, s);
+    for (int k = 1; proved && k < THINNINGS; k++) (void)contract(wide, s);
+    if (proved) _arb_vec_set(x, wide, s->n);
+    _arb_vec_clear(wide, s->n);
+    return proved;
+}
+
+/* Equations that are not in the system, nor hold as they stand, nor by a reversor: their places to `left`; returns how many. */
+static unsigned leftover(unsigned *left, const system_of *s, arb_srcptr x)
+{
+    arb_ptr f = _arb_vec_init(s->n);
+    unsigned count = 0;
+
+    s->table->rhs(f, x, s->params, s->precision);
+    for (unsigned i = s->rank; i < s->n; i++) {
+        bool holds = arb_is_zero(f + s->rows[i]);
+        for (size_t k = 0; k < s->question->reversor_count; k++) {
+            const signed char *signs = s->question->reversors[k];
+            holds = holds || (signs[s->rows[i]] > 0 && jlt_ball_point_fixed(x, signs, s->n));
+        }
+        if (!holds) left[count++] = s->rows[i];
+    }
+    _arb_vec_clear(f, s->n);
+    return count;
+}
+
+/* Where the system's equations hold, all of them do. */
+static bool others_follow(const system_of *s, arb_srcptr x)
+{
+    const jlt_ball_question *q = s->question;
+    const slong integrals = (slong)q->integral_count;
+    unsigned left[SIZE];
+    const slong count = leftover(left, s, x);
+    arb_ptr gradients;
+    arb_mat_t w, transposed, gram;
+    arb_t determinant;
+    bool independent;
+
+    if (count == 0) return true;
+    if (integrals < count || s->table->integral_gradients == NULL) return false;
+    gradients = _arb_vec_init((slong)s->table->integral_count * s->n);
+    s->table->integral_gradients(gradients, x, s->params, s->precision);
+    arb_mat_init(w, integrals, count);
+    arb_mat_init(transposed, count, integrals);
+    arb_mat_init(gram, count, count);
+    arb_init(determinant);
+    for (slong i = 0; i < integrals; i++) {
+        const slong index = jlt_ball_point_integral(s->table, q->integrals[i]);
+        for (slong j = 0; index >= 0 && j < count; j++) arb_set(arb_mat_entry(w, i, j), gradients + index * s->n + left[j]);
+    }
+    arb_mat_transpose(transposed, w);
+    arb_mat_mul(gram, transposed, w, s->precision);
+    arb_mat_det(determinant, gram, s->precision);
+    independent = arb_is_finite(determinant) && !arb_contains_zero(determinant);
+    arb_clear(determinant);
+    arb_mat_clear(gram);
+    arb_mat_clear(transposed);
+    arb_mat_clear(w);
+    _arb_vec_clear(gradients, (slong)s->table->integral_count * s->n);
+    return independent;
+}
+
+/* Newton's method with one equation, with two, and so on, until the field vanishes, and is known to: x where that is better than
+ * what is found. */
+static jlt_ball_point search(arb_ptr x, jlt_ball_point found, system_of *s, arb_srcptr start, bool hold)
+{
+    const unsigned most = order(s, start, hold);
+    arb_ptr trial = _arb_vec_init(s->n);
+    jlt_ball_point here;
+
+    for (s->rank = 1; found != JLT_BALL_POINT_PROVED && s->rank <= most; s->rank++) {
+        _arb_vec_set(trial, start, s->n);
+        for (unsigned j = 0; j < s->rank; j++) arb_get_mid_arb(trial + s->columns[j], start + s->columns[j]);
+        if (!refine(trial, s) || !near(s, trial, start) || vanishes(s, trial) == JLT_BALL_POINT_NONE) continue;
+        here = contains_solution(trial, s) && others_follow(s, trial) ? JLT_BALL_POINT_PROVED : JLT_BALL_POINT_NEAR;
+        if (here <= found) continue;
+        _arb_vec_set(x, trial, s->n);
+        found = here;
+    }
+    _arb_vec_clear(trial, s->n);
+    return found;
+}
+
+jlt_ball_point jlt_ball_point_find(arb_ptr x, const jlt_ball_table *table, arb_srcptr params, const jlt_ball_question *question,
+                                   slong precision)
+{
+    system_of s = { .table = table, .question = question, .params = params, .precision = precision, .n = table->state_count };
+    arb_ptr start = _arb_vec_init(s.n);
+    jlt_ball_point found = JLT_BALL_POINT_NONE;
+    bool good = true;
+
+    for (unsigned j = 0; good && j < s.n; j++) good = jlt_ball_point_set(start + j, &question->states[j], precision);
+    if (good) found = vanishes(&s, start);
+    if (found != JLT_BALL_POINT_NONE) _arb_vec_set(x, start, s.n);
+    if (good && found != JLT_BALL_POINT_PROVED) found = search(x, found, &s, start, true);
+    if (good && found != JLT_BALL_POINT_PROVED) found = search(x, found, &s, start, false);
+    _arb_vec_clear(start, s.n);
     return found;
 }

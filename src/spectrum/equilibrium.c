@@ -1,12 +1,17 @@
 #include "spectrum/equilibrium.h"
 
+#include "ext/number.h"
 #include "kernel/descriptor.h"
+#include "spectrum/exact_point.h"
+#include "spectrum/formula.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The report of doubles, with bounds on the errors of the Jacobian and of the integrals' gradients against the exact values. */
-static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x)
+static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
+                            const char *const *exact_x)
 {
     const size_t n = q->descriptor->state_count;
     double errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
@@ -17,7 +22,7 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
     if (st == JLT_OK) st = jlt_linearization_residual(result, q->descriptor, params, x);
     if (st != JLT_OK) goto done;
     jlt_oracle_set_params(q->oracle, params, q->params);
-    jlt_oracle_set_states(q->oracle, x, q->x);
+    jlt_oracle_set_states(q->oracle, x, exact_x);
     JLT_TRY(jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n));
     for (size_t i = 0; i < n * n; i++) {
         errors[i] = jlt_oracle_error(result->jacobian[i], &exact[i]);
@@ -32,17 +37,34 @@ done:
     return st;
 }
 
-/* What ball arithmetic makes of the exact values; the result is untouched where it settles nothing. */
-static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x)
+/* Whether x is still what was typed. */
+static bool untouched(double x, const char *fraction)
+{
+    double typed;
+
+    return fraction != NULL && jlt_number_parse(&typed, fraction, strlen(fraction)) == JLT_OK && !(typed < x) && !(typed > x);
+}
+
+/* What ball arithmetic makes of the exact values, which are exact numbers where they can be. Where it settles nothing, the numbers
+ * stay those of doubles. */
+static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
+                          const char *const *fractions)
 {
     const jlt_descriptor *d = q->descriptor;
+    const jlt_equilibria *family = result->family;
+    const unsigned char *given = q->find && family != NULL ? family->is_free : q->given;
     jlt_ball_value *exact = calloc(d->param_count + 1, sizeof *exact), exact_x[JLT_LINEARIZATION_SIZE_MAX];
+    jlt_exact_matrix *matrix = NULL;
     jlt_status st = JLT_ERR_NOMEM;
 
     if (exact == NULL) return st;
     for (size_t i = 0; i < d->param_count; i++) exact[i] = (jlt_ball_value){ params[i], q->params[i] };
-    for (size_t i = 0; i < d->state_count; i++) exact_x[i] = (jlt_ball_value){ x[i], q->x[i] };
-    st = jlt_linearization_enclose(result, d, exact, exact_x);
+    for (size_t i = 0; i < d->state_count; i++) exact_x[i] = (jlt_ball_value){ x[i], fractions[i] };
+    st = jlt_exact_point_linearize(&matrix, q->oracle, exact, exact_x, family == NULL ? NULL : family->name, given);
+    if (st == JLT_OK) st = jlt_linearization_enclose(result, d, exact, exact_x, matrix, q->digits);
+    if (st == JLT_OK) jlt_formula_enclose(result, q->oracle, given);
+    if (st != JLT_OK) result->verdict = JLT_UNDECIDED;
+    jlt_exact_matrix_destroy(matrix);
     free(exact);
     return st;
 }
@@ -50,6 +72,7 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
 void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_question *q, double *params, double *x)
 {
     const jlt_descriptor *d = q->descriptor;
+    const char *fractions[JLT_LINEARIZATION_SIZE_MAX];
 
     out->stage = JLT_EQUILIBRIUM_PARAMS;
     out->status = jlt_descriptor_check_params(d, params, &out->index);
@@ -61,7 +84,12 @@ void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_questio
     out->stage = JLT_EQUILIBRIUM_SEARCH;
     if (q->find) out->status = jlt_linearization_find(x, d, params, q->order, q->held);
     if (out->status != JLT_OK) return;
+    for (size_t i = 0; i < d->state_count; i++) fractions[i] = untouched(x[i], q->x[i]) ? q->x[i] : NULL;
     out->stage = JLT_EQUILIBRIUM_POINT;
-    out->status = linearize(&out->result, q, params, x);
-    if (out->status == JLT_OK && enclose(&out->result, q, params, x) == JLT_ERR_NOMEM) out->status = JLT_ERR_NOMEM;
+    out->status = linearize(&out->result, q, params, x, fractions);
+    if (out->status != JLT_OK || q->fast) return;
+    const jlt_status st = enclose(&out->result, q, params, x, fractions);
+    if (st == JLT_OK || (st != JLT_ERR_NOMEM && q->digits == 0)) return;
+    out->stage = JLT_EQUILIBRIUM_DIGITS;
+    out->status = st;
 }

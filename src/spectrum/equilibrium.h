@@ -16,11 +16,13 @@ typedef struct {
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX];  /* states that the family must not set */
     bool find;                                        /* the states are a guess: an equilibrium nearby is meant */
     size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* the states given, in order of importance */
+    bool fast;                                        /* doubles are enough */
+    long digits;                                      /* of texts; 0: none */
 } jlt_equilibrium_question;
 
 /* What the status is about. */
 typedef enum {
-    JLT_EQUILIBRIUM_PARAMS, JLT_EQUILIBRIUM_STATES, JLT_EQUILIBRIUM_SEARCH, JLT_EQUILIBRIUM_POINT
+    JLT_EQUILIBRIUM_PARAMS, JLT_EQUILIBRIUM_STATES, JLT_EQUILIBRIUM_SEARCH, JLT_EQUILIBRIUM_POINT, JLT_EQUILIBRIUM_DIGITS
 } jlt_equilibrium_stage;
 
 typedef struct {
@@ -30,8 +32,10 @@ typedef struct {
     jlt_linearization result;
 } jlt_equilibrium;
 
-/** The equilibrium at these parameters and states, both changed in place. Where balls settle nothing, the result is what
- *  doubles know. */
+/** The equilibrium at these parameters and states, both changed in place, as jlt_linearization_enclose gives it. Where that fails
+ *  the numbers are those of doubles, and the verdict is open, or where digits were asked for that is an error; where doubles are
+ *  enough
+ *  the verdict is theirs, and not proved. The caller frees result.texts. */
 void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_question *question, double *params, double *x);
 
 #endif

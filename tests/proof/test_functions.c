@@ -8,7 +8,7 @@
 
 typedef struct {
     ttc_model *model;
-    ttc_plan plan;
+    ttc_catalogue catalogue;
     ttc_kernels *general; /* in the time in which its roots are states */
     ttc_text text;
 } table;
@@ -19,16 +19,16 @@ static void open_table(table *t, const char *path)
     *t = (table){ .model = ttc_model_read(path, diagnostics) };
     assert_non_null(t->model);
     ttc_diagnostics_destroy(diagnostics);
-    assert_true(ttc_plan_create(&t->plan, t->model, TTC_WITHOUT_ELIMINATIONS, TTC_EFFORT_QUICK));
-    for (size_t i = 0; i < t->plan.count; i++)
-        if (ttc_field_is_general(t->plan.fields[i].kernels->field)) t->general = t->plan.fields[i].kernels;
+    assert_true(ttc_plan_create(&t->catalogue, t->model, TTC_WITHOUT_ELIMINATIONS, TTC_EFFORT_QUICK));
+    for (size_t i = 0; i < t->catalogue.count; i++)
+        if (ttc_field_is_general(t->catalogue.fields[i].kernels->field)) t->general = t->catalogue.fields[i].kernels;
     assert_true(ttc_prove_functions_emit(&t->text, t->general));
 }
 
 static void close_table(table *t)
 {
     ttc_text_clear(&t->text);
-    ttc_plan_clear(&t->plan);
+    ttc_plan_clear(&t->catalogue);
     ttc_model_destroy(t->model);
 }
 
@@ -51,7 +51,7 @@ static void every_function_computes_what_its_record_says(void **state)
         ttc_proof_report report = { 0 };
         snprintf(path, sizeof path, "%s/codegen/models/%s.tt", JLT_SOURCE_DIR, names[i]);
         open_table(&t, path);
-        assert_true(ttc_prove_functions(&t.plan, &report));
+        assert_true(ttc_prove_functions(&t.catalogue, &report));
         for (size_t k = 0; k < report.proof_count; k++)
             if (report.proofs[k].status != TTC_PROVED) print_error("%s: %s\n", report.proofs[k].name, report.proofs[k].remainder);
         assert_true(report.proof_count >= 8 && report.proved == report.proof_count);

@@ -57,7 +57,7 @@ void case_equilibrium(trial *t)
         check(t, "doubles", &result, want);
         for (int i = 0; i < 6; i++) ball_params[i] = (jlt_ball_value){ params[i], NULL };
         for (int i = 0; i < 5; i++) ball_x[i] = (jlt_ball_value){ x[i], NULL };
-        st = jlt_linearization_enclose(&result, model, ball_params, ball_x);
+        st = jlt_linearization_enclose(&result, model, ball_params, ball_x, NULL, 0);
         if (st == JLT_OK) check(t, "balls", &result, want);
     }
     if (st != JLT_OK) trial_complain(t, "eigen: %s", jlt_status_text(st));

@@ -1,0 +1,210 @@
+#include "ext/ball_problem.h"
+
+enum { ITERATIONS = 256 };
+
+/* 2^k is near the largest root, by M. Fujiwara's bound. */
+static slong size_of(const arb_poly_t poly)
+{
+    const slong degree = arb_poly_degree(poly), lead = arf_abs_bound_lt_2exp_si(arb_midref(arb_poly_get_coeff_ptr(poly, degree)));
+    slong most = 0;
+    bool any = false;
+
+    for (slong i = 1; i <= degree; i++) {
+        arb_srcptr coefficient = arb_poly_get_coeff_ptr(poly, degree - i);
+        if (arf_is_zero(arb_midref(coefficient))) continue;
+        const slong size = (arf_abs_bound_lt_2exp_si(arb_midref(coefficient)) - lead) / i;
+        most = any && most > size ? most : size;
+        any = true;
+    }
+    return most;
+}
+
+/* All roots of a polynomial with real coefficients, none of which is zero; those that are real with imaginary parts that are
+ * exactly zero. They are looked for in units of the largest, exactly: iterations begin near 1. */
+static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
+{
+    const slong degree = arb_poly_degree(poly), size = size_of(poly);
+    acb_poly_t scaled;
+    bool good;
+
+    acb_poly_init(scaled);
+    acb_poly_set_arb_poly(scaled, poly);
+    for (slong k = 0; k < degree; k++)
+        acb_mul_2exp_si(acb_poly_get_coeff_ptr(scaled, k), acb_poly_get_coeff_ptr(scaled, k), size * (k - degree));
+    good = acb_poly_find_roots(roots, scaled, NULL, ITERATIONS, precision) == degree &&
+           acb_poly_validate_real_roots(roots, scaled, precision);
+    for (slong i = 0; good && i < degree; i++) {
+        if (arb_contains_zero(acb_imagref(roots + i))) arb_zero(acb_imagref(roots + i));
+        good = !acb_contains_zero(roots + i);
+        acb_mul_2exp_si(roots + i, roots + i, size);
+    }
+    acb_poly_clear(scaled);
+    return good;
+}
+
+/* z and -z with z^2 = square, which is not zero and has a known sign where it is real. */
+static void set_pair(acb_ptr roots, const acb_t square, slong precision)
+{
+    if (acb_is_real(square) && arb_is_negative(acb_realref(square))) {
+        acb_neg(roots, square);
+        arb_sqrt(acb_imagref(roots), acb_realref(roots), precision);
+        arb_zero(acb_realref(roots));
+    } else {
+        acb_sqrt(roots, square, precision);
+    }
+    acb_neg(roots + 1, roots);
+}
+
+static bool is_even(const arb_poly_t poly)
+{
+    for (slong k = 1; k <= arb_poly_degree(poly); k += 2)
+        if (!arb_is_zero(arb_poly_get_coeff_ptr(poly, k))) return false;
+    return arb_poly_degree(poly) % 2 == 0;
+}
+
+/* The roots of one factor. */
+static bool find(acb_ptr roots, const arb_poly_t poly, slong precision)
+{
+    const slong half = arb_poly_degree(poly) / 2;
+    arb_poly_t squares;
+    acb_ptr found;
+    bool good;
+
+    if (!is_even(poly)) return separate(roots, poly, precision);
+    found = _acb_vec_init(half);
+    arb_poly_init(squares);
+    for (slong k = half; k >= 0; k--) arb_poly_set_coeff_arb(squares, k, arb_poly_get_coeff_ptr(poly, 2 * k));
+    good = separate(found, squares, precision);
+    for (slong i = 0; good && i < half; i++) set_pair(roots + 2 * i, found + i, precision);
+    arb_poly_clear(squares);
+    _acb_vec_clear(found, half);
+    return good;
+}
+
+/* Takes over the roots of a factor, each as often as it is one. */
+static void take(jlt_ball_spectrum *s, jlt_ball_problem *p, acb_srcptr roots, slong degree, jlt_ball_root kind)
+{
+    for (slong i = 0; i < degree; i++) {
+        arb_srcptr re = acb_realref(roots + i);
+        const bool on_axis = arb_is_zero(re);
+        if (arb_is_positive(re) || (on_axis && !kind.semisimple)) s->growing = 1;
+        if (!arb_is_negative(re)) s->decaying = 0;
+        p->settled = p->settled && (on_axis || !arb_contains_zero(re));
+        for (size_t k = 0; k < kind.multiplicity && p->count < p->n; k++) {
+            p->kinds[p->count] = kind;
+            acb_set(p->roots + p->count++, roots + i);
+        }
+    }
+}
+
+static bool follows(const acb_t a, const acb_t b)
+{
+    const double left = arf_get_d(arb_midref(acb_realref(a)), ARF_RND_NEAR);
+    const double right = arf_get_d(arb_midref(acb_realref(b)), ARF_RND_NEAR);
+
+    return left > right || (!(left < right) && arf_cmp(arb_midref(acb_imagref(a)), arb_midref(acb_imagref(b))) > 0);
+}
+
+static void sort(jlt_ball_problem *p)
+{
+    for (slong i = 1; i < p->count; i++)
+        for (slong at = i; at > 0 && follows(p->roots + at - 1, p->roots + at); at--) {
+            const jlt_ball_root held = p->kinds[at];
+            acb_swap(p->roots + at - 1, p->roots + at);
+            p->kinds[at] = p->kinds[at - 1];
+            p->kinds[at - 1] = held;
+        }
+}
+
+static bool overlaps_another(acb_srcptr values, slong count, slong which)
+{
+    for (slong i = 0; i < count; i++)
+        if (i != which && acb_overlaps(values + i, values + which)) return true;
+    return false;
+}
+
+static void widen(acb_t value, const mag_t error, ulong times)
+{
+    mag_t more;
+
+    mag_init(more);
+    mag_mul_ui(more, error, times);
+    arb_add_error_mag(acb_realref(value), more);
+    arb_add_error_mag(acb_imagref(value), more);
+    mag_clear(more);
+}
+
+/* Disks of one radius about n numbers hold all eigenvalues, and those that hang together as many as they are. Widened by 2 n radii,
+ * and some more, each holds all that its neighbours do: one that is alone holds a simple eigenvalue, which is real where its number
+ * is within two radii of the axis, as its conjugate would lie in the same disk. Of those that share a disk neither is known. False
+ * where zero is not as often among them as it should be. */
+static bool find_clusters(jlt_ball_spectrum *s, jlt_ball_problem *p)
+{
+    acb_ptr values = _acb_vec_init(p->n), narrow = _acb_vec_init(p->n);
+    acb_mat_t a, vectors;
+    mag_t radius;
+    size_t zeros = 0;
+    bool good;
+
+    acb_mat_init(a, p->n, p->n);
+    acb_mat_init(vectors, p->n, p->n);
+    mag_init(radius);
+    acb_mat_set_arb_mat(a, p->a);
+    acb_mat_approx_eig_qr(values, NULL, vectors, a, NULL, 0, p->precision);
+    acb_mat_eig_global_enclosure(radius, a, values, vectors, p->precision);
+    good = !mag_is_inf(radius);
+    for (slong i = 0; good && i < p->n; i++) {
+        acb_get_mid(values + i, values + i);
+        acb_set(narrow + i, values + i);
+        widen(narrow + i, radius, 2);
+        widen(values + i, radius, 2 * (ulong)p->n + 8);
+    }
+    p->count = 0;
+    p->settled = true;
+    for (slong i = 0; good && i < p->n; i++) {
+        const bool shared = overlaps_another(values, p->n, i);
+        if (acb_contains_zero(values + i)) {
+            zeros++;
+            continue;
+        }
+        if (!shared && arb_contains_zero(acb_imagref(narrow + i))) arb_zero(acb_imagref(values + i));
+        take(s, p, values + i, 1, (jlt_ball_root){ 1, true });
+        p->kinds[p->count - 1].multiplicity += shared;
+    }
+    mag_clear(radius);
+    acb_mat_clear(vectors);
+    acb_mat_clear(a);
+    _acb_vec_clear(narrow, p->n);
+    _acb_vec_clear(values, p->n);
+    return good && zeros == s->zeros;
+}
+
+bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
+{
+    jlt_exact_matrix *exact = p->question->exact;
+    const size_t factors = exact == NULL ? p->n > (slong)s->zeros : exact->factor_count;
+    acb_ptr roots = _acb_vec_init(p->n);
+    arb_poly_t poly;
+    bool good = true;
+
+    s->decaying = p->n > (slong)s->zeros;
+    s->growing = 0;
+    p->count = 0;
+    p->settled = true;
+    arb_poly_init(poly);
+    for (size_t i = 0; good && i < factors; i++) {
+        jlt_ball_root kind = { 1, true };
+        arb_poly_set(poly, p->rest);
+        if (exact != NULL) {
+            jlt_exact_poly_enclose(poly, &exact->factors[i].poly, exact->field, p->precision);
+            kind = (jlt_ball_root){ exact->factors[i].multiplicity, exact->factors[i].semisimple };
+        }
+        good = find(roots, poly, p->precision);
+        if (good) take(s, p, roots, arb_poly_degree(poly), kind);
+    }
+    if (!good && p->late && exact == NULL) good = p->clustered = find_clusters(s, p);
+    sort(p);
+    arb_poly_clear(poly);
+    _acb_vec_clear(roots, p->n);
+    return good;
+}

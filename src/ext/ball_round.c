@@ -1,0 +1,97 @@
+/* From balls to the nearest doubles, and how well eigenvalues stand perturbations. */
+#include "ext/ball_problem.h"
+
+#include <math.h>
+
+/* |x| |y| / |y^H x| of a simple eigenvalue: the product of A - mu over all others is a multiple of x y^H. */
+static double condition(const jlt_ball_problem *p, slong which)
+{
+    acb_mat_t product, factor;
+    acb_t trace;
+    arb_t size, ratio;
+    double value;
+
+    if (p->kinds[which].multiplicity > 1) return p->kinds[which].semisimple ? NAN : INFINITY;
+    acb_mat_init(product, p->n, p->n);
+    acb_mat_init(factor, p->n, p->n);
+    acb_init(trace);
+    arb_init(size);
+    arb_init(ratio);
+    acb_mat_one(product);
+    for (slong i = 0; i < p->n; i++) {
+        if (i == which) continue;
+        acb_mat_set_arb_mat(factor, p->a);
+        for (slong j = 0; i < p->count && j < p->n; j++)
+            acb_sub(acb_mat_entry(factor, j, j), acb_mat_entry(factor, j, j), p->roots + i, p->precision);
+        acb_mat_mul(product, product, factor, p->precision);
+    }
+    acb_mat_trace(trace, product, p->precision);
+    acb_abs(ratio, trace, p->precision);
+    acb_mat_frobenius_norm(size, product, p->precision);
+    arb_div(ratio, size, ratio, p->precision);
+    value = arb_is_finite(ratio) ? arf_get_d(arb_midref(ratio), ARF_RND_NEAR) : INFINITY;
+    arb_clear(ratio);
+    arb_clear(size);
+    acb_clear(trace);
+    acb_mat_clear(factor);
+    acb_mat_clear(product);
+    return value;
+}
+
+/* The nearest double, zero where the ball holds it; *error grows by the distance to the ball's farthest point. *sure stays where
+ * all numbers in the ball have the same nearest double. */
+static double rounded(double *error, bool *sure, arb_srcptr ball, slong precision)
+{
+    const double value = arb_contains_zero(ball) ? 0.0 : arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+    arb_t distance;
+    arf_t low, high;
+    mag_t bound;
+
+    arb_init(distance);
+    arf_init(low);
+    arf_init(high);
+    mag_init(bound);
+    arb_get_interval_arf(low, high, ball, precision + 2 * MAG_BITS);
+    if (arb_contains_zero(ball)) *sure = *sure && arb_is_zero(ball);
+    else *sure = *sure && !(arf_get_d(low, ARF_RND_NEAR) < arf_get_d(high, ARF_RND_NEAR));
+    arb_set_d(distance, value);
+    arb_sub(distance, ball, distance, 64);
+    arb_get_mag(bound, distance);
+    *error += mag_get_d(bound);
+    mag_clear(bound);
+    arf_clear(high);
+    arf_clear(low);
+    arb_clear(distance);
+    return value;
+}
+
+bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_problem *p)
+{
+    arb_t trace;
+    double unused = 0.0;
+    bool finite = true;
+
+    *sure = true;
+    arb_init(trace);
+    arb_neg(trace, arb_poly_get_coeff_ptr(p->charpoly, p->n - 1));
+    s->trace_error = 0.0;
+    s->trace = rounded(&s->trace_error, sure, trace, p->precision);
+    arb_clear(trace);
+    for (slong i = 0; i < p->n * p->n; i++) {
+        s->jacobian[i] = rounded(&unused, sure, arb_mat_entry(p->a, i / p->n, i % p->n), p->precision);
+        finite = finite && isfinite(s->jacobian[i]);
+    }
+    for (size_t k = 0; k <= s->n; k++) {
+        s->charpoly_error[k] = 0.0;
+        s->charpoly[k] = rounded(&s->charpoly_error[k], sure, arb_poly_get_coeff_ptr(p->charpoly, (slong)(s->n - k)), p->precision);
+        finite = finite && isfinite(s->charpoly[k]);
+    }
+    for (slong i = 0; i < p->count; i++) {
+        jlt_ball_eigenvalue *value = &s->values[i];
+        *value = (jlt_ball_eigenvalue){ .condition = condition(p, i) };
+        value->re = rounded(&value->error, sure, acb_realref(p->roots + i), p->precision);
+        value->im = rounded(&value->error, sure, acb_imagref(p->roots + i), p->precision);
+        finite = finite && isnormal(hypot(value->re, value->im));
+    }
+    return finite;
+}

@@ -1,0 +1,45 @@
+/** Polynomials with coefficients in a tower of square roots, exactly. */
+#ifndef JLT_EXT_EXACT_POLY_H
+#define JLT_EXT_EXACT_POLY_H
+
+#include "ext/surd.h"
+
+#if __has_include(<flint/arb_poly.h>)
+#include <flint/arb_poly.h>
+#else
+#include <arb_poly.h>
+#endif
+
+#include <stddef.h>
+
+typedef struct {
+    size_t length; /* the last coefficient is not zero; 0: the polynomial is */
+    jlt_surd *coefficients; /* the constant first */
+} jlt_exact_poly;
+
+void jlt_exact_poly_init(jlt_exact_poly *p); /* zero */
+void jlt_exact_poly_clear(jlt_exact_poly *p);
+void jlt_exact_poly_swap(jlt_exact_poly *p, jlt_exact_poly *q);
+
+/* The polynomial with these coefficients, shape (count,). */
+void jlt_exact_poly_set(jlt_exact_poly *p, const jlt_surd *coefficients, size_t count);
+
+void jlt_exact_poly_shift(jlt_exact_poly *out, const jlt_exact_poly *p, size_t places); /* p/x^places, rest dropped */
+void jlt_exact_poly_reflect(jlt_exact_poly *out, const jlt_exact_poly *p);              /* p(-x) */
+void jlt_exact_poly_derive(jlt_exact_poly *out, const jlt_exact_poly *p);
+void jlt_exact_poly_subtract(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q);
+void jlt_exact_poly_multiply(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q, const jlt_surd_field *field);
+
+/* Quotient and remainder of p by q, which is not zero; quotient may be NULL, and outputs may alias. */
+void jlt_exact_poly_divide(jlt_exact_poly *quotient, jlt_exact_poly *remainder, const jlt_exact_poly *p, const jlt_exact_poly *q,
+                           const jlt_surd_field *field);
+
+/** The monic greatest common divisor, by Euclid's algorithm on monic remainders. Cost: heights of coefficients grow with the square
+ *  of the degree. */
+void jlt_exact_poly_gcd(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q, const jlt_surd_field *field);
+
+bool jlt_exact_poly_is_even(const jlt_exact_poly *p); /* p(-x) = p(x) */
+
+void jlt_exact_poly_enclose(arb_poly_t out, const jlt_exact_poly *p, const jlt_surd_field *field, slong precision);
+
+#endif

@@ -1,0 +1,193 @@
+#include "spectrum/exact_point.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers of more bits are left to balls. */
+enum { HEIGHT_MAX = 16384 };
+
+typedef enum { UNKNOWN, GOOD, BAD } knowledge;
+
+typedef struct {
+    const ttc_model *model;
+    jlt_surd_field *field;
+    const jlt_ball_value **values; /* by symbol, where it has one */
+    ttc_id *bound;                 /* by symbol: the expression that gives it, or TTC_NONE */
+    jlt_surd *numbers;             /* by node, these two */
+    unsigned char *state;
+    size_t size;
+} walk;
+
+static bool evaluate(walk *w, ttc_id id);
+
+static bool take_value(jlt_surd *out, const jlt_ball_value *value)
+{
+    fmpq_t exact;
+    arf_t dyadic;
+    bool good = value->fraction == NULL ? isfinite(value->value) : true;
+
+    fmpq_init(exact);
+    arf_init(dyadic);
+    if (value->fraction != NULL) {
+        good = fmpq_set_str(exact, value->fraction, 10) == 0 && !fmpz_is_zero(fmpq_denref(exact));
+        if (good) fmpq_canonicalise(exact);
+    } else if (good) {
+        arf_set_d(dyadic, value->value);
+        arf_get_fmpq(exact, dyadic);
+    }
+    if (good) jlt_surd_set_rational(out, exact);
+    arf_clear(dyadic);
+    fmpq_clear(exact);
+    return good;
+}
+
+/* Functions are rational, as far as is known here, where their definition is 0 or 1. */
+static bool function_of(jlt_surd *out, const jlt_surd *of, ttc_symbol_kind kind)
+{
+    fmpq_t value;
+    const bool one = of->level == 0 && fmpq_is_one(of->coordinates), zero = jlt_surd_is_zero(of);
+
+    if (kind == TTC_LOG ? !one : !zero) return false;
+    fmpq_init(value);
+    if (kind == TTC_COSINE || kind == TTC_EXP) fmpq_one(value);
+    jlt_surd_set_rational(out, value);
+    fmpq_clear(value);
+    return true;
+}
+
+static bool evaluate_symbol(jlt_surd *out, walk *w, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &w->model->symbols[symbol];
+    const ttc_id meaning = w->bound[symbol] != TTC_NONE ? w->bound[symbol] : entry->definition;
+
+    if (w->bound[symbol] == TTC_NONE && w->values[symbol] != NULL) return take_value(out, w->values[symbol]);
+    if (meaning == TTC_NONE || entry->kind == TTC_PI || !evaluate(w, meaning)) return false;
+    if (entry->kind == TTC_ROOT) return jlt_surd_root(out, &w->numbers[meaning], w->field);
+    if (ttc_symbol_is_function(entry->kind)) return function_of(out, &w->numbers[meaning], entry->kind);
+    jlt_surd_set(out, &w->numbers[meaning]);
+    return true;
+}
+
+static bool evaluate_parts(jlt_surd *out, walk *w, ttc_id id)
+{
+    const ttc_graph *graph = w->model->graph;
+    const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
+    jlt_surd factor;
+    bool good = true;
+
+    jlt_surd_init(&factor);
+    jlt_surd_set_rational(out, ttc_coefficient(graph, id));
+    for (size_t i = 0; good && i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        good = evaluate(w, part.id);
+        if (!good) break;
+        if (product) {
+            jlt_surd_set(&factor, &w->numbers[part.id]);
+            if (part.exponent < 0) good = jlt_surd_invert(&factor, &factor, w->field);
+            for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, &factor, w->field);
+        } else {
+            jlt_surd_set_rational(&factor, part.coefficient);
+            jlt_surd_multiply(&factor, &factor, &w->numbers[part.id], w->field);
+            jlt_surd_add(out, out, &factor);
+        }
+    }
+    jlt_surd_clear(&factor);
+    return good && jlt_surd_height(out) <= HEIGHT_MAX;
+}
+
+static bool evaluate(walk *w, ttc_id id)
+{
+    const ttc_graph *graph = w->model->graph;
+    jlt_surd *out = &w->numbers[id];
+    bool good = true;
+
+    if (w->state[id] != UNKNOWN) return w->state[id] == GOOD;
+    w->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    switch (ttc_kind_of(graph, id)) {
+    case TTC_NUMBER: jlt_surd_set_rational(out, ttc_coefficient(graph, id)); break;
+    case TTC_SYMBOL: good = evaluate_symbol(out, w, ttc_symbol_of(graph, id)); break;
+    default: good = evaluate_parts(out, w, id);
+    }
+    w->state[id] = good ? GOOD : BAD;
+    return good;
+}
+
+static void end(walk *w)
+{
+    for (size_t i = 0; w->numbers != NULL && i < w->size; i++) jlt_surd_clear(&w->numbers[i]);
+    free(w->numbers);
+    free(w->state);
+    free(w->bound);
+    free(w->values);
+}
+
+static bool begin(walk *w, const jlt_oracle *oracle, jlt_surd_field *field)
+{
+    const ttc_model *model = oracle->model;
+
+    *w = (walk){ .model = model, .field = field, .size = ttc_graph_size(model->graph) + 1 };
+    w->values = calloc(model->symbol_count + 1, sizeof *w->values);
+    w->bound = calloc(model->symbol_count + 1, sizeof *w->bound);
+    w->state = calloc(w->size, 1);
+    w->numbers = malloc(w->size * sizeof *w->numbers);
+    for (size_t i = 0; w->numbers != NULL && i < w->size; i++) jlt_surd_init(&w->numbers[i]);
+    return w->values != NULL && w->bound != NULL && w->state != NULL && w->numbers != NULL;
+}
+
+static void bind(walk *w, const jlt_oracle *oracle, const char *family, const unsigned char *given)
+{
+    const ttc_model *model = oracle->model;
+
+    for (size_t k = 0; family != NULL && k < model->claim_count; k++) {
+        const ttc_claim *claim = &model->claims[k];
+        if (claim->kind != TTC_CLAIM_EQUILIBRIA || strcmp(claim->name, family) != 0) continue;
+        for (size_t b = 0; b < claim->bindings.count; b++)
+            for (size_t i = 0; i < model->state_count; i++)
+                if (oracle->states[i] == claim->bindings.items[b].symbol && !given[i])
+                    w->bound[oracle->states[i]] = claim->bindings.items[b].expression;
+    }
+}
+
+/* Point and Jacobian; false where they are not known, or the field does not vanish. */
+static bool fill(jlt_exact_matrix *m, walk *w, const jlt_oracle *oracle)
+{
+    const size_t n = m->n;
+
+    for (size_t i = 0; i < n; i++)
+        if (!evaluate(w, oracle->field[i]) || !jlt_surd_is_zero(&w->numbers[oracle->field[i]])) return false;
+    for (size_t i = 0; i < n; i++) {
+        const ttc_id state = oracle->model->symbols[oracle->states[i]].node;
+        if (!evaluate(w, state)) return false;
+        jlt_surd_set(&m->point[i], &w->numbers[state]);
+    }
+    for (size_t i = 0; i < n * n; i++) {
+        if (!evaluate(w, oracle->jacobian[i])) return false;
+        jlt_surd_set(&m->entries[i], &w->numbers[oracle->jacobian[i]]);
+    }
+    return true;
+}
+
+jlt_status jlt_exact_point_linearize(jlt_exact_matrix **matrix, const jlt_oracle *oracle, const jlt_ball_value *params,
+                                     const jlt_ball_value *x, const char *family, const unsigned char *given)
+{
+    const size_t n = oracle->model->state_count;
+    jlt_exact_matrix *m = jlt_exact_matrix_create(n);
+    walk w = { .size = 0 };
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *matrix = NULL;
+    if (m == NULL || !begin(&w, oracle, m->field)) goto done;
+    st = JLT_OK;
+    for (size_t i = 0; i < oracle->descriptor->param_count; i++) w.values[oracle->params[i]] = &params[i];
+    for (size_t i = 0; i < n; i++) w.values[oracle->states[i]] = &x[i];
+    bind(&w, oracle, family, given);
+    if (!fill(m, &w, oracle)) goto done;
+    jlt_exact_matrix_analyse(m);
+    *matrix = m;
+    m = NULL; /* ownership moved to the caller */
+done:
+    end(&w);
+    jlt_exact_matrix_destroy(m);
+    return st;
+}

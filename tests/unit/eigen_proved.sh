@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# What `jellett eigen` proves of an equilibrium of one's own table, and what it says not to be settled. Each table is made so that
+# one reason alone can serve. Oracle: eigenvalues by hand, beside each.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export XDG_CACHE_HOME=$scratch/cache
+cd "$scratch"
+status=0
+fail() { echo "$*"; status=1; }
+says() { # TEXT ARGUMENT...: this line, blanks pressed together
+    local text=$1
+    shift
+    jellett eigen "$@" 2>&1 | tr -s ' ' | grep -qxF -- "$text" || fail "$*: not '$text', but: $(jellett eigen "$@" 2>&1 | tail -8)"
+}
+
+# At q = 2^(1/2), p = 0: lambda^2 = -2 q. That the entry u + v is zero there, no ball tells; the reversor does.
+cat > even.tt <<'END'
+model even
+state q
+state p
+let u = p + q
+let v = p - q
+eq q =
+    + p
+eq p =
+    + 2
+    + u*v
+reversor p -> -p
+END
+sed '/reversor/d; s/model even/model odd/' even.tt > odd.tt
+says 'verdict centre' even.tt --at q=1.4 --find
+says 'verdict not settled at 6144 bits' odd.tt --at q=1.4 --find
+says 'verdict unstable' odd.tt --at q=-1.4 --find
+
+# c moves as p does, so that rows of the Jacobian are the same: that both are zero where one is, the integral tells.
+cat > carried.tt <<'END'
+model carried
+state q
+state p
+state c
+eq q =
+    + p
+    - q
+eq p =
+    + 2
+    - p^2
+eq c =
+    + 2
+    - p^2
+integral C = c - p
+END
+sed '/integral/d; s/model carried/model loose/' carried.tt > loose.tt
+says 'verdict stable' carried.tt --at q=1.4,p=1.4,c=1 --find
+says 'verdict not settled at 6144 bits' loose.tt --at q=1.4,p=1.4,c=1 --find
+
+# -1 twice, with one eigenvector or two, and -2. Of the point 2^(1/2) there is no exact number, so that -2 2^(1/2) twice is not
+# told from a pair close together; both decay.
+cat > multiple.tt <<'END'
+model multiple
+param k
+default k = 1
+state x
+state y
+state z
+eq x =
+    - x
+    + k*y
+eq y =
+    - y
+eq z =
+    - 2*z
+END
+says ' -1 exactly, condition infinite: defective' multiple.tt
+says ' -2 exactly, condition 1' multiple.tt
+says ' -1 exactly, condition not defined' multiple.tt --set k=0
+says 'verdict stable' multiple.tt
+cat > alike.tt <<'END'
+model alike
+state q1
+state q2
+eq q1 =
+    + 2
+    - q1^2
+eq q2 =
+    + 2
+    - q2^2
+END
+says ' -2.8284271247461903 error < 1.9e-16, condition not defined' alike.tt --at q1=1.4,q2=1.4 --find
+says 'verdict stable' alike.tt --at q1=1.4,q2=1.4 --find
+# x and y at 2^(1/2), lambda^2 = -2 x twice and the oscillators coupled one way: eigenvalues on the axis without eigenvectors.
+cat > resonant.tt <<'END'
+model resonant
+state x
+state p
+state y
+state q
+eq x =
+    + p
+eq p =
+    + 2
+    - x^2
+eq y =
+    + q
+eq q =
+    + 2
+    - y^2
+    + x^2 - 2
+reversor p -> -p, q -> -q
+END
+says 'verdict not settled at 53 bits' resonant.tt --at x=1.4,y=2 --find
+jellett eigen resonant.tt --at x=1.4,y=2 --find --digits 20 > out 2> err
+code=$?
+[ $code -eq 4 ] && [ ! -s out ] && grep -q 'too close together' err || fail "--digits: status $code, says '$(cat err)'"
+exit $status
