@@ -193,7 +193,8 @@ void jlt_common_list(jlt_assign_list *list, const char *text, const char *option
 
 size_t jlt_common_processors(void)
 {
-    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    const char *wanted = getenv("OMP_NUM_THREADS");
+    const long asked = wanted != NULL ? strtol(wanted, NULL, 10) : 0, count = asked > 0 ? asked : sysconf(_SC_NPROCESSORS_ONLN);
     return count > 1024 ? 1024 : count > 1 ? (size_t)count : 1;
 }
 
