@@ -1,5 +1,6 @@
 #include <argp.h>
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -7,9 +8,8 @@
 
 #include "cli/common.h"
 #include "cli/interrupt.h"
-#include "cli/piece.h"
 #include "cli/progress.h"
-#include "cli/study.h"
+#include "cli/worker.h"
 #include "shards/deal.h"
 #include "shards/manifest.h"
 #include "shards/rank.h"
@@ -22,6 +22,9 @@ typedef struct {
 } options;
 
 enum { SHARD = 1000, RESUME, DRY };
+
+/* How long a piece should take. */
+static const double WORTH_SECONDS = 0.25;
 
 static const struct argp_option option_table[] = {
     { "into", 'C', "FOLDER", 0, "Where shards write their files; made where it is missing; default STUDY.shards in the current folder", 0 },
@@ -78,7 +81,7 @@ typedef struct {
     jlt_study study;
     jlt_rank rank;
     jlt_shard shard;
-    jlt_piece piece;
+    jlt_worker worker;
     char *folder, *path;
     unsigned char *is_done; /* shape (own,), by position in the shard's order */
     size_t own, before, lost, failed, empty; /* pieces */
@@ -215,30 +218,28 @@ static bool goes_on(const sweep *self, jlt_exit status)
            || (status == JLT_EXIT_INPUT && self->study.over_count > 0);
 }
 
-static jlt_exit compute(sweep *self, int *ending, size_t number)
+static jlt_exit compute(sweep *self, size_t number)
 {
     char at[JLT_STUDY_PLACE_MAX];
-    int argc = 0, by;
-    char **argv = jlt_study_arguments(&self->study, number, &argc);
-    jlt_exit code = JLT_EXIT_DONE, status;
+    jlt_worker *worker = &self->worker;
+    jlt_exit status;
+    int by;
+    jlt_exit code = jlt_worker_run(worker, &status, &by, number);
 
-    if (argv == NULL) return jlt_command_no_memory();
-    status = jlt_piece_run(&self->piece, ending, &by, self->study.command, argv, argc);
-    jlt_job_free(argv, argc);
+    if (code != JLT_EXIT_DONE || *worker->interrupt != 0) return code; /* half a piece is none */
     jlt_study_place(at, &self->study, number);
-    if (*ending != 0) return JLT_EXIT_DONE; /* half a piece is none */
     if (by != 0) {
         fprintf(stderr, "jellett: piece %zu (%s) was ended by signal %d, and is left out\n", number, at, by);
         self->lost++;
         return JLT_EXIT_DONE;
     }
     if (status != JLT_EXIT_DONE && self->failed++ == 0)
-        fprintf(stderr, "jellett: piece %zu (%s) ended with status %d:\n%s", number, at, (int)status, self->piece.words != NULL ? self->piece.words : "");
+        fprintf(stderr, "jellett: piece %zu (%s) ended with status %d:\n%s", number, at, (int)status, worker->words);
     if (!goes_on(self, status)) return status;
     note(self, status);
-    const char *rows = rows_of(self->piece.rows);
-    const jlt_shard_record record = { number, (int)status, rows, self->piece.rows_size - (size_t)(rows - self->piece.rows), self->piece.words,
-                                      self->piece.words_size };
+    const char *rows = rows_of(worker->rows);
+    const jlt_shard_record record = { number, (int)status, rows, worker->rows_size - (size_t)(rows - worker->rows), worker->words,
+                                      worker->words_size };
     if (record.rows_size > 0) code = check_names(self, rows);
     if (code != JLT_EXIT_DONE) return code;
     jlt_interrupt_hold();
@@ -255,29 +256,43 @@ static double seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static jlt_exit compute_all(sweep *self, int *ending)
+/* Where a piece is over so soon that its start is felt. */
+static void advise(const sweep *self, size_t done, double lasted)
+{
+    const double factor = WORTH_SECONDS * (double)done / lasted;
+
+    if (done < 8 || factor < 5 || self->study.piece >= self->study.inner) return;
+    fprintf(stderr, "jellett: a piece took %.2g s, of which its start is about a millisecond: 'piece = %.0f;' in the study wastes less\n",
+            lasted / (double)done, fmin((double)self->study.inner, ceil(factor * (double)self->study.piece)));
+}
+
+static jlt_exit compute_all(sweep *self, bool *interrupted)
 {
     const double begun = seconds();
     jlt_progress progress;
     size_t done = 0;
-    jlt_exit code = jlt_piece_open(&self->piece);
+    jlt_exit code = jlt_worker_open(&self->worker, &self->study);
+    const volatile sig_atomic_t *const interrupt = self->worker.interrupt;
 
     jlt_progress_start(&progress, "pieces");
-    for (size_t i = 0; code == JLT_EXIT_DONE && *ending == 0 && i < self->own; i++) {
+    for (size_t i = 0; code == JLT_EXIT_DONE && *interrupt == 0 && i < self->own; i++) {
         if (self->is_done[i]) continue;
-        code = compute(self, ending, piece_at(self, i));
-        if (code == JLT_EXIT_DONE && *ending == 0) done++;
+        code = compute(self, piece_at(self, i));
+        if (code == JLT_EXIT_DONE && *interrupt == 0) done++;
         jlt_progress_show(&progress, self->before + done, self->own);
     }
     jlt_progress_end(&progress);
     if (jlt_shard_sync(&self->shard) != JLT_OK && code == JLT_EXIT_DONE) code = cannot_write(self, JLT_ERR_IO);
-    jlt_piece_close(&self->piece);
-    if (*ending != 0)
+    jlt_worker_close(&self->worker);
+    if (*interrupt != 0)
         fprintf(stderr, "jellett: interrupted; %zu of the shard's %zu pieces are in %s, and --resume goes on\n", self->before + done - self->lost,
                 self->own, self->path);
-    else if (code == JLT_EXIT_DONE)
+    else if (code == JLT_EXIT_DONE) {
         fprintf(stderr, "jellett: %s has its %zu pieces%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
                 self->lost > 0 ? ", but for some" : "", done - self->lost, seconds() - begun);
+        advise(self, done, seconds() - begun);
+    }
+    *interrupted = *interrupt != 0;
     return code;
 }
 
@@ -294,8 +309,9 @@ static jlt_exit show_all(const sweep *self)
     return JLT_EXIT_DONE;
 }
 
-static jlt_exit run_shard(sweep *self, int *ending)
+static jlt_exit run_shard(sweep *self)
 {
+    bool interrupted = false;
     const size_t first = self->rank.index - 1;
     jlt_exit code = place(self);
 
@@ -308,10 +324,10 @@ static jlt_exit run_shard(sweep *self, int *ending)
     fprintf(stderr, "jellett: shard %zu/%zu%s%s%s: %zu of %zu pieces, %zu of them are there\n", self->rank.index, self->rank.count,
             self->rank.engine[0] != '\0' ? " (" : "", self->rank.engine, self->rank.engine[0] != '\0' ? ")" : "", self->own, self->study.pieces,
             self->before);
-    code = compute_all(self, ending);
-    if (code == JLT_EXIT_DONE && *ending == 0 && self->lost > 0)
+    code = compute_all(self, &interrupted);
+    if (code == JLT_EXIT_DONE && !interrupted && self->lost > 0)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu pieces were ended by signals: --resume tries again", self->lost);
-    if (code == JLT_EXIT_DONE && *ending == 0 && self->empty == self->own && self->own > 0) code = JLT_EXIT_INPUT;
+    if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->own && self->own > 0) code = JLT_EXIT_INPUT;
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
 
@@ -320,14 +336,13 @@ static jlt_exit run(int argc, char **argv)
     options o = { 0 };
     sweep self = { .o = &o, .shard.descriptor = -1 };
     char message[JLT_RANK_TEXT_MAX];
-    int ending = 0;
     jlt_exit code;
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     setenv("OMP_NUM_THREADS", "1", 0); /* there is a process for each processor */
     if (jlt_rank_find(&self.rank, message, o.shard) != JLT_OK) code = jlt_command_fail(JLT_EXIT_USAGE, "%s", message);
     else code = jlt_study_open(&self.study, o.scene, &o.set);
-    if (code == JLT_EXIT_DONE) code = run_shard(&self, &ending);
+    if (code == JLT_EXIT_DONE) code = run_shard(&self);
     jlt_shard_close(&self.shard);
     jlt_study_clear(&self.study);
     jlt_assign_clear(&o.set);
@@ -335,7 +350,6 @@ static jlt_exit run(int argc, char **argv)
     free(self.folder);
     free(self.path);
     free(self.names);
-    if (ending != 0) jlt_interrupt_end(ending);
     return code;
 }
 
