@@ -132,22 +132,34 @@ static void note(sweep *self, jlt_exit status)
     else if (status > self->worst) self->worst = status;
 }
 
+typedef struct {
+    size_t piece, position; /* in the shard's order */
+} own_piece;
+
+static int by_piece(const void *a, const void *b)
+{
+    const size_t left = ((const own_piece *)a)->piece, right = ((const own_piece *)b)->piece;
+
+    return left < right ? -1 : left > right;
+}
+
 /* What is there already. */
 static jlt_exit take_done(sweep *self, jlt_shard_reader *reader)
 {
-    size_t *position_of = calloc(self->study.pieces, sizeof *position_of);
+    own_piece *all = calloc(self->own + 1, sizeof *all);
     jlt_shard_record record;
-    jlt_status st = position_of != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    jlt_status st = all != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
-    for (size_t i = 0; st == JLT_OK && i < self->own; i++) position_of[piece_at(self, i)] = i + 1;
+    for (size_t i = 0; st == JLT_OK && i < self->own; i++) all[i] = (own_piece){ piece_at(self, i), i };
+    if (st == JLT_OK) qsort(all, self->own, sizeof *all, by_piece);
     while (st == JLT_OK && (st = jlt_shard_reader_next(reader, &record)) == JLT_OK) {
-        const size_t position = record.piece < self->study.pieces ? position_of[record.piece] : 0;
-        if (position == 0 || self->is_done[position - 1]) continue;
-        self->is_done[position - 1] = 1;
+        const own_piece *found = bsearch(&(own_piece){ record.piece, 0 }, all, self->own, sizeof *all, by_piece);
+        if (found == NULL || self->is_done[found->position]) continue;
+        self->is_done[found->position] = 1;
         self->before++;
         note(self, (jlt_exit)record.status);
     }
-    free(position_of);
+    free(all);
     if (st == JLT_ERR_EMPTY) st = jlt_shard_resume(&self->shard, self->study.manifest, reader->at);
     return st == JLT_OK ? JLT_EXIT_DONE : cannot_write(self, st);
 }

@@ -28,7 +28,7 @@ void jlt_study_clear(jlt_study *self);
 /** The command line of a piece; for jlt_job_free. NULL: no memory. */
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc);
 
-/** Where it lies, for messages: "a3=0.3, points 64 to 127". place: shape (JLT_STUDY_PLACE_MAX,). */
+/** Where it lies, for messages: "rho=24, points 64 to 127 of the grid". place: shape (JLT_STUDY_PLACE_MAX,). */
 void jlt_study_place(char *place, const jlt_study *self, size_t piece);
 
 /** Values of what a study runs over at one of its pieces, as text with commas between them and one behind each; shape (JLT_STUDY_PLACE_MAX,).

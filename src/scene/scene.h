@@ -8,8 +8,8 @@
  *                    grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
  *                    returns = 300; output = "map.csv"; plot = "map.svg"; } );
  *
- *  A study, which `jellett sweep` deals out, has `over = { a3 = (0.1, 0.7, 13); };` as well: parameters and levels that run, and `piece`, how
- *  many points of its command's grid are computed at a stretch.
+ *  A study, which `jellett sweep` deals out, has `over = { l = (1, 2, 11); };` as well: parameters and levels that run, and `piece`, how many
+ *  points of its command's grid are computed at a stretch.
  *
  *  Each entry of `compute` asks for one command; its keys are the options of that command, under the same names but for
  *  parameters (--set), levels (--level) and tolerance (--tol). `parameters`, `levels` and `accuracy` of the whole file are
