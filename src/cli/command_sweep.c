@@ -339,7 +339,8 @@ static jlt_exit run_shard(sweep *self)
     code = compute_all(self, &interrupted);
     if (code == JLT_EXIT_DONE && !interrupted && self->lost > 0)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu pieces were ended by signals: --resume tries again", self->lost);
-    if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->own && self->own > 0) code = JLT_EXIT_INPUT;
+    /* Nothing at all is at any point; one of several shards may well have met none but such points. */
+    if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->study.pieces) code = JLT_EXIT_INPUT;
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
 

@@ -117,7 +117,7 @@ sed 's/returns = 3/returns = 100000000/; s/0.9999, 15/0.9999, 60/' map.scene > l
 jellett sweep long.scene --into=long 2> first &
 first=$!
 for _ in $(seq 100); do grep -q "of them are there" first && break; sleep 0.05; done
-expect 5 "process $first computes this shard already" jellett sweep long.scene --into=long --resume
+expect 5 "process $first computes this shard already" timeout 60 jellett sweep long.scene --into=long --resume
 kill -TERM $first
 wait $first
 [ $? = 143 ] || fail "a shard that is told to end does not end by the signal"
@@ -142,6 +142,10 @@ of 3/7 /7 PARALLEL_SEQ=3
 of 3/7 /7 PMIX_RANK=2
 of 5/7 /7 SLURM_ARRAY_TASK_ID=5 SLURM_ARRAY_TASK_MIN=5 SLURM_ARRAY_TASK_COUNT=1
 [ "$(for i in 1 2 3 4 5; do jellett sweep map.scene --dry-run --shard=$i/5; done | sort | uniq | wc -l)" = 20 ] || fail "5 shards do not have each of 20 pieces once"
+
+# They are mixed: those of a shard lie at no equal distances.
+gaps=$(jellett sweep map.scene --dry-run --shard=1/4 | sed 's/.*@\([0-9]*\):.*/\1/' | sort -n | awk 'NR > 1 { print $1 - last } { last = $1 }' | sort -u | wc -l)
+[ "$gaps" -ge 2 ] || fail "pieces of a shard lie at equal distances"
 
 # What a study runs over: the rows of the command typed for each value, behind the values. There is no orbit at E = -5.
 cat > exponents.scene << 'END'
