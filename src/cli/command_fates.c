@@ -141,7 +141,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, jlt_motio
     return jlt_plot_draw(&plot);
 }
 
-static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map *map, bool is_part)
+static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map *map)
 {
     jlt_common *common = &o->motion.common;
     jlt_shares sum = { .empty = 0 };
@@ -153,7 +153,7 @@ static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map 
     jlt_progress_start(&progress, "starts");
     code = follow_all(&sum, common->table.file, map, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
-    if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0 && !is_part)
+    if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0 && (map->axes == NULL || map->axes[0].part == 0))
         code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE) {
@@ -272,7 +272,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && o.sweep == NULL) code = jlt_motion_map_open(&map, &o.motion, system, grid_of(&o, system), axes);
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
-    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&o, system) : one_system(&o, system, &map, axes[0].part > 0);
+    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&o, system) : one_system(&o, system, &map);
     jlt_motion_map_close(&map);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);

@@ -5,6 +5,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
 
 #include "cli/common.h"
 #include "cli/interrupt.h"
@@ -352,7 +355,9 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    setenv("OMP_NUM_THREADS", "1", 0); /* there is a process for each processor */
+#if defined(_OPENMP)
+    if (getenv("OMP_NUM_THREADS") == NULL) omp_set_num_threads(1); /* there is a process for each processor */
+#endif
     if (jlt_rank_find(&self.rank, message, o.shard) != JLT_OK) code = jlt_command_fail(JLT_EXIT_USAGE, "%s", message);
     else code = jlt_study_open(&self.study, o.scene, &o.set);
     if (code == JLT_EXIT_DONE) code = run_shard(&self);

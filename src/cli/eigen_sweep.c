@@ -38,14 +38,14 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
-    const size_t count = request->points;
-    size_t computed = 0, refused = 0;
+    size_t count, computed = 0, refused = 0;
     jlt_eigen_row *rows;
     const jlt_eigen_row *first = NULL;
     char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = JLT_OK;
 
+    count = request->points;
     rows = calloc(count, sizeof *rows);
     if (rows == NULL) st = JLT_ERR_NOMEM;
     for (; st == JLT_OK && computed < count && !*interrupt; computed++) {
