@@ -153,7 +153,7 @@ static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map 
     jlt_progress_start(&progress, "starts");
     code = follow_all(&sum, common->table.file, map, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
-    if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0)
+    if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0 && (map->axes == NULL || map->axes[0].part == 0))
         code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE) {
@@ -243,7 +243,7 @@ static jlt_exit sweep(options *o, const jlt_system *base)
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", common->table.path);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
     if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
-    if (code == JLT_EXIT_DONE && starts == 0 && !jlt_motion_interrupted(&o->motion)) code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
+    if (code == JLT_EXIT_DONE && starts == 0 && axes[0].part == 0 && !jlt_motion_interrupted(&o->motion)) code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
 done:
     jlt_motion_family_clear(&family);
     return code;

@@ -330,7 +330,7 @@ static jlt_exit run_all(follower *f, FILE *stream)
     jlt_writer_close(&f->writer);
     free(f->row);
     free(q);
-    if (code == JLT_EXIT_DONE && f->sum->orbits == 0 && f->sum->empty > 0)
+    if (code == JLT_EXIT_DONE && f->sum->orbits == 0 && f->sum->empty > 0 && o->axes[0].part == 0)
         code = jlt_motion_fail(JLT_ERR_EMPTY, f->system, "--grid");
     return code;
 }

@@ -62,6 +62,7 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     jlt_exit code = jlt_motion_axes(axes, system, o->grid, "--grid");
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(cells, system, o->cells, "--cells");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(cells, "--cells");
     if (code != JLT_EXIT_DONE) return code;
     if (system->flow.chart->dim != 2 || !system->flow.chart->reversible)
         return jlt_command_fail(JLT_EXIT_INPUT, "the comparison needs a section of two coordinates and a reversor");

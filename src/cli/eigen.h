@@ -20,7 +20,7 @@ typedef struct {
     jlt_assign_list at;
     jlt_grid_axis axes[JLT_EIGEN_AXES_MAX];
     jlt_eigen_target targets[JLT_EIGEN_AXES_MAX]; /* of the axes */
-    size_t axis_count;
+    size_t axis_count, points; /* of the sweep */
     jlt_equilibrium_question question;
     double *params; /* shape (params,) */
     double x[JLT_LINEARIZATION_SIZE_MAX];

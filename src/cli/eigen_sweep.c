@@ -8,12 +8,11 @@ enum { POINTS_MAX = 1000000 };
 
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
 {
-    double points = 1.0;
-    const jlt_exit code = jlt_grid_parse(request->axes, &request->axis_count, JLT_EIGEN_AXES_MAX, text, "--sweep");
+    jlt_exit code = jlt_grid_parse(request->axes, &request->axis_count, JLT_EIGEN_AXES_MAX, text, "--sweep");
 
-    for (size_t i = 0; i < request->axis_count; i++) points *= (double)request->axes[i].count;
-    if (code == JLT_EXIT_DONE && points > POINTS_MAX)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: the grid has %.0f points; %d at most", points, POINTS_MAX);
+    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&request->points, request->axes, request->axis_count, text, "--sweep");
+    if (code == JLT_EXIT_DONE && request->points > POINTS_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: the grid has %zu points; %d at most", request->points, POINTS_MAX);
     return code;
 }
 
@@ -39,14 +38,14 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
-    size_t count = 1, computed = 0, refused = 0;
+    size_t count, computed = 0, refused = 0;
     jlt_eigen_row *rows;
     const jlt_eigen_row *first = NULL;
     char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = JLT_OK;
 
-    for (size_t i = 0; i < request->axis_count; i++) count *= request->axes[i].count;
+    count = request->points;
     rows = calloc(count, sizeof *rows);
     if (rows == NULL) st = JLT_ERR_NOMEM;
     for (; st == JLT_OK && computed < count && !*interrupt; computed++) {

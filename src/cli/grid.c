@@ -8,6 +8,8 @@
 
 #include "ext/number.h"
 
+static const size_t PART_MAX = (size_t)1 << 50;
+
 static const double pi = 3.14159265358979323846;
 
 /* pi, -pi, 2*pi, 2*pi/3, pi/2. */
@@ -101,6 +103,20 @@ static bool is_named_before(const char *list, const char *end, const char *name)
     return false;
 }
 
+/* FIRST:COUNT. */
+static jlt_exit read_part(jlt_grid_axis *first, const char *text, const char *option)
+{
+    char copy[24] = "";
+    const size_t length = strcspn(text, ":");
+    jlt_exit code;
+
+    if (text[length] == '\0' || length >= sizeof copy)
+        return jlt_command_fail(JLT_EXIT_USAGE, "%s: '@%s' is no part of a grid (write @FIRST:COUNT)", option, text);
+    memcpy(copy, text, length);
+    code = jlt_grid_count(&first->first, copy, 0, PART_MAX, option);
+    return code == JLT_EXIT_DONE ? jlt_grid_count(&first->part, text + length + 1, 1, PART_MAX, option) : code;
+}
+
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option)
 {
     jlt_exit code = JLT_EXIT_DONE;
@@ -110,17 +126,17 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
 
     if (strchr(text, '=') == NULL && *count > 0) {
         for (i = 0; code == JLT_EXIT_DONE && i < *count; i++) {
-            const size_t length = strcspn(text, "x");
+            const size_t length = strcspn(text, "x@");
             code = count_part(&axes[i].count, text, length, option);
             text += length;
             if ((i + 1 < *count) != (*text == 'x'))
                 return jlt_command_fail(JLT_EXIT_USAGE, "%s: a grid is COUNTxCOUNT or NAME=LOW:HIGH:COUNT,...", option);
             if (*text == 'x') text++;
         }
-        return code;
+        return code == JLT_EXIT_DONE && *text == '@' ? read_part(axes, text + 1, option) : code;
     }
-    while (code == JLT_EXIT_DONE && *text != '\0') {
-        const size_t length = strcspn(text, ",");
+    while (code == JLT_EXIT_DONE && *text != '\0' && *text != '@') {
+        const size_t length = strcspn(text, ",@");
         jlt_grid_axis axis;
         size_t at = 0;
         code = jlt_grid_axis_parse(&axis, text, length, option);
@@ -137,7 +153,7 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
         text += length;
         if (*text == ',') text++;
     }
-    return code;
+    return code == JLT_EXIT_DONE && *text == '@' && *count > 0 ? read_part(axes, text + 1, option) : code;
 }
 
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
@@ -160,11 +176,22 @@ jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, con
     for (size_t k = 0; k < count; k++)
         if (__builtin_mul_overflow(*all, axes[k].count, all))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
+    if (count == 0 || axes[0].part == 0) return JLT_EXIT_DONE;
+    if (axes[0].first + axes[0].part > *all)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' asks for points beyond the last of %zu", option, text, *all);
+    *all = axes[0].part;
     return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_grid_whole(const jlt_grid_axis *axes, const char *option)
+{
+    if (axes[0].part == 0) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_USAGE, "%s: the whole grid is needed here: leave out @%zu:%zu", option, axes[0].first, axes[0].part);
 }
 
 void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index)
 {
+    if (count > 0) index += axes[0].first;
     for (size_t k = count; k-- > 0;) {
         values[k] = jlt_grid_value(&axes[k], index % axes[k].count, 0);
         index /= axes[k].count;

@@ -239,11 +239,12 @@ size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
     size_t all = 1;
 
     for (unsigned k = 0; k < system->flow.chart->dim; k++) all *= axes[k].count;
-    return all;
+    return axes[0].part > 0 ? axes[0].part : all;
 }
 
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index)
 {
+    index += axes[0].first;
     for (unsigned k = 0; k < system->flow.chart->dim; k++) {
         q[k] = jlt_grid_value(&axes[k], index % axes[k].count, system->flow.chart->period[k]);
         index /= axes[k].count;

@@ -81,7 +81,7 @@ jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *st
  *  describe over the interval of its levels. Of other sections every coordinate has to be named, or be an angle where only counts are typed. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
-/** Grid point number `index` (the first coordinate runs fastest), or the number of points. */
+/** Point number `index` of those of the grid that are meant (the first coordinate runs fastest), or their number. */
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system);
 

@@ -118,7 +118,7 @@ done:
 /* The keys of the whole file, before its jobs. */
 static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *root)
 {
-    static const char *const known[] = { "title", "model", "parameters", "levels", "accuracy", "compute" };
+    static const char *const known[] = { "title", "model", "parameters", "levels", "accuracy", "compute", "over", "piece" };
     const config_setting_t *accuracy = config_setting_get_member(root, "accuracy");
 
     for (int i = 0; i < config_setting_length(root); i++) {
@@ -128,10 +128,10 @@ static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *
         while (k < sizeof known / sizeof *known && strcmp(known[k], name) != 0) k++;
         if (k == sizeof known / sizeof *known)
             return jlt_value_complain(r, jlt_value_line(member),
-                            "unknown key '%s' (a scene knows title, model, parameters, levels, accuracy, compute)", name);
+                            "unknown key '%s' (a scene knows title, model, parameters, levels, accuracy, compute, over, piece)", name);
         if (k < 2 && config_setting_type(member) != CONFIG_TYPE_STRING)
             return jlt_value_complain(r, jlt_value_line(member), "'%s' takes a text in quotation marks", name);
-        if (k >= 2 && k < 5 && config_setting_is_group(member) == CONFIG_FALSE)
+        if (((k >= 2 && k < 5) || k == 6) && config_setting_is_group(member) == CONFIG_FALSE)
             return jlt_value_complain(r, jlt_value_line(member), "'%s' takes a group in braces", name);
         if (k == 5 && config_setting_is_list(member) == CONFIG_FALSE)
             return jlt_value_complain(r, jlt_value_line(member), "'compute' takes a list in parentheses, ( { what = ...; }, ... )");
@@ -145,6 +145,29 @@ static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *
     }
     if (config_setting_get_member(root, "compute") == NULL) return jlt_value_complain(r, 0, "nothing to do: no 'compute'");
     return JLT_OK;
+}
+
+/* What a study has beside its command. */
+static jlt_status read_study(const jlt_value_reader *r, jlt_scene *scene, const config_setting_t *root)
+{
+    static const jlt_key ranges = { "over", "over", JLT_KEY_RANGES, JLT_NAMES_PARAMS | JLT_NAMES_LEVELS, NULL };
+    static const jlt_key count = { "piece", "piece", JLT_KEY_COUNT, JLT_NAMES_ANY, NULL };
+    const config_setting_t *over = config_setting_get_member(root, ranges.key), *piece = config_setting_get_member(root, count.key);
+    jlt_value v = { .used = 0 };
+    jlt_status st = JLT_OK;
+
+    if (piece != NULL) {
+        JLT_TRY(jlt_value_read(r, piece, &v, &count));
+        scene->piece = (size_t)config_setting_get_int64(piece);
+    }
+    if (over == NULL) goto done;
+    v.used = 0;
+    JLT_TRY(jlt_value_read(r, over, &v, &ranges));
+    scene->over_line = (unsigned)jlt_value_line(over);
+    scene->over = strdup(v.text);
+    if (scene->over == NULL) st = JLT_ERR_NOMEM;
+done:
+    return st;
 }
 
 static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_setting_t *root)
@@ -168,6 +191,7 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
     scene->model = r->model;
     scene->file = strdup(r->file);
     scene->title = strdup(title);
+    JLT_TRY(read_study(r, scene, root));
     scene->jobs = calloc((size_t)count, sizeof *scene->jobs);
     if (scene->file == NULL || scene->title == NULL || scene->jobs == NULL) return JLT_ERR_NOMEM;
     for (int i = 0; i < count; i++) {
@@ -224,6 +248,7 @@ void jlt_scene_destroy(jlt_scene *scene)
     free(scene->jobs);
     free(scene->file);
     free(scene->title);
+    free(scene->over);
     free(scene);
 }
 

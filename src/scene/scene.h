@@ -8,6 +8,9 @@
  *                    grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
  *                    returns = 300; output = "map.csv"; plot = "map.svg"; } );
  *
+ *  A study, which `jellett sweep` deals out, has `over = { l = (1, 2, 11); };` as well: parameters and levels that run, and `piece`, how many
+ *  points of its command's grid are computed at a stretch.
+ *
  *  Each entry of `compute` asks for one command; its keys are the options of that command, under the same names but for
  *  parameters (--set), levels (--level) and tolerance (--tol). `parameters`, `levels` and `accuracy` of the whole file are
  *  shared by all entries that know them. Numbers are read exactly; those that decimal notation
@@ -41,6 +44,9 @@ typedef struct {
 
 typedef struct {
     char *file, *title;
+    char *over;     /* of a study, NAME=LOW:HIGH:COUNT,...; NULL: nothing runs beside the command's own grid */
+    unsigned over_line;
+    size_t piece;   /* 0: not said */
     const struct jlt_descriptor *model;
     jlt_scene_job *jobs;
     size_t count;

@@ -19,7 +19,7 @@ static void open_table(table *t, const char *path)
     *t = (table){ .model = ttc_model_read(path, diagnostics) };
     assert_non_null(t->model);
     ttc_diagnostics_destroy(diagnostics);
-    assert_true(ttc_plan_create(&t->catalogue, t->model, TTC_WITHOUT_ELIMINATIONS, TTC_EFFORT_QUICK));
+    assert_true(ttc_catalogue_create(&t->catalogue, t->model, TTC_WITHOUT_ELIMINATIONS, TTC_EFFORT_QUICK));
     for (size_t i = 0; i < t->catalogue.count; i++)
         if (ttc_field_is_general(t->catalogue.fields[i].kernels->field)) t->general = t->catalogue.fields[i].kernels;
     assert_true(ttc_prove_functions_emit(&t->text, t->general));
@@ -28,7 +28,7 @@ static void open_table(table *t, const char *path)
 static void close_table(table *t)
 {
     ttc_text_clear(&t->text);
-    ttc_plan_clear(&t->catalogue);
+    ttc_catalogue_clear(&t->catalogue);
     ttc_model_destroy(t->model);
 }
 

@@ -1,0 +1,311 @@
+#include <argp.h>
+#include <errno.h>
+#include <glob.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "cli/common.h"
+#include "cli/merged.h"
+#include "cli/study.h"
+#include "report/json.h"
+#include "shards/gather.h"
+
+enum { OUTPUTS_MAX = 4, COLUMNS_MAX = 512 };
+
+typedef struct {
+    const char **places; /* as typed */
+    size_t place_count;
+    const char *outputs[OUTPUTS_MAX];
+    size_t output_count;
+} options;
+
+static const struct argp_option option_table[] = {
+    { "output", 'o', "FILE", 0,
+      "FILE.csv, FILE.npy (a structured array for numpy.load) or FILE.sqlite; may be repeated; default CSV on standard output", 0 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+    jlt_merged_kind kind;
+
+    switch (key) {
+    case 'o':
+        if (!jlt_merged_known(&kind, value)) argp_error(state, "--output: '%s' is no .csv, .npy or .sqlite", value);
+        if (o->output_count == OUTPUTS_MAX) argp_error(state, "--output: %d files at most", OUTPUTS_MAX);
+        o->outputs[o->output_count++] = value;
+        return 0;
+    case ARGP_KEY_ARG: o->places[o->place_count++] = value; return 0;
+    case ARGP_KEY_NO_ARGS: argp_error(state, "which folder?"); return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp parser = {
+    option_table, parse, "FOLDER|FILE...",
+    "Make one table of what the shards of a study have computed: the rows that its command would print, behind columns of what the study "
+    "runs over."
+    "\vRows are in the order of the study, with the same bytes however many shards there were and however often they were begun again. Every "
+    "record is checked. Where pieces are missing, or files are of different studies, or say different things of one piece, nothing is "
+    "written, and the status is 1 or 3. Shards that are computing may be read at any time.\n\n"
+    "In SQLite, table rows has an index on every column that the study runs over and on every column of text, table pieces tells how each "
+    "piece ended and what its command said, table provenance what the rows were computed by.\n\n"
+    "  jellett merge study.shards > study.csv\n"
+    "  jellett merge study.shards -o study.csv -o study.npy -o study.sqlite",
+    NULL, NULL, NULL,
+};
+
+typedef struct {
+    const options *o;
+    jlt_gather *gather;
+    json_t *study;
+    jlt_grid_axis over[JLT_STUDY_OVER_MAX];
+    size_t over_count, outer;
+    jlt_table_form form;
+    char *names; /* the line that begins every piece's rows; owned */
+    jlt_merged outputs[OUTPUTS_MAX];
+    size_t output_count;
+    size_t base;             /* number of the first orbit of a piece */
+    size_t failed, first_failed, checked; /* pieces of status 4 or 3, the first of them; those of status 1 */
+} merge;
+
+/* ---- files ---- */
+
+static jlt_exit find_files(glob_t *files, const options *o)
+{
+    struct stat about;
+    int flags = GLOB_NOCHECK;
+
+    for (size_t i = 0; i < o->place_count; i++) {
+        if (stat(o->places[i], &about) != 0) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", o->places[i], strerror(errno));
+        char *pattern = NULL;
+        if (asprintf(&pattern, S_ISDIR(about.st_mode) ? "%s/*.shard" : "%s", o->places[i]) < 0) return jlt_command_no_memory();
+        const int found = glob(pattern, S_ISDIR(about.st_mode) ? flags & ~GLOB_NOCHECK : flags, NULL, files);
+        free(pattern);
+        if (found == GLOB_NOMATCH) return jlt_command_fail(JLT_EXIT_INPUT, "%s: there are no files *.shard", o->places[i]);
+        if (found != 0) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", o->places[i], strerror(errno));
+        flags |= GLOB_APPEND;
+    }
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit open_gather(merge *self, const glob_t *files)
+{
+    char *message = NULL;
+    size_t first = 0;
+    const jlt_status st = jlt_gather_open(&self->gather, &message, (const char *const *)files->gl_pathv, files->gl_pathc);
+
+    if (message != NULL) fputs(message, stderr);
+    free(message);
+    if (st == JLT_ERR_EMPTY) return jlt_command_fail(JLT_EXIT_FAILED, "no shard has begun");
+    if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
+    if (st != JLT_OK) return jlt_command_exit(st);
+    const size_t missing = jlt_gather_missing(self->gather, &first);
+    if (missing == 0) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_FAILED, "%zu of %zu pieces are missing, the first of them number %zu: jellett sweep --resume computes them",
+                            missing, jlt_gather_pieces(self->gather), first);
+}
+
+/* What the study runs over. */
+static jlt_exit read_over(merge *self)
+{
+    const char *over;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    self->study = json_loads(jlt_gather_study(self->gather), 0, NULL);
+    over = json_string_value(json_object_get(self->study, "over"));
+    if (over != NULL) code = jlt_grid_parse(self->over, &self->over_count, JLT_STUDY_OVER_MAX, over, "over");
+    return code == JLT_EXIT_DONE ? jlt_grid_size(&self->outer, self->over, self->over_count, over, "over") : code;
+}
+
+/* ---- rows ---- */
+
+/* The form, from the names that the first piece with rows has. */
+static jlt_exit begin_form(merge *self, const char *line)
+{
+    char *names[COLUMNS_MAX + JLT_STUDY_OVER_MAX], *copy = strdup(line);
+    jlt_status st;
+
+    self->names = strdup(line);
+    if (copy == NULL || self->names == NULL) {
+        free(copy);
+        return jlt_command_no_memory();
+    }
+    for (size_t k = 0; k < self->over_count; k++) names[k] = self->over[k].name;
+    const size_t count = jlt_table_cut(names + self->over_count, COLUMNS_MAX, copy);
+    st = count > COLUMNS_MAX ? JLT_ERR_ARG : jlt_table_form_open(&self->form, names, self->over_count + count);
+    free(copy);
+    return st == JLT_OK ? JLT_EXIT_DONE : st == JLT_ERR_NOMEM ? jlt_command_no_memory()
+                                                              : jlt_command_fail(JLT_EXIT_INPUT, "a column is there twice, or there are too many");
+}
+
+static jlt_exit bad_row(size_t piece) { return jlt_command_fail(JLT_EXIT_INPUT, "piece %zu has rows of another form", piece); }
+
+/* A row: looked at in the first pass, written in the second. */
+static jlt_exit take_row(merge *self, char *const *fields, bool is_second)
+{
+    if (!is_second) jlt_table_form_see(&self->form, fields);
+    for (size_t k = 0; is_second && k < self->output_count; k++)
+        if (!jlt_merged_row(&self->outputs[k], &self->form, fields)) return jlt_command_cannot_write(self->outputs[k].path);
+    return JLT_EXIT_DONE;
+}
+
+/* Orbits are counted within a piece: from here on, within the command's grid. */
+static void renumber(const merge *self, char **field, char number[24], size_t *next)
+{
+    const size_t orbit = self->base + strtoull(*field, NULL, 10);
+
+    snprintf(number, 24, "%zu", orbit);
+    *field = number;
+    *next = orbit + 1;
+}
+
+/* The rows of a piece. text: its lines, which are cut up. */
+static jlt_exit take_rows(merge *self, char *text, char *over, size_t piece, bool is_second)
+{
+    char *fields[COLUMNS_MAX + JLT_STUDY_OVER_MAX], number[24], *line = strsep(&text, "\n");
+    const size_t before = self->over_count;
+    size_t next = self->base;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (self->names == NULL) code = begin_form(self, line);
+    if (code == JLT_EXIT_DONE && strcmp(line, self->names) != 0) code = bad_row(piece);
+    if (before > 0) (void)jlt_table_cut(fields, before, over);
+    while (code == JLT_EXIT_DONE && (line = strsep(&text, "\n")) != NULL && *line != '\0') {
+        const size_t count = jlt_table_cut(fields + before, COLUMNS_MAX, line);
+        if (before + count != self->form.count) return bad_row(piece);
+        if (strcmp(self->form.columns[before].name, "orbit") == 0) renumber(self, &fields[before], number, &next);
+        code = take_row(self, fields, is_second);
+    }
+    self->base = next;
+    return code;
+}
+
+static void note(merge *self, const jlt_shard_record *record)
+{
+    if (record->status == JLT_EXIT_FAILED) self->checked++;
+    else if (record->status != JLT_EXIT_DONE && self->failed++ == 0) self->first_failed = record->piece;
+}
+
+/* All pieces in their order. */
+static jlt_exit pass(merge *self, bool is_second)
+{
+    const size_t pieces = jlt_gather_pieces(self->gather), each = pieces / self->outer;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < pieces; i++) {
+        char over[JLT_STUDY_PLACE_MAX], *text;
+        jlt_shard_record record;
+        const jlt_status st = jlt_gather_piece(self->gather, &record, i);
+        if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "piece %zu cannot be read again: %s", i, jlt_status_text(st));
+        if (i % each == 0) self->base = 0;
+        for (size_t k = 0; is_second && k < self->output_count; k++)
+            if (!jlt_merged_piece(&self->outputs[k], &record)) return jlt_command_cannot_write(self->outputs[k].path);
+        if (!is_second) note(self, &record);
+        if (record.rows_size == 0) continue;
+        jlt_study_values(over, self->over, self->over_count, i / each);
+        text = strndup(record.rows, record.rows_size);
+        if (text == NULL) return jlt_command_no_memory();
+        code = take_rows(self, text, over, i, is_second);
+        free(text);
+    }
+    return code;
+}
+
+/* ---- outputs ---- */
+
+/* Comments of CSV: the command whose rows these are, what runs over it, and the study. */
+static char *make_header(const merge *self)
+{
+    const char *name, *over = json_string_value(json_object_get(self->study, "over"));
+    char *text = NULL;
+    size_t size = 0;
+    json_t *value;
+    FILE *stream = open_memstream(&text, &size);
+
+    if (stream == NULL) return NULL;
+    fprintf(stream, "# jellett " JLT_VERSION " merge, rows of: jellett %s %s", json_string_value(json_object_get(self->study, "command")),
+            json_string_value(json_object_get(self->study, "model")));
+    json_object_foreach(json_object_get(self->study, "options"), name, value) {
+        const char *said = json_string_value(value);
+        fprintf(stream, " --%s%s%s", name, said != NULL ? "=" : "", said != NULL ? said : "");
+    }
+    if (over != NULL) fprintf(stream, "\n# over %s", over);
+    fprintf(stream, "\n# %s\n", jlt_gather_study(self->gather));
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+static jlt_exit write_all(merge *self)
+{
+    const char *standard[] = { "-" }, *const *paths = self->o->output_count > 0 ? self->o->outputs : standard;
+    const size_t count = self->o->output_count > 0 ? self->o->output_count : 1;
+    char *header = make_header(self);
+    jlt_exit code = header != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
+
+    for (size_t k = 0; code == JLT_EXIT_DONE && k < count; k++) {
+        code = jlt_merged_open(&self->outputs[k], paths[k], &self->form, self->over_count, jlt_gather_study(self->gather), header);
+        self->output_count++;
+    }
+    free(header);
+    if (code == JLT_EXIT_DONE) code = pass(self, true);
+    for (size_t k = 0; code == JLT_EXIT_DONE && k < self->output_count; k++) code = jlt_merged_close(&self->outputs[k]);
+    for (size_t k = 0; k < self->output_count; k++) jlt_merged_discard(&self->outputs[k]);
+    return code;
+}
+
+static jlt_exit merge_files(merge *self, const glob_t *files)
+{
+    jlt_exit code = open_gather(self, files);
+
+    if (code == JLT_EXIT_DONE) code = read_over(self);
+    if (code == JLT_EXIT_DONE) code = pass(self, false);
+    if (code == JLT_EXIT_DONE && self->names == NULL)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "no piece has rows: jellett sweep says why");
+    if (code == JLT_EXIT_DONE) code = write_all(self);
+    if (code != JLT_EXIT_DONE) return code;
+    if (self->failed > 0)
+        fprintf(stderr, "jellett: %zu of %zu pieces ended with another status than 0, the first of them number %zu: their rows tell, and table "
+                "pieces of SQLite\n", self->failed, jlt_gather_pieces(self->gather), self->first_failed);
+    if (self->checked == 0) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_FAILED, "the checks of %zu pieces failed", self->checked);
+}
+
+static jlt_exit check_outputs(const options *o)
+{
+    jlt_command_file files[OUTPUTS_MAX];
+    jlt_exit code;
+
+    for (size_t i = 0; i < o->output_count; i++) files[i] = (jlt_command_file){ "--output", o->outputs[i] };
+    code = jlt_command_distinct(files, o->output_count);
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < o->output_count; i++) code = jlt_command_check_output(o->outputs[i]);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .places = calloc((size_t)argc + 1, sizeof *o.places) };
+    merge self = { .o = &o, .outer = 1 };
+    glob_t files = { .gl_pathc = 0 };
+    jlt_exit code;
+
+    if (o.places == NULL) return jlt_command_no_memory();
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = check_outputs(&o);
+    if (code == JLT_EXIT_DONE) code = find_files(&files, &o);
+    if (code == JLT_EXIT_DONE) code = merge_files(&self, &files);
+    jlt_gather_destroy(self.gather);
+    jlt_table_form_close(&self.form);
+    json_decref(self.study);
+    globfree(&files);
+    free(self.names);
+    free(o.places);
+    return code;
+}
+
+const jlt_command jlt_command_merge = {
+    "merge", "FOLDER|FILE... [-o FILE]", "Make one table of what the shards of a study have computed", run, NULL
+};

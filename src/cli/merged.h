@@ -1,0 +1,39 @@
+/** Files that a merged study is written to, each whole or not at all: CSV, a structured array of NumPy, or SQLite, by the name's ending. */
+#ifndef JLT_CLI_MERGED_H
+#define JLT_CLI_MERGED_H
+
+#include <stdio.h>
+
+#include "cli/command.h"
+#include "report/file.h"
+#include "shards/database.h"
+#include "shards/table.h"
+
+typedef enum { JLT_MERGED_CSV, JLT_MERGED_NPY, JLT_MERGED_SQLITE } jlt_merged_kind;
+
+typedef struct {
+    const char *path;
+    jlt_merged_kind kind;
+    jlt_file place; /* zeroed for standard output */
+    FILE *stream;   /* of CSV and NumPy */
+    jlt_database *database;
+} jlt_merged;
+
+/** By the ending of a path: .csv, .npy, .sqlite or .db; "-" is CSV. False: it has none of these. */
+bool jlt_merged_known(jlt_merged_kind *kind, const char *path);
+
+/** Begin a file, with what stands before its rows. The first `over` columns are those that the study runs over; header: comments of CSV.
+ *  Says what is wrong; *self is discarded after, whatever is returned. */
+jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study, const char *header);
+
+/** A piece begins; one of its rows. False: it cannot be written. */
+bool jlt_merged_piece(jlt_merged *self, const jlt_shard_record *record);
+bool jlt_merged_row(jlt_merged *self, const jlt_table_form *form, char *const *fields);
+
+/** Give the file its name. Says what is wrong. */
+jlt_exit jlt_merged_close(jlt_merged *self);
+
+/** Close, and remove what has no name yet. Legal when zeroed, and twice. */
+void jlt_merged_discard(jlt_merged *self);
+
+#endif

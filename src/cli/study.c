@@ -1,0 +1,289 @@
+#include "cli/study.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/digits.h"
+#include "kernel/batch_isa.h"
+#include "kernel/descriptor.h"
+#include "report/json.h"
+#include "scene/tier.h"
+
+/* What a study may ask for: rows of commands that say the same whichever others are computed beside them. `dealt` is the option whose points
+ * are dealt out, NULL where the command is run whole at each point that the study runs over; `least`, how many of these points are worth a
+ * start of the command. The first that the scene gives is taken. */
+static const struct {
+    const char *command, *dealt;
+    size_t least;
+} kinds[] = {
+    { "section", "grid", 256 },  { "fates", "sweep", 1 },   { "fates", "grid", 256 },     { "fates", NULL, 1 },
+    { "lyapunov", "grid", 256 }, { "lyapunov", NULL, 1 },   { "eigen", "sweep", 256 },    { "rod", "sweep", 256 },
+    { "orbits", NULL, 1 },       { "continue", NULL, 1 },   { "separation", NULL, 1 },    { "drift", NULL, 1 },
+    { "manifolds", NULL, 1 },    { "simulate", NULL, 1 },
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* Pieces that a study is cut into where it does not say, and the grid is large enough: many more than ranks, so that uneven rows balance. */
+enum { PIECES_WANTED = 4096 };
+
+__attribute__((format(printf, 3, 4)))
+static jlt_exit refuse(const jlt_study *self, unsigned line, const char *format, ...)
+{
+    char text[JLT_SCENE_MESSAGE_MAX];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: %s", self->scene->file, line, text);
+}
+
+/* The option whose points are dealt out, and how many of them are worth a start. */
+static jlt_exit find_dealt(jlt_study *self, size_t *least)
+{
+    const jlt_scene_job *job = self->job;
+    bool is_known = false;
+
+    self->dealt = job->count;
+    for (size_t i = 0; i < KINDS; i++) {
+        if (strcmp(kinds[i].command, job->what) != 0) continue;
+        is_known = true;
+        *least = kinds[i].least;
+        if (kinds[i].dealt == NULL) return JLT_EXIT_DONE;
+        for (size_t k = 0; k < job->count; k++)
+            if (strcmp(job->options[k].name, kinds[i].dealt) == 0) self->dealt = k;
+        if (self->dealt < job->count) return JLT_EXIT_DONE;
+    }
+    if (!is_known) return refuse(self, job->line, "rows of %s do not stand for themselves: it is no study", job->what);
+    for (size_t i = 0; i < KINDS; i++)
+        if (strcmp(kinds[i].command, job->what) == 0)
+            return refuse(self, job->line, "a study of %s is dealt out by its '%s', which is missing", job->what, kinds[i].dealt);
+    return JLT_EXIT_DONE;
+}
+
+/* What belongs to one run of the command, and not to pieces of it. */
+static jlt_exit check_options(const jlt_study *self)
+{
+    const jlt_scene_job *job = self->job;
+
+    for (size_t k = 0; k < job->count; k++) {
+        const jlt_scene_option *option = &job->options[k];
+        if (option->is_file) return refuse(self, option->line, "a study's rows go to its folder: leave out '%s'", option->name);
+        if (strcmp(option->name, "json") == 0) return refuse(self, option->line, "a study's rows are tables: leave out 'json'");
+        if (strcmp(option->name, "start") == 0 && self->dealt < job->count && strcmp(job->options[self->dealt].name, "grid") == 0)
+            return refuse(self, option->line, "every piece of the grid would begin with this 'start': leave it out");
+    }
+    return JLT_EXIT_DONE;
+}
+
+/* Points of the grid that is dealt out. */
+static jlt_exit count_inner(jlt_study *self)
+{
+    jlt_grid_axis axes[JLT_STUDY_OVER_MAX] = { 0 };
+    const jlt_scene_option *option = &self->job->options[self->dealt];
+    size_t count = 0;
+    jlt_exit code;
+
+    self->inner = 1;
+    if (self->dealt == self->job->count) return JLT_EXIT_DONE;
+    if (strchr(option->value, '@') != NULL)
+        return refuse(self, option->line, "'%s' is a part of a grid, and a study is dealt out by itself: leave out '%s'", option->name, strchr(option->value, '@'));
+    if (strchr(option->value, '=') == NULL) { /* COUNTxCOUNT */
+        count = 1;
+        for (const char *c = option->value; *c != '\0'; c++) count += *c == 'x';
+        if (count > JLT_STUDY_OVER_MAX) count = JLT_STUDY_OVER_MAX;
+    }
+    code = jlt_grid_parse(axes, &count, JLT_STUDY_OVER_MAX, option->value, option->name);
+    return code == JLT_EXIT_DONE ? jlt_grid_size(&self->inner, axes, count, option->value, option->name) : code;
+}
+
+static jlt_exit count_pieces(jlt_study *self, size_t least)
+{
+    const jlt_scene *scene = self->scene;
+    jlt_exit code = JLT_EXIT_DONE;
+    size_t all;
+
+    if (scene->over != NULL) code = jlt_grid_parse(self->over, &self->over_count, JLT_STUDY_OVER_MAX, scene->over, "over");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->outer, self->over, self->over_count, scene->over, "over");
+    if (code == JLT_EXIT_DONE) code = count_inner(self);
+    if (code != JLT_EXIT_DONE) return code;
+    if (__builtin_mul_overflow(self->outer, self->inner, &all)) return refuse(self, self->job->line, "there are more points than can be counted");
+    self->piece = scene->piece > 0 ? scene->piece : (all - 1) / PIECES_WANTED + 1;
+    if (scene->piece == 0 && self->piece < least) self->piece = least;
+    if (self->piece > self->inner) self->piece = self->inner;
+    self->pieces = self->outer * ((self->inner - 1) / self->piece + 1);
+    return JLT_EXIT_DONE;
+}
+
+/* The tables that may serve, and the compiler that made their kernels. */
+static json_t *kernels_of(const jlt_descriptor *model)
+{
+    jlt_tier tiers[JLT_TIERS_MAX];
+    const unsigned count = jlt_tier_list(tiers, model, NULL);
+    json_t *kernels = json_object();
+
+    for (unsigned i = 0; i <= count; i++) {
+        const jlt_descriptor *d = i == 0 ? model : tiers[i - 1].table;
+        if (d == NULL) continue;
+        (void)json_object_set_new(kernels, d->model, json_sprintf("table %s, %s", d->sha256, d->generator));
+        for (unsigned k = 0; k < d->section_count; k++) /* a section may be a table's of its own */
+            (void)json_object_set_new(kernels, d->sections[k].chart, json_sprintf("table %s", d->sections[k].sha256));
+    }
+    return kernels;
+}
+
+static jlt_exit make_manifest(jlt_study *self)
+{
+    const jlt_scene_job *job = self->job;
+    const jlt_descriptor *model = self->scene->model;
+    const jlt_kernel_batch *batch = jlt_batch_isa_best(model, 0);
+    json_t *options = json_object(), *whole;
+
+    for (size_t k = 0; k < job->count; k++)
+        (void)json_object_set_new(options, job->options[k].name,
+                                  job->options[k].value != NULL ? json_string(job->options[k].value) : json_true());
+    /* Kernels on vectors of four and of eight do the same operations; those on two do without the fused multiply-add. */
+    whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
+                      job->model != NULL ? job->model : model->model, "options", options, "over", self->scene->over, "points",
+                      (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces", (json_int_t)self->pieces, "version",
+                      JLT_VERSION, "kernels", kernels_of(model), "arithmetic", batch != NULL && batch->lanes > 2 ? "fused" : "plain");
+    self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
+    json_decref(whole);
+    return self->manifest != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
+}
+
+static jlt_exit set_params(const jlt_study *self, const jlt_assign_list *set)
+{
+    for (size_t i = 0; i < set->count; i++) {
+        const jlt_status st = jlt_scene_set(self->scene, set->items[i].name, set->items[i].fraction);
+        if (st == JLT_ERR_ARG)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", self->scene->file, set->items[i].name);
+        if (st != JLT_OK) return jlt_command_no_memory();
+    }
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    size_t least = 1;
+    jlt_exit code;
+
+    *out = (jlt_study){ .outer = 1 };
+    const jlt_status st = jlt_scene_read(&out->scene, message, path, &jlt_job_program);
+    if (st != JLT_OK) {
+        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
+        return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+    }
+    code = set_params(out, set);
+    if (code != JLT_EXIT_DONE) return code;
+    out->job = &out->scene->jobs[0];
+    out->command = jlt_command_find(out->job->what);
+    if (out->scene->count != 1) return refuse(out, out->scene->jobs[1].line, "a study is of one command: this is a second entry of 'compute'");
+    code = find_dealt(out, &least);
+    if (code == JLT_EXIT_DONE) code = check_options(out);
+    if (code == JLT_EXIT_DONE) code = count_pieces(out, least);
+    return code == JLT_EXIT_DONE ? make_manifest(out) : code;
+}
+
+void jlt_study_clear(jlt_study *self)
+{
+    jlt_scene_destroy(self->scene);
+    free(self->manifest);
+    *self = (jlt_study){ .scene = NULL };
+}
+
+/* A piece's points: of what the study runs over, and of the grid. */
+static void points_of(size_t *outer, size_t *first, size_t *count, const jlt_study *self, size_t piece)
+{
+    const size_t each = self->pieces / self->outer;
+
+    *outer = piece / each;
+    *first = piece % each * self->piece;
+    *count = self->inner - *first < self->piece ? self->inner - *first : self->piece;
+}
+
+void jlt_study_values(char *text, const jlt_grid_axis *axes, size_t count, size_t point)
+{
+    double values[JLT_STUDY_OVER_MAX];
+    size_t used = 0;
+
+    text[0] = '\0';
+    jlt_grid_point(values, axes, count, point);
+    for (size_t k = 0; k < count; k++) {
+        jlt_digits_shortest(text + used, values[k]);
+        used += strlen(text + used);
+        text[used++] = ',';
+        text[used] = '\0';
+    }
+}
+
+/* --set=NAME=VALUE,... of parameters, or --level=... of what is none, as the study has them at this point. Where there is none, "". */
+static char *assignments(const jlt_study *self, size_t outer, bool params)
+{
+    double values[JLT_STUDY_OVER_MAX];
+    char digits[JLT_DIGITS_SIZE], *text = NULL;
+    size_t size = 0;
+    bool first = true;
+    FILE *stream = open_memstream(&text, &size);
+
+    if (stream == NULL) return NULL;
+    jlt_grid_point(values, self->over, self->over_count, outer);
+    for (size_t k = 0; k < self->over_count; k++) {
+        if (jlt_descriptor_param(self->scene->model, self->over[k].name, &(size_t){ 0 }) != params) continue;
+        jlt_digits_shortest(digits, values[k]);
+        fprintf(stream, "%s%s=%s", !first ? "," : params ? "--set=" : "--level=", self->over[k].name, digits);
+        first = false;
+    }
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
+{
+    size_t outer, first, count;
+    int used = 0;
+    char **argv = jlt_job_arguments(self->job, NULL, &used), **grown = argv != NULL ? realloc(argv, ((size_t)used + 3) * sizeof *argv) : NULL;
+    bool whole = grown != NULL;
+
+    points_of(&outer, &first, &count, self, piece);
+    if (whole) argv = grown;
+    for (int params = 1; whole && params >= 0; params--) {
+        char *text = assignments(self, outer, params != 0);
+        whole = text != NULL;
+        if (whole && text[0] != '\0') argv[used++] = text;
+        else free(text);
+    }
+    if (whole && self->dealt < self->job->count) {
+        char **option = &argv[(self->job->model != NULL ? 2 : 1) + self->dealt], *part = NULL;
+        whole = asprintf(&part, "%s@%zu:%zu", *option, first, count) > 0;
+        if (whole) {
+            free(*option);
+            *option = part;
+        }
+    }
+    *argc = used;
+    if (whole) {
+        argv[used] = NULL;
+        return argv;
+    }
+    jlt_job_free(argv, used);
+    return NULL;
+}
+
+void jlt_study_place(char *place, const jlt_study *self, size_t piece)
+{
+    double values[JLT_STUDY_OVER_MAX];
+    size_t outer, first, count, used = 0;
+
+    points_of(&outer, &first, &count, self, piece);
+    jlt_grid_point(values, self->over, self->over_count, outer);
+    place[0] = '\0';
+    for (size_t k = 0; k < self->over_count && used < JLT_STUDY_PLACE_MAX; k++)
+        used += (size_t)snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->over[k].name, values[k]);
+    if (self->dealt < self->job->count && used < JLT_STUDY_PLACE_MAX)
+        snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%spoints %zu to %zu of the %s", used > 0 ? ", " : "", first, first + count - 1,
+                 self->job->options[self->dealt].name);
+}

@@ -1,0 +1,143 @@
+#include "cli/worker.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cli/interrupt.h"
+#include "cli/program.h"
+
+/* Then the process is begun again, so that nothing that a command forgets to give back adds up. */
+enum { PIECES_MAX = 1024 };
+
+jlt_exit jlt_worker_open(jlt_worker *self, const jlt_study *study)
+{
+    *self = (jlt_worker){ .study = study, .interrupt = jlt_interrupt_install(), .output = memfd_create("rows", MFD_CLOEXEC),
+                          .error = memfd_create("words", MFD_CLOEXEC), .line = -1 };
+    if (self->output >= 0 && self->error >= 0) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_IO, "a file in memory cannot be made: %s", strerror(errno));
+}
+
+static bool send_all(int line, const void *data, size_t size)
+{
+    ssize_t sent;
+
+    do sent = send(line, data, size, MSG_NOSIGNAL);
+    while (sent < 0 && errno == EINTR);
+    return sent == (ssize_t)size;
+}
+
+static bool receive_all(int line, void *data, size_t size)
+{
+    ssize_t got;
+
+    do got = recv(line, data, size, MSG_WAITALL);
+    while (got < 0 && errno == EINTR);
+    return got == (ssize_t)size;
+}
+
+/* What the process does until the line is closed. */
+_Noreturn static void serve(const jlt_worker *self, int line)
+{
+    size_t piece;
+
+    if (dup2(self->output, STDOUT_FILENO) < 0 || dup2(self->error, STDERR_FILENO) < 0) _exit(JLT_EXIT_IO);
+    while (receive_all(line, &piece, sizeof piece)) {
+        int argc = 0, status = JLT_EXIT_NUMERICAL;
+        char **argv = jlt_study_arguments(self->study, piece, &argc);
+        if (argv == NULL) (void)jlt_command_no_memory();
+        else status = (int)jlt_program_run(self->study->command, argc, argv);
+        jlt_job_free(argv, argc);
+        if (fflush(stdout) != 0 || !send_all(line, &status, sizeof status)) _exit(JLT_EXIT_IO);
+    }
+    _exit(JLT_EXIT_DONE);
+}
+
+static jlt_exit begin(jlt_worker *self)
+{
+    int lines[2];
+
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, lines) != 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->study->command->name, strerror(errno));
+    fflush(stdout);
+    self->process = jlt_interrupt_fork();
+    if (self->process == 0) {
+        close(lines[0]);
+        serve(self, lines[1]);
+    }
+    close(lines[1]);
+    self->line = lines[0];
+    self->computed = 0;
+    if (self->process > 0) return JLT_EXIT_DONE;
+    close(lines[0]);
+    self->line = -1;
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->study->command->name, strerror(errno));
+}
+
+/* Returns how the process ended, as waitpid says it. */
+static int end(jlt_worker *self)
+{
+    int status = 0;
+
+    if (self->line < 0) return 0;
+    close(self->line);
+    self->line = -1;
+    while (waitpid(self->process, &status, 0) < 0 && errno == EINTR) {}
+    (void)jlt_interrupt_alone();
+    return status;
+}
+
+void jlt_worker_close(jlt_worker *self)
+{
+    (void)end(self);
+    if (self->output >= 0) close(self->output);
+    if (self->error >= 0) close(self->error);
+    free(self->rows);
+    free(self->words);
+    *self = (jlt_worker){ .output = -1, .error = -1, .line = -1 };
+}
+
+/* All that is in the file, which is empty after. */
+static bool take(char **text, size_t *size, int descriptor)
+{
+    struct stat about;
+    size_t used = 0;
+
+    free(*text);
+    *text = NULL;
+    if (fstat(descriptor, &about) != 0 || (*text = malloc((size_t)about.st_size + 1)) == NULL) return false;
+    while (used < (size_t)about.st_size) {
+        const ssize_t got = pread(descriptor, *text + used, (size_t)about.st_size - used, (off_t)used);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        used += (size_t)got;
+    }
+    (*text)[used] = '\0';
+    *size = used;
+    return ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0;
+}
+
+jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece)
+{
+    int answer = 0;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    *by = 0;
+    if (self->computed == PIECES_MAX) (void)end(self);
+    if (self->line < 0) code = begin(self);
+    if (code != JLT_EXIT_DONE) return code;
+    self->computed++;
+    if (!send_all(self->line, &piece, sizeof piece) || !receive_all(self->line, &answer, sizeof answer)) {
+        const int ending = end(self); /* by a signal, or by itself, as where options are wrong */
+        if (WIFSIGNALED(ending)) *by = WTERMSIG(ending);
+        answer = WEXITSTATUS(ending);
+    }
+    *status = (jlt_exit)answer;
+    if (take(&self->rows, &self->rows_size, self->output) && take(&self->words, &self->words_size, self->error)) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_IO, "a file in memory cannot be read: %s", strerror(errno));
+}

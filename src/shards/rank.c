@@ -1,0 +1,119 @@
+#include "shards/rank.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Engines that number their ranks, the innermost first: what one starts within another has the variables of both. */
+static const struct {
+    const char *name, *index, *count; /* count NULL: it does not say */
+    size_t first;                     /* the number of its first rank */
+} engines[] = {
+    { "Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", 0 },
+    { "PMI", "PMI_RANK", "PMI_SIZE", 0 },
+    { "srun", "SLURM_PROCID", "SLURM_STEP_NUM_TASKS", 0 }, /* a batch script has SLURM_PROCID as well, but is no step */
+    { "PMIx", "PMIX_RANK", NULL, 0 },
+    { "GNU parallel", "PARALLEL_SEQ", NULL, 1 },
+};
+enum { ENGINES = sizeof engines / sizeof *engines };
+
+static const size_t NUMBER_MAX = 1000000000;
+
+__attribute__((format(printf, 2, 3)))
+static jlt_status complain(char *message, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(message, JLT_RANK_TEXT_MAX, format, arguments);
+    va_end(arguments);
+    return JLT_ERR_ARG;
+}
+
+/* A whole number that ends at `end`. */
+static bool whole(size_t *value, const char *text, const char *end)
+{
+    char *after;
+    unsigned long long number;
+
+    errno = 0;
+    number = strtoull(text, &after, 10);
+    if (*text < '0' || *text > '9' || after != end || errno != 0 || number > NUMBER_MAX) return false;
+    *value = (size_t)number;
+    return true;
+}
+
+/* False: it is not there, or no number. */
+static bool variable(size_t *value, const char *name)
+{
+    const char *text = name != NULL ? getenv(name) : NULL;
+
+    return text != NULL && whole(value, text, text + strlen(text));
+}
+
+static size_t variable_or(const char *name, size_t other)
+{
+    size_t value = other;
+
+    return variable(&value, name) ? value : other;
+}
+
+/* A task of an array, the first of them 0. known: how many shards there are; 0: the array says it. */
+static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t known)
+{
+    size_t id = 0;
+
+    *task = 0, *tasks = 1;
+    if (!variable(&id, "SLURM_ARRAY_TASK_ID")) return JLT_OK;
+    const size_t low = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_MIN", 1), step = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_STEP", 1);
+    *tasks = known > 0 ? known : variable_or("SLURM_ARRAY_TASK_COUNT", 0);
+    *task = (id - low) / (step > 0 ? step : 1);
+    if (id < low || *task >= *tasks || id != low + *task * step)
+        return complain(message, "task %zu of the Slurm array is none of %zu in a row: write --array=1-N, or give --shard I/N", id, *tasks);
+    return JLT_OK;
+}
+
+/* As the environment has it. known: how many shards there are; 0: the environment says it. */
+static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
+{
+    size_t number = 0, count = 1, rank = 0, task = 0, tasks = 1, i = 0;
+    jlt_status st = JLT_OK;
+
+    while (i < ENGINES && (!variable(&number, engines[i].index) || (engines[i].count != NULL && !variable(&count, engines[i].count)))) i++;
+    if (i < ENGINES && engines[i].count == NULL) {
+        if (known == 0)
+            return complain(message, "%s does not say how many processes it starts: give --shard /N, or --shard I/N", engines[i].name);
+        count = known;
+    } else if (i == ENGINES) {
+        number = 0, count = 1;
+    }
+    if (i < ENGINES) rank = number - engines[i].first;
+    JLT_TRY(find_task(&task, &tasks, message, i == ENGINES || count == 1 ? known : 0));
+    if (i < ENGINES && engines[i].count == NULL) task = 0, tasks = 1;
+    if (rank >= count) return complain(message, "%s says that this is process %zu of %zu: give --shard I/N", engines[i].name, number, count);
+    *out = (jlt_rank){ .index = task * count + rank + 1, .count = tasks * count };
+    snprintf(out->engine, sizeof out->engine, "%s%s%s", tasks > 1 || (i == ENGINES && getenv("SLURM_ARRAY_TASK_ID") != NULL) ? "Slurm array" : "",
+             tasks > 1 && i < ENGINES ? ", " : "", i < ENGINES ? engines[i].name : "");
+    if (known > 0 && out->engine[0] == '\0')
+        return complain(message, "--shard /%zu: nothing in the environment says which of them: write I/%zu", known, known);
+    if (known > 0 && out->count != known) return complain(message, "--shard /%zu: %s starts %zu", known, out->engine, out->count);
+done:
+    return st;
+}
+
+jlt_status jlt_rank_find(jlt_rank *out, char *message, const char *text)
+{
+    size_t index = 0, count = 0;
+    const char *slash = text != NULL ? strchr(text, '/') : NULL;
+
+    if (text == NULL) return from_environment(out, message, 0);
+    if (slash == NULL || !whole(&count, slash + 1, slash + strlen(slash)) || count == 0 || (slash > text && !whole(&index, text, slash)))
+        return complain(message, "--shard: '%s' is no shard (write I/N, as in 3/8)", text);
+    if (slash == text) return from_environment(out, message, count);
+    if (index == 0 || index > count) return complain(message, "--shard: '%s': shards are counted from 1 to %zu", text, count);
+    *out = (jlt_rank){ .index = index, .count = count };
+    return JLT_OK;
+}

@@ -1,0 +1,34 @@
+/** The rows of all pieces as one table: fields of text, and what kind of column each is in. */
+#ifndef JLT_SHARDS_TABLE_H
+#define JLT_SHARDS_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/status.h"
+
+typedef struct {
+    char *name;
+    bool is_text;  /* a field that is not empty is no number */
+    size_t width;  /* of the longest field, in bytes; at least 1 */
+} jlt_table_column;
+
+typedef struct {
+    jlt_table_column *columns; /* shape (count,) */
+    size_t count, rows;
+} jlt_table_form;
+
+/** Cut a line at its commas, which become NULs. fields, shape (room,). Returns how many there are, also beyond `room`. */
+size_t jlt_table_cut(char **fields, size_t room, char *line);
+
+/** Take these names for the columns. Errors: NOMEM; ARG, one is there twice. */
+JLT_CHECKED jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count);
+void jlt_table_form_close(jlt_table_form *self); /* legal when zeroed */
+
+/** See a row, shape (count,). */
+void jlt_table_form_see(jlt_table_form *self, char *const *fields);
+
+/** A field as a number; NaN for an empty one. False: it is none. */
+bool jlt_table_number(double *value, const char *field);
+
+#endif

@@ -1,0 +1,171 @@
+#!/usr/bin/env bash
+# A study gives the same bytes by 1, 3 and 7 shards, in CSV, NumPy and SQLite, and after crashes; its rows are those that the command
+# itself prints, also for each value of what it runs over. A shard's file is one process's, and of one study; what its engine says in the
+# environment tells a process which shard is its own.
+set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
+scratch=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+unset OMPI_COMM_WORLD_RANK PMI_RANK PMIX_RANK SLURM_PROCID SLURM_ARRAY_TASK_ID PARALLEL_SEQ
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS TEXT COMMAND...
+    local want=$1 text=$2 code
+    shift 2
+    "$@" > out 2> err
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -3 err)"
+    [ -z "$text" ] || grep -qF -- "$text" out err || fail "$*: nothing is said of '$text': $(head -3 err)"
+}
+rows() { grep -v '^#' "$@"; }
+
+cat > map.scene << 'END'
+levels = { E = 2.15; G = -0.56; };
+accuracy = { tolerance = 1e-9; };
+piece = 7;
+compute = ( { what = "section"; grid = { eta = (-3, 3, 9); gamma3 = (-0.9999, 0.9999, 15); }; returns = 3; } );
+END
+sed 's/section"/fates"/; s/piece = 7/piece = 11/' map.scene > ends.scene
+
+# Shards, of which orbits are counted on through the points without a state.
+for study in map ends; do
+    expect 0 "" jellett run $study.scene
+    rows out > $study.rows
+    for n in 1 3 7; do
+        for i in $(seq $n | shuf --random-source=<(yes $n)); do expect 0 "" jellett sweep $study.scene --into=$study.$n --shard=$i/$n; done
+        expect 0 "" jellett merge $study.$n -o $study.$n.csv -o $study.$n.npy -o $study.$n.sqlite
+        rows $study.$n.csv | diff -q - $study.rows > /dev/null || fail "$study in $n shards: other rows than jellett run"
+        for kind in csv npy sqlite; do cmp $study.1.$kind $study.$n.$kind || fail "$study in $n shards: another $kind"; done
+    done
+done
+[ "$(wc -l < map.rows)" -gt 300 ] || fail "only $(wc -l < map.rows) rows of returns"
+
+# NumPy and SQLite have what CSV has.
+python3 - map.1 << 'END' || fail "the files differ"
+import ast, csv, math, sqlite3, struct, sys
+rows = list(csv.reader(l for l in open(sys.argv[1] + ".csv") if l[0] != "#"))
+names, rows = rows[0], rows[1:]
+data = open(sys.argv[1] + ".npy", "rb").read()
+assert data[:8] == b"\x93NUMPY\x01\x00"
+length = 10 + struct.unpack("<H", data[8:10])[0]
+assert length % 64 == 0
+form = ast.literal_eval(data[10:length].decode())
+assert form["shape"] == (len(rows),) and not form["fortran_order"] and [n for n, _ in form["descr"]] == names
+assert form["descr"][-1][0] == "fate" and form["descr"][-1][1].startswith("|S") and form["descr"][0][1] == "<f8"
+code = "<" + "".join("d" if kind == "<f8" else kind[2:] + "s" for _, kind in form["descr"])
+assert len(data) == length + len(rows) * struct.calcsize(code)
+stored = list(sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT * FROM rows ORDER BY rowid"))
+assert len(stored) == len(rows)
+empty = 0
+for row, packed, kept in zip(rows, struct.iter_unpack(code, data[length:]), stored):
+    for field, number, value in zip(row, packed, kept):
+        empty += field == ""
+        if isinstance(number, bytes): assert number.rstrip(b"\0").decode() == field == value
+        elif field == "": assert math.isnan(number) and value is None
+        else: assert number == float(field) == value
+assert empty > 0
+about = dict(sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT name, value FROM provenance"))
+assert about["command"] == "section" and "spherical_top_level" in about["kernels"]
+assert [n for n, in sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT name FROM sqlite_master WHERE type = 'index' AND name LIKE 'rows%'")] == ["rows_by_fate"]
+END
+
+# Crashes: the file ends anywhere, or its end is garbage, or it is empty.
+file=map.3/2-of-3.shard
+cp $file whole
+size=$(stat -c %s whole)
+for cut in 0 3 100 $((size / 3)) $((size / 2)) $((size - 1)); do
+    head -c $cut whole > $file
+    [ $cut = $((size / 2)) ] && head -c 5000 /dev/zero >> $file
+    expect 0 "" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+    expect 0 "" jellett merge map.3 -o again.csv -o again.sqlite
+    cmp again.csv map.1.csv && cmp again.sqlite map.1.sqlite || fail "cut at $cut of $size: other bytes"
+done
+expect 0 "0 of them now" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+printf x | dd of=$file bs=1 seek=$((size / 2)) conv=notrunc 2> dd
+expect 1 "pieces are missing" jellett merge map.3 -o none.csv
+[ ! -e none.csv ] || fail "pieces are missing, and something is written"
+expect 0 "are cut" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+expect 0 "" jellett merge map.3 map.7 -o again.csv
+cmp again.csv map.1.csv || fail "shards of two runs at once: other bytes"
+
+# Refusals.
+expect 3 "--resume" jellett sweep map.scene --into=map.3 --shard=2/3
+sed 's/1e-9/1e-8/' map.scene > other.scene
+expect 3 'options.tol: there "1e-09", here "1e-08"' jellett sweep other.scene --into=map.3 --shard=2/3 --resume
+expect 3 "options.set" jellett sweep map.scene --set=a3=0.5 --into=map.3 --shard=2/3 --resume
+expect 0 "" jellett sweep other.scene --into=other --shard=2/3
+expect 3 "another study" jellett merge map.1 other
+cp "$JLT_SOURCE_DIR/codegen/models/lorenz.tt" own.tt
+cat > own.scene << 'END'
+model = "./own.tt";
+compute = ( { what = "fates"; section = { z = 27; }; grid = { x = (-20, 20, 3); y = (-20, 20, 3); }; returns = 3; } );
+END
+export XDG_CACHE_HOME=$scratch/cache
+expect 0 "" jellett sweep own.scene
+echo "# edited" >> own.tt
+expect 3 "kernels.lorenz: there" jellett sweep own.scene --resume
+expect 3 "is no study" jellett sweep <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
+expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
+expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
+expect 5 "" jellett sweep map.scene --into=own.tt
+expect 3 "no files" jellett merge cache
+expect 2 "no .csv" jellett merge map.1 -o rows.txt
+
+# Two processes, one shard.
+sed 's/returns = 3/returns = 100000000/; s/0.9999, 15/0.9999, 60/' map.scene > long.scene
+jellett sweep long.scene --into=long 2> first &
+first=$!
+for _ in $(seq 100); do grep -q "of them are there" first && break; sleep 0.05; done
+expect 5 "process $first computes this shard already" timeout 60 jellett sweep long.scene --into=long --resume
+kill -TERM $first
+wait $first
+[ $? = 143 ] || fail "a shard that is told to end does not end by the signal"
+
+# What engines say. Pieces of a shard: those that are shown.
+shown() { # SHARD ENVIRONMENT...
+    cmp -s <(jellett sweep map.scene --dry-run --shard="$1") <(env "${@:2}" jellett sweep map.scene --dry-run 2>&1) || fail "${*:2}: no shard $1"
+}
+shown 3/4 OMPI_COMM_WORLD_RANK=2 OMPI_COMM_WORLD_SIZE=4
+shown 1/5 PMI_RANK=0 PMI_SIZE=5
+shown 2/5 SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=5
+shown 1/1 SLURM_PROCID=0 SLURM_NTASKS=5
+shown 4/6 SLURM_ARRAY_TASK_ID=4 SLURM_ARRAY_TASK_MIN=1 SLURM_ARRAY_TASK_STEP=1 SLURM_ARRAY_TASK_COUNT=6
+shown 3/4 SLURM_ARRAY_TASK_ID=20 SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_STEP=10 SLURM_ARRAY_TASK_COUNT=4
+shown 6/8 SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=2 SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=4
+expect 2 "--array=1-N" env SLURM_ARRAY_TASK_ID=7 SLURM_ARRAY_TASK_COUNT=2 SLURM_ARRAY_TASK_MIN=1 jellett sweep map.scene --dry-run
+expect 2 "--shard /N" env PARALLEL_SEQ=3 jellett sweep map.scene --dry-run
+expect 2 "which of them" jellett sweep map.scene --dry-run --shard=/3
+expect 2 "counted from 1" jellett sweep map.scene --dry-run --shard=4/3
+of() { cmp -s <(jellett sweep map.scene --dry-run --shard="$1") <(env "${@:3}" jellett sweep map.scene --dry-run --shard="$2") || fail "${*:3}: no shard $1"; }
+of 3/7 /7 PARALLEL_SEQ=3
+of 3/7 /7 PMIX_RANK=2
+of 5/7 /7 SLURM_ARRAY_TASK_ID=5 SLURM_ARRAY_TASK_MIN=5 SLURM_ARRAY_TASK_COUNT=1
+[ "$(for i in 1 2 3 4 5; do jellett sweep map.scene --dry-run --shard=$i/5; done | sort | uniq | wc -l)" = 20 ] || fail "5 shards do not have each of 20 pieces once"
+
+# They are mixed: those of a shard lie at no equal distances.
+gaps=$(jellett sweep map.scene --dry-run --shard=1/4 | sed 's/.*@\([0-9]*\):.*/\1/' | sort -n | awk 'NR > 1 { print $1 - last } { last = $1 }' | sort -u | wc -l)
+[ "$gaps" -ge 2 ] || fail "pieces of a shard lie at equal distances"
+
+# What a study runs over: the rows of the command typed for each value, behind the values. There is no orbit at E = -5.
+cat > exponents.scene << 'END'
+over = { a3 = (0.3, 0.6, 4); E = (-5, 2, 2); };
+levels = { G = -0.56; };
+compute = ( { what = "lyapunov"; start = { eta = 0.1; gamma3 = -0.6; }; returns = 3; } );
+END
+for i in 1 2; do expect 0 "no state with" jellett sweep exponents.scene --shard=$i/2; done
+expect 0 "4 of 8 pieces" jellett merge exponents.shards -o exponents.csv -o exponents.sqlite
+for a3 in 0.3 0.4 0.5 0.6; do
+    jellett lyapunov --set a3=$a3 --level E=2,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 3 | rows | awk -v a3=$a3 '{ print (NR > 1 ? a3 ",2," : "a3,E,") $0 }'
+done | awk 'NR == 1 || !/^a3/' | diff - <(rows exponents.csv) > diff || { fail "rows over a3 and E are others than those that are typed:"; head -5 diff; }
+cat > locus.scene << 'END'
+over = { I3 = ("1/4", "1/2", 2); };
+parameters = { a3 = 0; };
+piece = 4;
+compute = ( { what = "eigen"; at = { v_nu = 0.7; omega3 = 1.1; }; sweep = { gamma3 = (-0.9, 0.9, 10); }; } );
+END
+for i in 1 2 3; do expect 0 "" jellett sweep locus.scene --shard=$i/3; done
+jellett merge locus.shards | rows | cut -d, -f2- > merged
+for i3 in 1/4 1/2; do jellett eigen --set a3=0,I3=$i3 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:10 | rows; done | awk 'NR == 1 || !/^gamma3/' | diff -q - merged > diff || fail "eigenvalues over I3 are others than those that are typed"
+expect 3 "'over' is of a study" jellett run locus.scene
+exit $status
