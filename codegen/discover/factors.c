@@ -7,25 +7,6 @@
 
 enum { COLUMNS_MAX = 800 }; /* of a matrix whose characteristic polynomial is taken */
 
-static bool take(ttc_discovery *d, void *context, const ttc_solution_exact *solution, int degree)
-{
-    ttc_text claim = { 0 }, polynomial = { 0 }, cofactor = { 0 };
-    char *name = ttc_discovery_name(d, "P");
-    (void)context;
-    ttc_claim_text_add(&polynomial, d->flow, solution->polynomial.numerator);
-    ttc_claim_text_add_ratio(&cofactor, d->flow, &solution->cofactor);
-    ttc_text_format(&claim, "rate %s : %s = %s*(%s)%s", name, ttc_text_string(&polynomial), ttc_text_string(&cofactor),
-                    ttc_text_string(&polynomial), d->when);
-    claim.failed |= polynomial.failed || cofactor.failed;
-    const bool proved = ttc_discovery_publish(d, ttc_text_string(&claim));
-    if (proved) ttc_knowns_add(&d->factors, d->flow, name, &solution->polynomial, &solution->cofactor, degree);
-    ttc_text_clear(&cofactor);
-    ttc_text_clear(&polynomial);
-    ttc_text_clear(&claim);
-    flint_free(name);
-    return proved;
-}
-
 /* Integrals and factors together: a product with an integral is no new factor. The items stay those of `d`. */
 static ttc_knowns products_of(const ttc_discovery *d)
 {
@@ -33,6 +14,30 @@ static ttc_knowns products_of(const ttc_discovery *d)
     for (size_t i = 0; i < d->integrals.count; i++) all.items[all.count++] = d->integrals.items[i];
     for (size_t i = 0; i < d->factors.count; i++) all.items[all.count++] = d->factors.items[i];
     return all;
+}
+
+/* context: what is known, a ttc_knowns as above, which the find joins. */
+static bool take(ttc_discovery *d, void *context, const ttc_solution_exact *solution, int degree)
+{
+    ttc_text claim = { 0 }, polynomial = { 0 }, cofactor = { 0 };
+    char *name = ttc_discovery_name(d, "P");
+    ttc_knowns *products = context;
+    ttc_claim_text_add(&polynomial, d->flow, solution->polynomial.numerator);
+    ttc_claim_text_add_ratio(&cofactor, d->flow, &solution->cofactor);
+    ttc_text_format(&claim, "rate %s : %s = %s*(%s)%s", name, ttc_text_string(&polynomial), ttc_text_string(&cofactor),
+                    ttc_text_string(&polynomial), d->when);
+    claim.failed |= polynomial.failed || cofactor.failed;
+    const bool proved = ttc_discovery_publish(d, ttc_text_string(&claim));
+    if (proved) {
+        ttc_knowns_add(&d->factors, d->flow, name, &solution->polynomial, &solution->cofactor, degree);
+        flint_free(products->items);
+        *products = products_of(d);
+    }
+    ttc_text_clear(&cofactor);
+    ttc_text_clear(&polynomial);
+    ttc_text_clear(&claim);
+    flint_free(name);
+    return proved;
 }
 
 static int ascending(const void *left, const void *right)
@@ -70,8 +75,8 @@ static bool search_degree(ttc_discovery *d, int degree, bool *complete)
         ttc_knowns products = products_of(d);
         const ttc_question question = { .degree = degree, .shift = cofactors[i], .has_cofactor = true, .keeps_signs = true,
                                         .products = &products };
-        const ttc_answer answer = ttc_search(d, &question, take, NULL);
-        *complete &= answer.answered;
+        const ttc_answer answer = ttc_search(d, &question, take, &products);
+        *complete &= answer.answered && answer.bound == answer.explained;
         flint_free(products.items);
     }
     flint_free(cofactors);
@@ -81,11 +86,10 @@ static bool search_degree(ttc_discovery *d, int degree, bool *complete)
 
 void ttc_discover_factors(ttc_discovery *d, const ttc_id *given, size_t given_count)
 {
-    const size_t unproved = d->unproved;
     int reached = 0;
     bool complete = true;
     while (reached < d->degree && search_degree(d, reached + 1, &complete)) reached++;
-    if (complete && d->unproved == unproved)
+    if (complete)
         ttc_discovery_remark(d, "factors: no %sP with P' = c P, c != 0 rational in the parameters, deg P <= %d%s",
                              d->factors.count > 0 ? "other " : "", reached, d->factors.count > 0 ? ", but products of these" : "");
     ttc_relations_find(d, given, given_count);

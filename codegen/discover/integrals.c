@@ -47,7 +47,7 @@ static void conclude(ttc_discovery *d, const ttc_answer *answer, int reached, co
 {
     ttc_text names = { 0 }, form = { 0 };
     const size_t rank = answer->monomials - (size_t)answer->bound;
-    const slong open = answer->bound - answer->explained - answer->found;
+    const slong open = answer->bound - answer->explained;
     list_knowns(&names, &d->integrals);
     ttc_text_format(&form, denominator != NULL ? "P/(%s)" : "P", denominator);
     d->left_out |= reached < d->degree;
@@ -87,7 +87,7 @@ void ttc_discover_integrals(ttc_discovery *d, const ttc_ratio *denominator, cons
     const bool keeps = !divides || ttc_sign_changes_keep(&d->changes, d->flow, denominator);
     for (int degree = 1; degree <= d->degree && ring->status == TTC_RING_OK; degree++) {
         ttc_question question = { .degree = degree, .twist = divides ? &twist : NULL, .keeps_signs = keeps,
-                                  .factor = divides ? &factor : NULL, .products = &d->integrals };
+                                  .divisor = denominator, .factor = divides ? &factor : NULL, .products = &d->integrals };
         ttc_answer answer = ttc_search(d, &question, take, &context);
         if (!answer.answered) break;
         last = answer;

@@ -21,7 +21,7 @@ static size_t changes_of(const ttc_discovery *d, const ttc_question *question)
 
 static bool is_graded(const ttc_discovery *d, const ttc_question *question)
 {
-    return d->grading.weights != NULL && question->keeps_signs && !question->has_cofactor && question->factor == NULL;
+    return d->grading.weights != NULL && question->keeps_signs && !question->has_cofactor && question->divisor == NULL;
 }
 
 /* A matrix with the copies of its quarters that fast multiplication makes; and the list of all monomials. */
@@ -65,13 +65,43 @@ static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_
     return sum;
 }
 
-/* The products that are solutions of this degree: values at the points. */
-static void explain(ttc_span *span, const ttc_question *question, const ttc_points *points, nmod_t mod)
+/* Products of what is known that are of the form asked for, for certain: polynomials where radicands are polynomials, so that their
+ * products are; and over a divisor Q of degree q, K Q/Q and K P/Q. Where `beyond`, also others, so that no find is said twice. */
+static void choose_products(ttc_products *which, const ttc_discovery *d, const ttc_question *question, bool beyond)
 {
-    ttc_span_clear(span);
-    ttc_span_init(span, points->count, mod);
-    if (question->products != NULL)
-        ttc_span_add_products(span, question->products, points, question->degree, question->shift, question->factor != NULL);
+    const ttc_knowns *knowns = question->products;
+    const bool divides = question->divisor != NULL;
+    const int degree = divides ? ttc_flow_degree(d->flow, question->divisor->numerator) : 0;
+    ttc_ratio numerator;
+    ttc_ratio_init(d->flow->ring, &numerator);
+    *which = (ttc_products){ .budget = question->degree - (beyond ? 0 : degree) };
+    which->degrees = flint_calloc(knowns->count + 1, sizeof *which->degrees);
+    which->single = flint_calloc(knowns->count + 1, sizeof *which->single);
+    for (size_t k = 0; k < knowns->count; k++) {
+        const ttc_known *known = &knowns->items[k];
+        if (known->degree >= 0) {
+            which->degrees[k] = known->degree;
+            which->single[k] = !beyond && !d->flow->is_graded && known->degree > 0;
+        } else if (divides && beyond) {
+            which->degrees[k] = 1;
+        } else if (divides) {
+            ttc_ratio_multiply(d->flow->ring, &numerator, &known->value, question->divisor);
+            which->single[k] = ttc_flow_degree(d->flow, numerator.denominator) == 0;
+            which->degrees[k] = ttc_flow_degree(d->flow, numerator.numerator) - degree;
+        }
+    }
+    ttc_ratio_clear(d->flow->ring, &numerator);
+}
+
+/* Values of these products at the points, to a span that has no vectors yet, or is to have more. */
+static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *question, const ttc_points *points, bool beyond)
+{
+    ttc_products which;
+    if (question->products == NULL) return;
+    choose_products(&which, d, question, beyond);
+    ttc_span_add_products(span, question->products, points, &which, question->shift);
+    flint_free(which.single);
+    flint_free(which.degrees);
 }
 
 /* Values of a solution at the points. False: the factor has a pole at one. */
@@ -130,28 +160,24 @@ static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, co
 }
 
 /* New solutions of one block: each that is independent of what is known, and of those before it. */
-static slong take_block(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_block *block, const nmod_mat_t null,
+static void take_block(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_block *block, const nmod_mat_t null,
                         ttc_span *span,
                         const ttc_points *points, ttc_search_taker take, void *context)
 {
-    slong found = 0;
     bool lifted = false;
     nmod_mat_t candidates;
     ttc_solution_exact exact;
     ttc_solution_sparse(candidates, null, &d->source);
     while (choose(&exact, &lifted, d, question, block, candidates, span, points) >= 0) {
-        found++;
         if (!lifted) {
             d->unproved++;
             continue;
         }
         /* Products with it are known as well. */
-        if (take(d, context, &exact, question->degree) && question->products != NULL)
-            ttc_span_add_products(span, question->products, points, question->degree, question->shift, question->factor != NULL);
+        if (take(d, context, &exact, question->degree)) explain(span, d, question, points, true);
         ttc_solution_clear(&exact, d->flow);
     }
     nmod_mat_clear(candidates);
-    return found;
 }
 
 static void take_all(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, const slong *bounds,
@@ -160,37 +186,39 @@ static void take_all(ttc_discovery *d, const ttc_question *question, const ttc_a
 {
     ttc_points points;
     ttc_span span = { .width = 0 };
-    const size_t count = (size_t)answer->bound + (size_t)answer->explained + POINTS_TO_SPARE;
+    const size_t count = (size_t)answer->bound + POINTS_FOR_OTHERS;
     if (!ttc_points_draw(&points, count, d->flow, d->parameters, &d->source)) {
         answer->answered = false;
         ttc_points_clear(&points);
         return;
     }
-    explain(&span, question, &points, d->flow->mod);
+    ttc_span_init(&span, points.count, d->flow->mod);
+    explain(&span, d, question, &points, true);
     for (size_t b = 0; b < ansatz->block_count; b++) {
         nmod_mat_t null;
         if (bounds[b] <= 0) continue;
         tell(d, question, b, ansatz);
         ttc_null_space(null, d->flow, &ansatz->blocks[b], (ttc_twist){ question->twist, question->shift }, d->parameters,
                        &d->source);
-        if (null->r > 0) answer->found += take_block(d, question, &ansatz->blocks[b], null, &span, &points, take, context);
+        if (null->r > 0) take_block(d, question, &ansatz->blocks[b], null, &span, &points, take, context);
         nmod_mat_clear(null);
     }
     ttc_span_clear(&span);
     ttc_points_clear(&points);
 }
 
-/* How many solutions of this degree products of the known are: as many as the bound and more must not be missed. */
-static slong explained_by(ttc_discovery *d, const ttc_question *question, size_t points_wanted)
+/* How many solutions products of the known are, for certain: a rank of values, which is no larger than that of the functions. */
+static slong explained_by(ttc_discovery *d, const ttc_question *question, slong bound)
 {
     ttc_points points;
-    ttc_span span = { .width = 0 };
+    ttc_span span;
     slong count = -1;
-    if (ttc_points_draw(&points, points_wanted, d->flow, d->parameters, &d->source)) {
-        explain(&span, question, &points, d->flow->mod);
+    if (ttc_points_draw(&points, (size_t)bound + POINTS_TO_SPARE, d->flow, d->parameters, &d->source)) {
+        ttc_span_init(&span, points.count, d->flow->mod);
+        explain(&span, d, question, &points, false);
         count = (slong)span.count;
+        ttc_span_clear(&span);
     }
-    ttc_span_clear(&span);
     ttc_points_clear(&points);
     return count;
 }
@@ -205,20 +233,19 @@ ttc_answer ttc_search(ttc_discovery *d, const ttc_question *question, ttc_search
         if (make_ansatz(&ansatz, d, question, true)) answer.bound = bound_of(d, question, &ansatz, true, NULL);
         answer.monomials = ansatz.total;
         ttc_ansatz_clear(&ansatz);
-        if (answer.bound >= 0) answer.explained = explained_by(d, question, (size_t)answer.bound + POINTS_TO_SPARE);
+        if (answer.bound >= 0) answer.explained = explained_by(d, question, answer.bound);
         answer.answered = answer.bound >= 0 && answer.explained == answer.bound;
         if (answer.answered || take == NULL) return answer;
     }
     if (make_ansatz(&ansatz, d, question, false)) {
-        /* Products are polynomials of this degree where radicands are polynomials; otherwise some may be others. */
-        const bool closed = d->flow->is_graded && question->factor == NULL;
-        const size_t others = closed ? POINTS_TO_SPARE : POINTS_FOR_OTHERS;
         answer.monomials = ansatz.total;
         answer.bound = bound_of(d, question, &ansatz, false, &bounds);
-        if (answer.bound >= 0) answer.explained = explained_by(d, question, (size_t)answer.bound + others);
+        if (answer.bound >= 0) answer.explained = explained_by(d, question, answer.bound);
         answer.answered = answer.bound >= 0 && answer.explained >= 0 && (take != NULL || answer.bound == answer.explained);
-        if (answer.answered && take != NULL && answer.bound > (closed ? answer.explained : 0))
+        if (answer.answered && answer.bound > answer.explained) {
             take_all(d, question, &ansatz, bounds, &answer, take, context);
+            answer.explained = explained_by(d, question, answer.bound);
+        }
     }
     flint_free(bounds);
     ttc_ansatz_clear(&ansatz);

@@ -44,14 +44,16 @@ typedef struct {
     ulong shift;
     bool has_cofactor;      /* a shift other than 0, which depends on parameters */
     bool keeps_signs;       /* the sign changes, and the grading, of the motion are those of the twist */
-    const ttc_modular_ratio *factor; /* each solution is multiplied by it before it is compared with products; NULL: 1 */
+    const ttc_ratio *divisor;        /* of P/divisor; NULL: 1 */
+    const ttc_modular_ratio *factor; /* 1/divisor: each solution is multiplied by it before it is compared with products; NULL: 1 */
     const ttc_knowns *products; /* what is known: products of these are not new; NULL: nothing is known, not even the constant 1 */
 } ttc_question;
 
-/* Of dimensions: `bound` by the rank, `explained` by products, `found` beyond them. */
+/* Dimension of the solutions: at most `bound`, by the rank; at least `explained`, by products of what is known, finds included. Where
+ * they agree, these are all. */
 typedef struct {
     size_t monomials;
-    slong bound, explained, found;
+    slong bound, explained;
     bool answered; /* false: no points, or no memory */
 } ttc_answer;
 

@@ -85,12 +85,18 @@ void ttc_points_clear(ttc_points *points)
 typedef struct {
     ttc_span *span;
     const ttc_knowns *knowns;
-    size_t count;          /* points */
-    const ulong *values;   /* of the knowns, shape (knowns, points) */
-    const int *degrees;    /* of the knowns; 0: not to be used */
+    const ttc_products *which;
+    size_t count;        /* points */
+    const ulong *values; /* of the knowns, shape (knowns, points) */
+    const bool *usable;
     const ulong *cofactors;
     ulong wanted;
 } products;
+
+static void multiply(const products *p, ulong *product, size_t known)
+{
+    for (size_t i = 0; i < p->count; i++) product[i] = nmod_mul(product[i], p->values[known * p->count + i], p->span->mod);
+}
 
 static void extend(const products *p, size_t at, const ulong *vector, ulong cofactor, int left)
 {
@@ -99,39 +105,44 @@ static void extend(const products *p, size_t at, const ulong *vector, ulong cofa
         return;
     }
     extend(p, at + 1, vector, cofactor, left);
-    const int degree = p->degrees[at];
-    if (degree < 1 || degree > left) return;
+    const int degree = p->which->degrees[at];
+    if (!p->usable[at] || p->which->single[at] || degree < 1 || degree > left) return;
     ulong *product = flint_malloc((p->count + 1) * sizeof *product);
     memcpy(product, vector, p->count * sizeof *product);
     for (; degree <= left; left -= degree) {
-        for (size_t i = 0; i < p->count; i++) product[i] = nmod_mul(product[i], p->values[at * p->count + i], p->span->mod);
+        multiply(p, product, at);
         cofactor = nmod_add(cofactor, p->cofactors[at], p->span->mod);
         extend(p, at + 1, product, cofactor, left - degree);
     }
     flint_free(product);
 }
 
-void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_points *points, int degree, ulong cofactor,
-                           bool fractions)
+void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_points *points, const ttc_products *which,
+                           ulong cofactor)
 {
     const size_t count = points->count;
-    ulong *values = flint_calloc(knowns->count * count + 1, sizeof *values), *one = flint_calloc(count + 1, sizeof *one);
+    ulong *values = flint_calloc(knowns->count * count + 1, sizeof *values), *begin = flint_calloc(count + 1, sizeof *begin);
     ulong *cofactors = flint_calloc(knowns->count + 1, sizeof *cofactors);
-    int *degrees = flint_calloc(knowns->count + 1, sizeof *degrees);
+    bool *usable = flint_calloc(knowns->count + 1, sizeof *usable);
     for (size_t k = 0; k < knowns->count; k++) {
         const ttc_known *known = &knowns->items[k];
-        bool usable = true;
+        usable[k] = true;
         for (size_t i = 0; i < count; i++)
-            usable &= ttc_modular_ratio_value(&values[k * count + i], &known->modular, points->values + i * points->width, span->mod);
+            usable[k] &= ttc_modular_ratio_value(&values[k * count + i], &known->modular, points->values + i * points->width, span->mod);
         if (known->cofactor.denominator.count > 0 && count > 0)
-            usable &= ttc_modular_ratio_value(&cofactors[k], &known->cofactor, points->values, span->mod);
-        if (usable) degrees[k] = known->degree >= 0 ? known->degree : fractions;
+            usable[k] &= ttc_modular_ratio_value(&cofactors[k], &known->cofactor, points->values, span->mod);
     }
-    for (size_t i = 0; i < count; i++) one[i] = 1;
-    const products p = { span, knowns, count, values, degrees, cofactors, cofactor };
-    extend(&p, 0, one, 0, degree);
-    flint_free(degrees);
+    const products p = { span, knowns, which, count, values, usable, cofactors, cofactor };
+    for (size_t k = 0; k <= knowns->count; k++) { /* the single one, or none */
+        const bool has_single = k < knowns->count;
+        if (has_single && (!usable[k] || !which->single[k])) continue;
+        const int left = which->budget - (has_single ? which->degrees[k] : 0);
+        for (size_t i = 0; i < count; i++) begin[i] = 1;
+        if (has_single) multiply(&p, begin, k);
+        if (left >= 0) extend(&p, 0, begin, has_single ? cofactors[k] : 0, left);
+    }
+    flint_free(usable);
     flint_free(cofactors);
-    flint_free(one);
+    flint_free(begin);
     flint_free(values);
 }

@@ -1,6 +1,9 @@
 #include "discover/symmetry.h"
 
 #include <flint/fmpz_mat.h>
+#include <flint/ulong_extras.h>
+
+#include <stdlib.h>
 
 /* Linear conditions on the weights of the ring's variables and, last, of time: each rate, and each radicand, is homogeneous. */
 typedef struct {
@@ -147,10 +150,13 @@ bool ttc_sign_changes_keep(const ttc_sign_changes *changes, const ttc_flow *flow
 static bool accept(ttc_grading *out, const ttc_flow *flow, const fmpz_mat_t null, slong column, slong parameter)
 {
     const slong count = (slong)flow->count;
-    for (long sign = 1; sign >= -1; sign -= 2) {
+    long common = 0; /* of all weights, so that they are as small as they can be */
+    for (slong i = 0; i <= count + 1; i++)
+        common = (long)n_gcd((ulong)common, (ulong)labs((long)fmpz_get_si(fmpz_mat_entry(null, i, column))));
+    for (long sign = 1; sign >= -1 && common > 0; sign -= 2) {
         bool good = true, some = false;
         for (slong i = 0; i < count; i++) {
-            const long weight = sign * (long)fmpz_get_si(fmpz_mat_entry(null, i, column));
+            const long weight = sign * (long)fmpz_get_si(fmpz_mat_entry(null, i, column)) / common;
             good &= weight >= 0;
             some |= weight > 0;
             out->weights[i] = weight;
