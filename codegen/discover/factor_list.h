@@ -19,8 +19,8 @@ void ttc_factors_clear(ttc_factors *factors);
 void ttc_factors_add(ttc_factors *factors, const fmpz_mpoly_t polynomial);
 void ttc_factors_add_all(ttc_factors *factors, const fmpz_mpoly_t polynomial);
 
-/* The square of a root is the product of the factors of its radicand. Either takes out the longest of them, which says nothing beside
- * the root and the others; or puts the radicand in place of those that are there. */
+/* The square of a root is the product of the factors of its radicand. Either takes out the longest of them, which says nothing
+ * beside the root and the others; or puts the radicand in place of those that are there. */
 void ttc_factors_drop_radicands(ttc_factors *factors);
 void ttc_factors_join_radicands(ttc_factors *factors);
 

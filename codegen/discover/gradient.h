@@ -4,8 +4,8 @@
 
 #include "discover/span.h"
 
-/** True: no function relates `value` to those known; this is certain. False: one does, or the point was an unlucky one. Exponentials and
- *  logarithms are taken for independent of their arguments. parameters: as everywhere, those of the point. */
+/** True: no function relates `value` to those known; this is certain. False: one does, or the point was an unlucky one.
+ *  Exponentials and logarithms are taken for independent of their arguments. parameters: as everywhere, those of the point. */
 bool ttc_gradient_is_new(const ttc_flow *flow, const ttc_knowns *knowns, const ttc_ratio *value, ulong *parameters,
                          uint64_t *source);
 

@@ -143,7 +143,8 @@ static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, co
         ttc_span_drop_last(span);
         tried++;
         if (chosen < 0) chosen = i;
-        const bool good = ttc_solution_lift(&exact, d->flow, block, vector, question->twist, question->has_cofactor, &d->source);
+        const bool good = ttc_solution_lift(&exact, d->flow, block, vector, question->twist,
+                                            question->has_cofactor ? question->shift : 0, &d->source);
         const bool better = good && (!*lifted || fmpz_mpoly_length(exact.polynomial.numerator, context)
                                                      < fmpz_mpoly_length(best->polynomial.numerator, context));
         if (better && *lifted) ttc_solution_clear(best, d->flow);
@@ -170,7 +171,7 @@ static void take_block(ttc_discovery *d, const ttc_question *question, const ttc
     ttc_solution_sparse(candidates, null, &d->source);
     while (choose(&exact, &lifted, d, question, block, candidates, span, points) >= 0) {
         if (!lifted) {
-            d->unproved++;
+            d->unproved += !question->has_cofactor; /* most of those are irrational */
             continue;
         }
         /* Products with it are known as well. */

@@ -49,8 +49,8 @@ typedef struct {
     const ttc_knowns *products; /* what is known: products of these are not new; NULL: nothing is known, not even the constant 1 */
 } ttc_question;
 
-/* Dimension of the solutions: at most `bound`, by the rank; at least `explained`, by products of what is known, finds included. Where
- * they agree, these are all. */
+/* Dimension of the solutions: at most `bound`, by the rank; at least `explained`, by products of what is known, finds included.
+ * Where they agree, these are all. */
 typedef struct {
     size_t monomials;
     slong bound, explained;

@@ -117,6 +117,7 @@ typedef struct {
     ttc_ansatz_block block;
     const ttc_modular_ratio *twist;
     bool has_cofactor;
+    ulong cofactor;   /* where there are no parameters that it could depend on */
     size_t reference; /* the monomial whose coefficient is 1 */
     uint64_t *source;
 } family;
@@ -138,6 +139,10 @@ static bool sample(void *context, ulong *out, ulong *parameters)
 {
     const family *f = context;
     if (!f->has_cofactor) return coefficients_at(f, out, parameters, 0);
+    if (f->flow->parameter_count == 0) {
+        out[f->block.count] = f->cofactor;
+        return coefficients_at(f, out, parameters, f->cofactor);
+    }
     ulong *shifts = flint_calloc(f->block.count + 1, sizeof *shifts);
     size_t matches = 0;
     const size_t count = ttc_solution_cofactors(shifts, f->flow, &f->block, parameters, f->source);
@@ -195,9 +200,10 @@ static bool assemble(ttc_solution_exact *out, const family *f, const ttc_ratio *
 }
 
 bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_ansatz_block *block, const ulong *vector,
-                       const ttc_modular_ratio *twist, bool has_cofactor, uint64_t *source)
+                       const ttc_modular_ratio *twist, ulong cofactor, uint64_t *source)
 {
-    family f = { .flow = flow, .twist = twist, .has_cofactor = has_cofactor, .source = source };
+    const bool has_cofactor = cofactor != 0;
+    family f = { .flow = flow, .twist = twist, .has_cofactor = has_cofactor, .cofactor = cofactor, .source = source };
     ttc_ratio_init(flow->ring, &out->polynomial);
     ttc_ratio_init(flow->ring, &out->cofactor);
     f.block.exponents = flint_calloc(block->count + 1, flow->count + 1);

@@ -14,10 +14,11 @@ typedef struct {
 } ttc_solution_exact;
 
 /** The solution whose monomials are those with vector[j] != 0, as a polynomial. vector: shape (block->count,).
- *  has_cofactor: P' = cofactor P is solved, with the cofactor a function of parameters to be found, not 0.
- *  False: the dependence on parameters was not found. out is initialized in any case, for _clear. */
+ *  cofactor: not 0 where P' = cofactor P is solved, with a cofactor that depends on parameters and is this number at those in use.
+ *  False: the dependence on parameters was not found, as where several cofactors belong to these monomials. out is initialized in
+ *  any case, for _clear. */
 bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_ansatz_block *block, const ulong *vector,
-                       const ttc_modular_ratio *twist, bool has_cofactor, uint64_t *source);
+                       const ttc_modular_ratio *twist, ulong cofactor, uint64_t *source);
 void ttc_solution_clear(ttc_solution_exact *solution, const ttc_flow *flow);
 
 /** Numbers of the field, other than 0, that may be the cofactor of a polynomial of the block, at these parameters: eigenvalues of

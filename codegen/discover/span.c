@@ -128,7 +128,8 @@ void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_p
         const ttc_known *known = &knowns->items[k];
         usable[k] = true;
         for (size_t i = 0; i < count; i++)
-            usable[k] &= ttc_modular_ratio_value(&values[k * count + i], &known->modular, points->values + i * points->width, span->mod);
+            usable[k] &= ttc_modular_ratio_value(&values[k * count + i], &known->modular, points->values + i * points->width,
+                                                 span->mod);
         if (known->cofactor.denominator.count > 0 && count > 0)
             usable[k] &= ttc_modular_ratio_value(&cofactors[k], &known->cofactor, points->values, span->mod);
     }

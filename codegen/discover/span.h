@@ -45,16 +45,16 @@ typedef struct {
 bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
 void ttc_points_clear(ttc_points *points);
 
-/* Which products are meant: of degree <= budget, where known k has degree degrees[k], 0: it is not used; of those that are `single`,
- * whose degrees may be of any sign, one stands in a product at most, and once. */
+/* Which products are meant: of degree <= budget, where known k has degree degrees[k], 0: it is not used; of those that are
+ * `single`, whose degrees may be of any sign, one stands in a product at most, and once. */
 typedef struct {
     int budget;
     int *degrees;
     bool *single;
 } ttc_products;
 
-/** Add all products of the knowns that are meant, and whose cofactors add up to `cofactor`; the constant 1 among them where that is 0 and
- *  the budget is not negative. A known with a pole at a point is left out. */
+/** Add all products of the knowns that are meant, and whose cofactors add up to `cofactor`; the constant 1 among them where that
+ *  is 0 and the budget is not negative. A known with a pole at a point is left out. */
 void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_points *points, const ttc_products *which,
                            ulong cofactor);
 

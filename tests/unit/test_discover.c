@@ -78,7 +78,8 @@ static void blocks_are_as_large_as_was_said(void **unused)
     ttc_model_destroy(model);
 }
 
-/* Oracle: energy v^2/2 + w^2/2 - k l x and area r w, and what they make up to degree 4: 1, A, A^2, E, E A, E^2 with deg A = deg E = 2. */
+/* Oracle: energy v^2/2 + w^2/2 - k l x and area r w, and what they make up to degree 4: 1, A, A^2, E, E A, E^2 with deg A = deg E
+ * = 2. */
 static void ranks_leave_known_integrals(void **unused)
 {
     (void)unused;
