@@ -29,8 +29,8 @@ static bool take(ttc_discovery *d, void *context, const ttc_solution_exact *solu
     ttc_text_add(&claim, d->when);
     const bool depends = !ttc_gradient_is_new(d->flow, &d->integrals, &value, d->parameters, &d->source);
     const bool proved = ttc_discovery_publish(d, ttc_text_string(&claim));
-    if (proved && depends) ttc_discovery_remark(d,
-                                                "%s is a function of those known before, and no polynomial in them of this degree", name);
+    if (proved && depends)
+        ttc_discovery_remark(d, "%s is a function of those known before, and no polynomial in them of this degree", name);
     if (proved) ttc_knowns_add(&d->integrals, d->flow, name, &value, NULL, search->text == NULL ? degree : -1);
     ttc_ratio_clear(ring, &value);
     ttc_text_clear(&claim);
