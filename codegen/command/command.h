@@ -18,6 +18,8 @@ typedef enum {
     TTC_EXIT_INTERNAL = 70 /* a point contradicts a verdict */
 } ttc_exit_status;
 
+typedef enum { TTC_DISCOVER_INTEGRALS = 1, TTC_DISCOVER_FACTORS = 2, TTC_DISCOVER_DENSITIES = 4 } ttc_discover_kind;
+
 /* What the command line says. Options that a command does not list in the table are refused before it runs. */
 typedef struct {
     char **files; /* tables, at least one */
@@ -34,6 +36,10 @@ typedef struct {
     bool lanes;    /* compile kernels on vectors as well */
     ttc_effort effort;
     ttc_catalogue_extent extent;
+    int degree;        /* of an ansatz */
+    int memory;        /* GiB that its matrices may take */
+    unsigned kinds;    /* what is looked for: bits of ttc_discover_kind */
+    const char *when, *denominators; /* lists, or NULL */
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */
@@ -46,6 +52,7 @@ int ttc_command_generate(const ttc_options *options);
 int ttc_command_build(const ttc_options *options);
 int ttc_command_cost(const ttc_options *options);
 int ttc_command_show(const ttc_options *options);
+int ttc_command_discover(const ttc_options *options);
 
 /* The larger of two exit statuses. */
 void ttc_command_raise(int *status, int to);

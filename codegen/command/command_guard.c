@@ -262,11 +262,18 @@ static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double 
 
 ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int claim_seconds, ttc_resolver resolver, void *context)
 {
+    return ttc_prove_some_guarded(model, claim_seconds, NULL, NULL, resolver, context);
+}
+
+ttc_proof_report *ttc_prove_some_guarded(const ttc_model *model, int claim_seconds, ttc_proof_filter wanted, void *wanted_context,
+                                         ttc_resolver resolver, void *context)
+{
     ttc_proof_run *run = ttc_proof_run_create(model, resolver, context);
     ttc_proof_report *report = NULL;
     size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
     bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
     double seconds = table_seconds(claim_seconds);
+    for (size_t i = 0; ok && wanted != NULL && i < count; i++) settled[i] = !wanted(wanted_context, ttc_proof_run_proof(run, i));
     while (ok && first_open(settled, count) < count) {
         if (seconds <= 0) give_up(run, settled, claim_seconds, TTC_ENDED_LATE, 0, "");
         else ok = employ(run, settled, claim_seconds, &seconds);

@@ -14,4 +14,10 @@ enum { TTC_GUARD_SECONDS = 20, TTC_GUARD_SECONDS_FULL = 120 };
  *  NULL: memory is out, or no process can be made. */
 ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int claim_seconds, ttc_resolver resolver, void *context);
 
+/* The same of those claims alone that `wanted` says; it is asked before anything is proved, when name, kind and place are
+ * known. The others are not settled in the report, unless one of these rests on them. */
+typedef bool (*ttc_proof_filter)(void *context, const ttc_proof *proof);
+ttc_proof_report *ttc_prove_some_guarded(const ttc_model *model, int claim_seconds, ttc_proof_filter wanted, void *wanted_context,
+                                         ttc_resolver resolver, void *context);
+
 #endif

@@ -11,10 +11,12 @@
 #include <string.h>
 #include <unistd.h>
 
+enum { DEGREE_MAX = 64, MEMORY_MAX = 1024 };
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
        OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
        OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K',
-       OPTION_LANES = 'l' };
+       OPTION_LANES = 'l', OPTION_DEGREE = 'd', OPTION_WHEN = 'w', OPTION_DENOMINATOR = 'D',
+       OPTION_SEEK = 'S', OPTION_MEMORY = 'M' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to look for short programs; default quick", 0 }
@@ -49,6 +51,15 @@ static const struct argp_option build_options[] = {
     { "lanes", OPTION_LANES, NULL, 0, "Kernels on vectors as well, which follow many orbits at once", 0 },
     END_OF_OPTIONS
 };
+static const struct argp_option discover_options[] = {
+    { "degree", OPTION_DEGREE, "D", 0, "Polynomials up to this degree in states, roots and functions; default 4", 0 },
+    { "when", OPTION_WHEN, "PARAM=EXPR,...", 0, "Set parameters first, as the clause 'when' of a claim does", 0 },
+    { "denominator", OPTION_DENOMINATOR, "EXPR,...", 0,
+      "Look also for integrals P/EXPR, with each of these in turn, and for products of powers of their factors", 0 },
+    { "seek", OPTION_SEEK, "KIND,...", 0, "Look for these alone: integrals, factors, densities; default all", 0 },
+    { "memory", OPTION_MEMORY, "GIB", 0, "What matrices may take; default 8", 0 },
+    END_OF_OPTIONS
+};
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
@@ -79,6 +90,14 @@ static const command commands[] = {
       "there; jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
+    { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
+      "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, and for invariant densities. "
+      "What is found is printed as claims of the language, each proved as by ttc prove, with comments that say what was looked at, "
+      "and that there is nothing else of this form: a rank proves that. What the table claims itself is proved first, and products "
+      "with it are not found again. For example:\n\n"
+      "  ttc discover --when a3=0 codegen/models/spherical_top.tt\n"
+      "  ttc discover --degree 6 --seek integrals my.tt\n"
+      "  ttc discover --denominator x*y,1+z^2 my.tt" },
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
@@ -97,6 +116,30 @@ static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, st
         argp_error(state, "'%s' is no number (expected a whole one from %llu to %llu)", text, (unsigned long long)least,
                    (unsigned long long)most);
     return value;
+}
+
+/* Kinds of what is looked for, as bits. */
+static unsigned parse_kinds(const char *list, struct argp_state *state)
+{
+    static const struct {
+        const char *name;
+        ttc_discover_kind kind;
+    } kinds[] = {
+        { "integrals", TTC_DISCOVER_INTEGRALS },
+        { "factors", TTC_DISCOVER_FACTORS },
+        { "densities", TTC_DISCOVER_DENSITIES },
+    };
+    unsigned chosen = 0;
+    for (const char *at = list;; at++) {
+        const size_t length = strcspn(at, ",");
+        unsigned kind = 0;
+        for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+            if (strlen(kinds[i].name) == length && strncmp(kinds[i].name, at, length) == 0) kind = kinds[i].kind;
+        if (kind == 0) argp_error(state, "unknown kind '%.*s' (expected integrals, factors or densities)", (int)length, at);
+        chosen |= kind;
+        at += length;
+        if (*at == '\0') return chosen;
+    }
 }
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
@@ -133,6 +176,21 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_OUT:
         options->out = argument;
+        return 0;
+    case OPTION_DEGREE:
+        options->degree = (int)parse_number(argument, 1, DEGREE_MAX, state);
+        return 0;
+    case OPTION_MEMORY:
+        options->memory = (int)parse_number(argument, 1, MEMORY_MAX, state);
+        return 0;
+    case OPTION_WHEN:
+        options->when = argument;
+        return 0;
+    case OPTION_DENOMINATOR:
+        options->denominators = argument;
+        return 0;
+    case OPTION_SEEK:
+        options->kinds = parse_kinds(argument, state);
         return 0;
     case OPTION_FORMAT:
         if (strcmp(argument, "text") != 0 && strcmp(argument, "latex") != 0 && strcmp(argument, "dot") != 0)
@@ -207,7 +265,8 @@ static int run_command(const command *chosen, int argc, char **argv)
 {
     char name[64];
     int status = TTC_EXIT_USAGE;
-    ttc_options options = { .format = "text" };
+    ttc_options options = { .format = "text", .degree = 4, .memory = 8,
+                            .kinds = TTC_DISCOVER_INTEGRALS | TTC_DISCOVER_FACTORS | TTC_DISCOVER_DENSITIES };
     char *line = quote_command_line(argc, argv);
     char *help = malloc(strlen(chosen->help) + sizeof exit_text);
     options.files = calloc((size_t)argc, sizeof *options.files);

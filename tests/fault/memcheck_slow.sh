@@ -23,6 +23,8 @@ check() { # STATUS COMMAND...: as documented, and clean
 check 0 ttc check "$models/spherical_top.tt"
 check 0 ttc show "$models/chaplygin_sleigh.tt"
 check 0 ttc cost "$models/chaplygin_sleigh.tt"
+check 0 ttc discover --when "a3 = 0, I1 = I3" --degree 2 "$models/spherical_top.tt"
+check 0 ttc discover --when "sigma=1/2, beta=1, rho=0" "$models/lorenz.tt"
 check 0 ttc prove "$models/chaplygin_sleigh.tt"
 check 0 ttc prove --json "$models/spherical_top_level.tt"
 check 0 ttc prove --challenge 5 "$models/spherical_top_level.tt"

@@ -66,6 +66,7 @@ static const char *const commands[] = {
     "ttc prove " MODELS "spherical_top.tt",
     "ttc check " MODELS "spherical_top.tt",
     "ttc cost " MODELS "lorenz.tt",
+    "ttc discover --when beta=2*sigma " MODELS "lorenz.tt",
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

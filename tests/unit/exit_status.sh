@@ -51,7 +51,7 @@ done
 for together in --challenge=3 --kernels --verbose; do expect 2 ttc prove --mutate $together "$scratch/good.tt"; done
 expect 2 ttc prove --seed=3 "$scratch/good.tt"
 
-for command in check prove cost show; do
+for command in check prove cost show discover; do
     expect 0 ttc $command "$scratch/good.tt"
     expect 3 ttc $command "$scratch/bad.tt"
     expect 3 ttc $command "$scratch/noise.tt"
@@ -61,7 +61,7 @@ for command in check prove cost show; do
     expect 2 ttc $command
     expect 2 ttc $command --no-such-option "$scratch/good.tt"
 done
-for command in prove cost show; do expect 5 into_full ttc $command "$scratch/good.tt"; done
+for command in prove cost show discover; do expect 5 into_full ttc $command "$scratch/good.tt"; done
 expect 5 into_full ttc prove --json "$scratch/good.tt"
 expect 1 ttc prove "$scratch/refuted.tt"
 expect 1 ttc prove --json "$scratch/refuted.tt"

@@ -62,7 +62,7 @@ failures=$({
         }'
     includes codegen | awk '
         BEGIN {
-            count = split("base expression read show algebra ball prove challenge fields optimize kernels emit readback build command", order, " ")
+            count = split("base expression read show algebra ball prove challenge discover fields optimize kernels emit readback build command", order, " ")
             for (i = 1; i <= count; i++) rank[order[i]] = i
         }
         { split($1, part, "/") }

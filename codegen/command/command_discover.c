@@ -1,0 +1,332 @@
+/* ttc discover: integrals, factors and densities that a table does not claim, found and proved. */
+#include "base/text.h"
+#include "command/command.h"
+#include "command/command_guard.h"
+#include "discover/discover.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { LIST_MAX = 16, PROGRESS_WIDTH = 78 };
+
+/* A table under conditions, with what the command line adds to it. */
+typedef struct {
+    const ttc_options *options;
+    ttc_model *model;          /* of the table's text, the conditions as its last variant, and denominators as lets */
+    const char *table;         /* the text of the table alone */
+    char *when;                /* " when ..." or "" */
+    char *denominators[LIST_MAX];
+    ttc_id expressions[LIST_MAX];
+    size_t denominator_count;
+    const ttc_bindings *conditions; /* NULL: none */
+    bool shows_progress;
+    time_t shown;
+    char reason[300];
+    int status;
+} work;
+
+static void clear_progress(const work *w)
+{
+    if (w->shows_progress) fprintf(stderr, "\r%*s\r", PROGRESS_WIDTH, "");
+}
+
+static void show_progress(void *context, const char *text)
+{
+    work *w = context;
+    const time_t now = time(NULL);
+    if (!w->shows_progress || now == w->shown) return;
+    w->shown = now;
+    fprintf(stderr, "\r%-*.*s", PROGRESS_WIDTH, PROGRESS_WIDTH, text);
+}
+
+/* What was found stands, whatever ends the program afterwards. */
+static void say(void *context, const char *text)
+{
+    clear_progress(context);
+    fputs(text, stdout);
+    fflush(stdout);
+}
+
+static char *joined(const char *a, const char *b, const char *c)
+{
+    char *text = malloc(strlen(a) + strlen(b) + strlen(c) + 1);
+    if (text == NULL) return NULL;
+    strcpy(text, a);
+    strcat(text, b);
+    return strcat(text, c);
+}
+
+/* Claims of lines beyond those of the table are the ones to be proved. */
+static bool is_beyond(void *context, const ttc_proof *proof) { return proof->place.line > *(const uint32_t *)context; }
+
+/* Why claims are not proved, of the first that is not. */
+static void keep_reason(work *w, const char *name, const char *reason)
+{
+    snprintf(w->reason, sizeof w->reason, "%s%s%s", name, *name != '\0' ? ": " : "", reason != NULL
+             ? reason : "no reason could be stored");
+}
+
+static void complain(void *context, const char *claims)
+{
+    const work *w = context;
+    clear_progress(w);
+    fprintf(stderr, "ttc discover: found, but not proved (%s):\n%s", w->reason, claims);
+}
+
+static bool prove(void *context, const char *claims, bool *is_smooth)
+{
+    work *w = context;
+    bool proved = false;
+    uint32_t lines = 1;
+    keep_reason(w, "", "the table cannot be read with it");
+    for (const char *c = w->table; *c != '\0'; c++) lines += *c == '\n';
+    char *text = joined(w->table, "\n", claims);
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = text == NULL || diagnostics == NULL ? NULL : ttc_model_parse(text, strlen(text), w->model->file,
+                                                                                    diagnostics);
+    if (model != NULL) {
+        ttc_proof_report *report = ttc_prove_some_guarded(model, TTC_GUARD_SECONDS, is_beyond, &lines, ttc_resolve_beside, NULL);
+        proved = report != NULL;
+        for (size_t i = 0; proved && i < report->proof_count; i++) {
+            const ttc_proof *proof = &report->proofs[i];
+            if (proof->place.line <= lines) continue;
+            proved = proof->status == TTC_PROVED;
+            if (!proved) keep_reason(w, proof->name, proof->remainder);
+            if (is_smooth != NULL && strcmp(proof->kind, "measure") == 0) *is_smooth = proof->has_smooth_density;
+        }
+        ttc_proof_report_destroy(report);
+    }
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+    free(text);
+    return proved;
+}
+
+/* Parts between commas outside of parentheses, without blanks around them. False: there are too many, or one is empty. */
+static bool split(char **parts, size_t *count, const char *list)
+{
+    int depth = 0;
+    *count = 0;
+    for (const char *begin = list, *c = list;; c++) {
+        depth += (*c == '(') - (*c == ')');
+        if (*c != '\0' && (*c != ',' || depth > 0)) continue;
+        const char *end = c;
+        while (begin < end && isspace((unsigned char)*begin)) begin++;
+        while (begin < end && isspace((unsigned char)end[-1])) end--;
+        if (begin == end || *count == LIST_MAX) return false;
+        parts[*count] = strndup(begin, (size_t)(end - begin));
+        if (parts[(*count)++] == NULL) return false;
+        if (*c == '\0') return true;
+        begin = c + 1;
+    }
+}
+
+static void free_parts(char **parts, size_t count)
+{
+    for (size_t i = 0; i < count; i++) free(parts[i]);
+}
+
+static int refuse(const char *format, const char *what)
+{
+    fprintf(stderr, "ttc discover: ");
+    fprintf(stderr, format, what);
+    fprintf(stderr, "\n");
+    return TTC_EXIT_USAGE;
+}
+
+/* Each part is PARAM = EXPR. */
+static int check_conditions(const ttc_model *table, char **parts, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char name[64] = "";
+        const size_t length = strcspn(parts[i], " =");
+        uint32_t symbol;
+        if (strchr(parts[i], '=') == NULL) return refuse("--when '%s' sets nothing (expected PARAM=EXPR)", parts[i]);
+        if (length < sizeof name) memcpy(name, parts[i], length);
+        if (ttc_model_find_symbol(table, name, &symbol) && table->symbols[symbol].kind == TTC_PARAM) continue;
+        fprintf(stderr, "ttc discover: --when '%s': %s has no parameter '%.*s' (expected one of", parts[i], table->name,
+                (int)length, parts[i]);
+        for (size_t k = 0; k < table->param_count; k++) fprintf(stderr, " %s", table->symbols[table->params[k]].name);
+        fprintf(stderr, ")\n");
+        return TTC_EXIT_BAD_TABLE;
+    }
+    return TTC_EXIT_DONE;
+}
+
+/* The table's text with what the command line says, as records at its end. */
+static int extend(work *w, const ttc_model *table)
+{
+    const ttc_options *options = w->options;
+    ttc_text text = { 0 };
+    char *parts[LIST_MAX];
+    size_t count = 0;
+    ttc_text_format(&text, "%s\n", table->text);
+    if (options->when != NULL) {
+        const bool good = strpbrk(options->when, "\r\n#") == NULL && split(parts, &count, options->when);
+        int status = good ? check_conditions(table, parts, count) : refuse("--when '%s' is no list (expected PARAM=EXPR,...)",
+                                                                           options->when);
+        free_parts(parts, count);
+        if (status != TTC_EXIT_DONE) return status;
+        ttc_text_format(&text, "variant when_ : %s\n", options->when);
+    }
+    if (options->denominators != NULL) {
+        if (strpbrk(options->denominators, "\r\n#") != NULL || !split(w->denominators, &w->denominator_count,
+                                                                      options->denominators))
+            return refuse("--denominator '%s' is no list (expected EXPR,...)", options->denominators);
+        for (size_t i = 0; i < w->denominator_count; i++) ttc_text_format(&text, "let denominator_%zu = %s\n", i + 1,
+                                                                          w->denominators[i]);
+    }
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    if (!text.failed && diagnostics != NULL) w->model = ttc_model_parse(ttc_text_string(&text), text.length, table->file,
+                                                                        diagnostics);
+    if (w->model == NULL && diagnostics != NULL) ttc_diagnostics_print(diagnostics, stderr);
+    ttc_diagnostics_destroy(diagnostics);
+    ttc_text_clear(&text);
+    return w->model == NULL ? TTC_EXIT_BAD_TABLE : TTC_EXIT_DONE;
+}
+
+/* The conditions and the denominators, as they stand in the extended model. */
+static void bind(work *w)
+{
+    uint32_t symbol;
+    char name[40];
+    if (w->options->when != NULL) w->conditions = &w->model->variants[w->model->variant_count - 1].bindings;
+    for (size_t i = 0; i < w->denominator_count; i++) {
+        snprintf(name, sizeof name, "denominator_%zu", i + 1);
+        if (ttc_model_find_symbol(w->model, name, &symbol)) w->expressions[i] = w->model->symbols[symbol].definition;
+    }
+}
+
+/* A claim that holds under the conditions asked for: all that it sets is so already. */
+static bool holds_here(const ttc_discovery *d, const ttc_claim *claim)
+{
+    bool holds = claim->modulo_count == 0;
+    ttc_ratio left, right;
+    ttc_ratio_init(d->flow->ring, &left);
+    ttc_ratio_init(d->flow->ring, &right);
+    for (size_t i = 0; i < claim->when.count && holds; i++) {
+        ttc_evaluate(d->flow->valuation, &left, d->flow->model->symbols[claim->when.items[i].symbol].node);
+        ttc_evaluate(d->flow->valuation, &right, claim->when.items[i].expression);
+        holds = d->flow->ring->status == TTC_RING_OK && ttc_ratio_equal(d->flow->ring, &left, &right);
+    }
+    ttc_ratio_clear(d->flow->ring, &right);
+    ttc_ratio_clear(d->flow->ring, &left);
+    return holds;
+}
+
+static bool is_quantity(void *context, const ttc_proof *proof)
+{
+    (void)context;
+    return strcmp(proof->kind, "integral") == 0 || strcmp(proof->kind, "measure") == 0;
+}
+
+/* What the table claims of this kind, and is proved. */
+static bool learn(work *w, ttc_discovery *d)
+{
+    ttc_text known = { 0 };
+    ttc_proof_report *report = ttc_prove_some_guarded(w->model, TTC_GUARD_SECONDS, is_quantity, NULL, ttc_resolve_beside, NULL);
+    for (size_t i = 0; report != NULL && i < w->model->claim_count; i++) {
+        const ttc_claim *claim = &w->model->claims[i];
+        if (report->proofs[i].status != TTC_PROVED || !holds_here(d, claim)) continue;
+        if (claim->kind == TTC_CLAIM_MEASURE) ttc_discovery_know_density(d, claim->name, claim->expression);
+        else if (claim->kind != TTC_CLAIM_INTEGRAL) continue;
+        else if (!ttc_discovery_know_integral(d, claim->name, claim->expression)) continue;
+        ttc_text_format(&known, "%s%s", known.length > 0 ? ", " : "", claim->name);
+    }
+    if (known.length > 0) ttc_discovery_remark(d, "claimed by the table, proved: %s", ttc_text_string(&known));
+    ttc_text_clear(&known);
+    ttc_proof_report_destroy(report);
+    return report != NULL;
+}
+
+/* A denominator of the command line that is no ratio, or zero, is told of; the others are looked at. */
+static void divide(work *w, ttc_discovery *d, size_t i)
+{
+    ttc_ratio denominator;
+    ttc_ratio_init(d->flow->ring, &denominator);
+    ttc_evaluate(d->flow->valuation, &denominator, w->expressions[i]);
+    if (d->flow->ring->status == TTC_RING_OK && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context)) {
+        ttc_discover_integrals(d, &denominator, w->denominators[i]);
+    } else {
+        fprintf(stderr, "ttc discover: --denominator '%s' is zero, or no ratio\n", w->denominators[i]);
+        w->status = TTC_EXIT_BAD_TABLE;
+    }
+    ttc_ratio_clear(d->flow->ring, &denominator);
+}
+
+static void look(work *w, ttc_discovery *d)
+{
+    const unsigned kinds = w->options->kinds;
+    if ((kinds & TTC_DISCOVER_INTEGRALS) != 0) {
+        ttc_discover_integrals(d, NULL, NULL);
+        ttc_discover_fractions(d);
+        for (size_t i = 0; i < w->denominator_count; i++) divide(w, d, i);
+    }
+    if ((kinds & TTC_DISCOVER_FACTORS) != 0) ttc_discover_factors(d, w->expressions, w->denominator_count);
+    if ((kinds & TTC_DISCOVER_DENSITIES) != 0) ttc_discover_densities(d);
+    if (d->left_out) w->status = TTC_EXIT_MEMORY;
+}
+
+static void seek(work *w)
+{
+    const ttc_options *options = w->options;
+    const char *why = NULL;
+    size_t columns = 0;
+    const ttc_discovery_host host = { w, prove, complain, say, show_progress };
+    ttc_discovery *d = ttc_discovery_create(w->model, w->conditions, w->when, options->degree, (size_t)options->memory << 30,
+                                            host, &why);
+    if (d == NULL) {
+        fprintf(stderr, "ttc discover: %s%s: %s\n", w->model->name, w->when, why);
+        w->status = TTC_EXIT_BAD_TABLE;
+        return;
+    }
+    if (!ttc_discovery_fits(d, &columns)) {
+        fprintf(stderr,
+                "ttc discover: degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a smaller "
+                "--degree, or allow for more by --memory)\n",
+                options->degree, columns, d->too_large / (1 << 30), options->memory);
+        w->status = TTC_EXIT_MEMORY;
+    } else {
+        ttc_discovery_introduce(d);
+        if (learn(w, d)) look(w, d);
+        else w->status = TTC_EXIT_MEMORY;
+    }
+    clear_progress(w);
+    if (d->unproved > 0) {
+        fprintf(stderr, "ttc discover: %zu more %s found at numbers, but not proved as %s of the parameters\n", d->unproved,
+                d->unproved == 1 ? "was" : "were", d->unproved == 1 ? "a function" : "functions");
+        w->status = TTC_EXIT_BAD_TABLE;
+    }
+    ttc_discovery_destroy(d);
+}
+
+int ttc_command_discover(const ttc_options *options)
+{
+    int status = TTC_EXIT_DONE;
+    for (size_t i = 0; i < options->file_count; i++) {
+        work w = { .options = options, .shows_progress = isatty(STDERR_FILENO) != 0 };
+        ttc_model *table = ttc_command_read(options->files[i], &status, NULL);
+        if (table == NULL) continue;
+        w.table = table->text;
+        w.when = options->when == NULL ? strdup("") : joined(" when ", options->when, "");
+        if (w.when == NULL) w.status = TTC_EXIT_MEMORY;
+        else if (table->equation_count == 0) {
+            ttc_command_complain(table, table->lift.place, NULL,
+                                 "a table of coordinates has no equations (expected the table of a motion)");
+            w.status = TTC_EXIT_BAD_TABLE;
+        } else w.status = extend(&w, table);
+        if (w.status == TTC_EXIT_DONE) {
+            bind(&w);
+            seek(&w);
+        }
+        ttc_command_raise(&status, w.status);
+        free_parts(w.denominators, w.denominator_count);
+        free(w.when);
+        ttc_model_destroy(w.model);
+        ttc_model_destroy(table);
+    }
+    return status;
+}

@@ -1,0 +1,254 @@
+#include "discover/search.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { POINTS_TO_SPARE = 6, POINTS_FOR_OTHERS = 400, TRIED_MAX = 12 };
+
+static void tell(ttc_discovery *d, const ttc_question *question, size_t block, const ttc_ansatz *ansatz)
+{
+    char text[120];
+    snprintf(text, sizeof text, "degree %d: block %zu of %zu, %zu columns", question->degree, block + 1, ansatz->block_count,
+             ansatz->blocks[block].count);
+    d->host.progress(d->host.context, text);
+}
+
+/* The changes of sign that keep blocks apart: a number as cofactor changes its sign with time. */
+static size_t changes_of(const ttc_discovery *d, const ttc_question *question)
+{
+    return !question->keeps_signs ? 0 : d->changes.count - (question->has_cofactor && d->changes.last_is_backwards);
+}
+
+static bool is_graded(const ttc_discovery *d, const ttc_question *question)
+{
+    return d->grading.weights != NULL && question->keeps_signs && !question->has_cofactor && question->divisor == NULL;
+}
+
+/* A matrix with the copies of its quarters that fast multiplication makes; and the list of all monomials. */
+double ttc_search_bytes(const ttc_discovery *d, const ttc_question *question, bool graded, size_t *columns)
+{
+    double total, largest;
+    ttc_ansatz_measure(&total, &largest, d->flow, question->degree, &d->changes, changes_of(d, question), graded
+                       ? &d->grading : NULL);
+    *columns = largest < 1e18 ? (size_t)largest : SIZE_MAX;
+    return 8.0 * 1.5 * largest * largest + total * (double)(2 * d->flow->count + 64);
+}
+
+static bool make_ansatz(ttc_ansatz *ansatz, ttc_discovery *d, const ttc_question *question, bool graded)
+{
+    size_t columns;
+    const double bytes = ttc_search_bytes(d, question, graded, &columns);
+    *ansatz = (ttc_ansatz){ .width = 0 };
+    if (bytes > (double)d->memory) {
+        d->too_large = bytes;
+        return false;
+    }
+    ttc_ansatz_create(ansatz, d->flow, question->degree, &d->changes, changes_of(d, question), graded ? &d->grading : NULL);
+    return true;
+}
+
+/* Dimension of the solutions at most: of the leading part, weight by weight, or of the motion itself. The leading part, that of
+ * greatest weight, of a solution solves the equation of the leading part of the motion; solutions with independent leading parts
+ * are all there are. by_block: receives the bounds, shape (block_count,), for the caller to free; NULL: it is not wanted. */
+static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, bool graded, slong **by_block)
+{
+    slong sum = 0;
+    ulong *parameters = graded ? d->leading : d->parameters;
+    if (by_block != NULL) *by_block = flint_calloc(ansatz->block_count + 1, sizeof **by_block);
+    for (size_t b = 0; b < ansatz->block_count && sum >= 0; b++) {
+        tell(d, question, b, ansatz);
+        const slong bound = ttc_null_space_bound(d->flow, &ansatz->blocks[b], (ttc_twist){ question->twist, question->shift },
+                                                 parameters, &d->source);
+        if (by_block != NULL) (*by_block)[b] = bound;
+        sum = bound < 0 ? -1 : sum + bound;
+    }
+    return sum;
+}
+
+/* Products of what is known that are of the form asked for, for certain: polynomials where radicands are polynomials, so that their
+ * products are; and over a divisor Q of degree q, K Q/Q and K P/Q. Where `beyond`, also others, so that no find is said twice. */
+static void choose_products(ttc_products *which, const ttc_discovery *d, const ttc_question *question, bool beyond)
+{
+    const ttc_knowns *knowns = question->products;
+    const bool divides = question->divisor != NULL;
+    const int degree = divides ? ttc_flow_degree(d->flow, question->divisor->numerator) : 0;
+    ttc_ratio numerator;
+    ttc_ratio_init(d->flow->ring, &numerator);
+    *which = (ttc_products){ .budget = question->degree - (beyond ? 0 : degree) };
+    which->degrees = flint_calloc(knowns->count + 1, sizeof *which->degrees);
+    which->single = flint_calloc(knowns->count + 1, sizeof *which->single);
+    for (size_t k = 0; k < knowns->count; k++) {
+        const ttc_known *known = &knowns->items[k];
+        if (known->degree >= 0) {
+            which->degrees[k] = known->degree;
+            which->single[k] = !beyond && !d->flow->is_graded && known->degree > 0;
+        } else if (divides && beyond) {
+            which->degrees[k] = 1;
+        } else if (divides) {
+            ttc_ratio_multiply(d->flow->ring, &numerator, &known->value, question->divisor);
+            which->single[k] = ttc_flow_degree(d->flow, numerator.denominator) == 0;
+            which->degrees[k] = ttc_flow_degree(d->flow, numerator.numerator) - degree;
+        }
+    }
+    ttc_ratio_clear(d->flow->ring, &numerator);
+}
+
+/* Values of these products at the points, to a span that has no vectors yet, or is to have more. */
+static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *question, const ttc_points *points, bool beyond)
+{
+    ttc_products which;
+    if (question->products == NULL) return;
+    choose_products(&which, d, question, beyond);
+    ttc_span_add_products(span, question->products, points, &which, question->shift);
+    flint_free(which.single);
+    flint_free(which.degrees);
+}
+
+/* Values of a solution at the points. False: the factor has a pole at one. */
+static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *question, const ttc_ansatz_block *block,
+                      const mp_limb_t *vector,
+                      const ttc_points *points)
+{
+    bool good = true;
+    ulong *monomials = flint_calloc(block->count + 1, sizeof *monomials);
+    for (size_t i = 0; i < points->count && good; i++) {
+        const ulong *values = points->values + i * points->width;
+        ulong factor = 1;
+        ttc_null_space_values(monomials, d->flow, block, values);
+        out[i] = 0;
+        for (size_t j = 0; j < block->count; j++)
+            if (vector[j] != 0) out[i] = nmod_add(out[i], nmod_mul(vector[j], monomials[j], d->flow->mod), d->flow->mod);
+        if (question->factor != NULL) good = ttc_modular_ratio_value(&factor, question->factor, values, d->flow->mod);
+        out[i] = nmod_mul(out[i], factor, d->flow->mod);
+    }
+    flint_free(monomials);
+    return good;
+}
+
+/* Of the candidates that are new, sparsest first, the one whose polynomial has the fewest terms when it is lifted. Returns its
+ * number, or -1 where none is new; `best` is then empty, as where none can be lifted. */
+static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, const ttc_question *question,
+                    const ttc_ansatz_block *block,
+                    const nmod_mat_t candidates, ttc_span *span, const ttc_points *points)
+{
+    const fmpz_mpoly_ctx_struct *context = d->flow->ring->context;
+    slong chosen = -1;
+    int tried = 0;
+    ulong *values = flint_calloc(points->count + 1, sizeof *values);
+    *lifted = false;
+    for (slong i = 0; i < candidates->r && tried < TRIED_MAX; i++) {
+        ttc_solution_exact exact;
+        const mp_limb_t *vector = &nmod_mat_entry(candidates, i, 0);
+        if (!values_of(values, d, question, block, vector, points) || !ttc_span_add(span, values)) continue;
+        ttc_span_drop_last(span);
+        tried++;
+        if (chosen < 0) chosen = i;
+        const bool good = ttc_solution_lift(&exact, d->flow, block, vector, question->twist,
+                                            question->has_cofactor ? question->shift : 0, &d->source);
+        const bool better = good && (!*lifted || fmpz_mpoly_length(exact.polynomial.numerator, context)
+                                                     < fmpz_mpoly_length(best->polynomial.numerator, context));
+        if (better && *lifted) ttc_solution_clear(best, d->flow);
+        if (better) {
+            *best = exact;
+            *lifted = true;
+            chosen = i;
+        } else ttc_solution_clear(&exact, d->flow);
+    }
+    if (chosen >= 0 && values_of(values, d, question, block, &nmod_mat_entry(candidates, chosen, 0), points)) ttc_span_add(span,
+                                                                                                                           values);
+    flint_free(values);
+    return chosen;
+}
+
+/* New solutions of one block: each that is independent of what is known, and of those before it. */
+static void take_block(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_block *block, const nmod_mat_t null,
+                        ttc_span *span,
+                        const ttc_points *points, ttc_search_taker take, void *context)
+{
+    bool lifted = false;
+    nmod_mat_t candidates;
+    ttc_solution_exact exact;
+    ttc_solution_sparse(candidates, null, &d->source);
+    while (choose(&exact, &lifted, d, question, block, candidates, span, points) >= 0) {
+        if (!lifted) {
+            d->unproved += !question->has_cofactor; /* most of those are irrational */
+            continue;
+        }
+        /* Products with it are known as well. */
+        if (take(d, context, &exact, question->degree)) explain(span, d, question, points, true);
+        ttc_solution_clear(&exact, d->flow);
+    }
+    nmod_mat_clear(candidates);
+}
+
+static void take_all(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, const slong *bounds,
+                     ttc_answer *answer,
+                     ttc_search_taker take, void *context)
+{
+    ttc_points points;
+    ttc_span span = { .width = 0 };
+    const size_t count = (size_t)answer->bound + POINTS_FOR_OTHERS;
+    if (!ttc_points_draw(&points, count, d->flow, d->parameters, &d->source)) {
+        answer->answered = false;
+        ttc_points_clear(&points);
+        return;
+    }
+    ttc_span_init(&span, points.count, d->flow->mod);
+    explain(&span, d, question, &points, true);
+    for (size_t b = 0; b < ansatz->block_count; b++) {
+        nmod_mat_t null;
+        if (bounds[b] <= 0) continue;
+        tell(d, question, b, ansatz);
+        ttc_null_space(null, d->flow, &ansatz->blocks[b], (ttc_twist){ question->twist, question->shift }, d->parameters,
+                       &d->source);
+        if (null->r > 0) take_block(d, question, &ansatz->blocks[b], null, &span, &points, take, context);
+        nmod_mat_clear(null);
+    }
+    ttc_span_clear(&span);
+    ttc_points_clear(&points);
+}
+
+/* How many solutions products of the known are, for certain: a rank of values, which is no larger than that of the functions. */
+static slong explained_by(ttc_discovery *d, const ttc_question *question, slong bound)
+{
+    ttc_points points;
+    ttc_span span;
+    slong count = -1;
+    if (ttc_points_draw(&points, (size_t)bound + POINTS_TO_SPARE, d->flow, d->parameters, &d->source)) {
+        ttc_span_init(&span, points.count, d->flow->mod);
+        explain(&span, d, question, &points, false);
+        count = (slong)span.count;
+        ttc_span_clear(&span);
+    }
+    ttc_points_clear(&points);
+    return count;
+}
+
+ttc_answer ttc_search(ttc_discovery *d, const ttc_question *question, ttc_search_taker take, void *context)
+{
+    ttc_answer answer = { .bound = -1 };
+    ttc_ansatz ansatz;
+    slong *bounds = NULL;
+    d->too_large = 0;
+    if (is_graded(d, question)) {
+        if (make_ansatz(&ansatz, d, question, true)) answer.bound = bound_of(d, question, &ansatz, true, NULL);
+        answer.monomials = ansatz.total;
+        ttc_ansatz_clear(&ansatz);
+        if (answer.bound >= 0) answer.explained = explained_by(d, question, answer.bound);
+        answer.answered = answer.bound >= 0 && answer.explained == answer.bound;
+        if (answer.answered || take == NULL) return answer;
+    }
+    if (make_ansatz(&ansatz, d, question, false)) {
+        answer.monomials = ansatz.total;
+        answer.bound = bound_of(d, question, &ansatz, false, &bounds);
+        if (answer.bound >= 0) answer.explained = explained_by(d, question, answer.bound);
+        answer.answered = answer.bound >= 0 && answer.explained >= 0 && (take != NULL || answer.bound == answer.explained);
+        if (answer.answered && answer.bound > answer.explained) {
+            take_all(d, question, &ansatz, bounds, &answer, take, context);
+            answer.explained = explained_by(d, question, answer.bound);
+        }
+    }
+    flint_free(bounds);
+    ttc_ansatz_clear(&ansatz);
+    return answer;
+}

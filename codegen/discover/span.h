@@ -1,0 +1,61 @@
+/** Functions known already, and what their products span: by values at points that all share. */
+#ifndef TTC_SPAN_H
+#define TTC_SPAN_H
+
+#include "discover/flow.h"
+
+/* A function with its degree, -1 where it is no polynomial; its cofactor (0 for an integral) is a function of parameters. */
+typedef struct {
+    char *name;
+    int degree;
+    ttc_ratio value;
+    ttc_modular_ratio modular, cofactor;
+} ttc_known;
+
+typedef struct {
+    ttc_known *items;
+    size_t count;
+} ttc_knowns;
+
+/* cofactor: NULL for an integral. */
+void ttc_knowns_add(ttc_knowns *knowns, const ttc_flow *flow, const char *name, const ttc_ratio *value, const ttc_ratio *cofactor,
+                    int degree);
+void ttc_knowns_clear(ttc_knowns *knowns, const ttc_flow *flow);
+
+/* Vectors of values, in echelon form: what is in their span is told. */
+typedef struct {
+    nmod_t mod;
+    ulong *rows; /* shape (count, width) */
+    size_t *pivots;
+    size_t count, capacity, width;
+} ttc_span;
+
+void ttc_span_init(ttc_span *span, size_t width, nmod_t mod);
+void ttc_span_clear(ttc_span *span);
+/* True: the vector, shape (width,), was not in the span, and is now. */
+bool ttc_span_add(ttc_span *span, const ulong *vector);
+void ttc_span_drop_last(ttc_span *span); /* the last one that was not in the span */
+
+/* Points: values of the ring's variables, shape (count, variable_count), all with the same parameters. */
+typedef struct {
+    ulong *values;
+    size_t count, width;
+} ttc_points;
+
+bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
+void ttc_points_clear(ttc_points *points);
+
+/* Which products are meant: of degree <= budget, where known k has degree degrees[k], 0: it is not used; of those that are
+ * `single`, whose degrees may be of any sign, one stands in a product at most, and once. */
+typedef struct {
+    int budget;
+    int *degrees;
+    bool *single;
+} ttc_products;
+
+/** Add all products of the knowns that are meant, and whose cofactors add up to `cofactor`; the constant 1 among them where that
+ *  is 0 and the budget is not negative. A known with a pole at a point is left out. */
+void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_points *points, const ttc_products *which,
+                           ulong cofactor);
+
+#endif

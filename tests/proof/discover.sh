@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# ttc discover finds what tables of the house and of the literature claim, with these claims taken out of the tables: known integrals
+# and densities are the oracle, `ttc prove --challenge`, which shares no code with what finds and proves, the witness. With the claims
+# in place it finds nothing more, by the same rank.
+set -uo pipefail
+cd "$JLT_SOURCE_DIR"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+# A table without its claims, and without what rests on them.
+strip() {
+    LC_ALL=C awk '
+        BEGIN {
+            count = split("integral invariant rate measure equal positive reduction embedding section lift equilibria trace charpoly " \
+                          "matrix leftnull obstructs tier eliminate pole reversor symmetry periodic time variant", names, " ")
+            for (i = 1; i <= count; i++) claim[names[i]] = 1
+            count = split("model title source param state root angle exp log let eq default observe valid domain", names, " ")
+            for (i = 1; i <= count; i++) kept[names[i]] = 1
+        }
+        /^[ \t]*#/ { next }
+        $1 in claim { skip = 1 }
+        $1 in kept { skip = 0 }
+        !skip' "$1"
+}
+
+# found TABLE FINDS WHEN OPTIONS...: that many integrals and measures, each also by challenge; none more beside the table's claims.
+found() {
+    local table=$1 finds=$2 when=$3 name
+    shift 3
+    name=$(basename "$table" .tt)
+    strip "$table" > "$scratch/$name.tt"
+    ttc discover "$scratch/$name.tt" ${when:+--when "$when"} "$@" > "$scratch/finds" 2> "$scratch/err" || fail "$name $when: status $?"
+    grep -v warning "$scratch/err" | grep -q "ttc discover" && fail "$name $when: $(cat "$scratch/err")"
+    [ "$(grep -cE '^(integral|measure)' "$scratch/finds")" -eq "$finds" ] || fail "$name $when: not $finds finds: $(cat "$scratch/finds")"
+    grep -v '^#' "$scratch/finds" >> "$scratch/$name.tt"
+    ttc prove --challenge 8 "$scratch/$name.tt" > "$scratch/proofs" 2>&1 || fail "$name $when: $(cat "$scratch/proofs")"
+    [ -n "${lower-}" ] && return # combinations of what the table claims are of lower degree
+    ttc discover "$table" ${when:+--when "$when"} "$@" > "$scratch/beside" 2> "$scratch/err" || fail "$name $when: status $?"
+    grep -E '^(integral|measure)' "$scratch/beside" && fail "$name $when: more than the table claims"
+    diff <(grep 'deg P' "$scratch/finds") <(grep 'deg P' "$scratch/beside") || fail "$name $when: other ranks"
+}
+
+# says WHEN LINE: of Lorenz's system.
+says() {
+    ttc discover codegen/models/lorenz.tt --when "$1" > "$scratch/lorenz" 2>&1
+    grep -qxF -- "$2 when $1" "$scratch/lorenz" || fail "lorenz when $1: not $2"
+}
+
+top=codegen/models/spherical_top.tt
+found $top 2 '' --seek integrals                        # E, G
+found $top 3 a3=0 --seek integrals                      # and F0
+lower=yes found $top 3 a3=0,I1=I3 --seek integrals --degree 2     # and the linear one
+found $top 4 I3=0                                       # E1, E2, G, and rho
+found codegen/models/routh_sphere.tt 4 ''               # E, Jellett's and Routh's integral, the density
+found tests/proof/models/kovalevskaya_top.tt 5 ''       # the quartic, and the uniform density
+found tests/proof/models/chaplygin_ball.tt 5 ''
+found tests/proof/models/euler_top.tt 3 '' --degree 2
+found codegen/models/lotka_volterra.tt 2 '' --degree 2
+found codegen/models/toda.tt 3 '' --denominator 's1*s2' # the third is of degree 5
+
+# The bound on leading parts, and that on the motion as it stands, where gravity is a number that hides its weights, are one.
+for when in '' g=3/7; do
+    ttc discover $top --seek integrals --degree 8 ${when:+--when $when} > "$scratch/bound" 2>&1
+    grep -qxF '# integrals: no other P, deg P <= 8 (2079 monomials, rank 2070)' "$scratch/bound" || fail "$top $when: $(cat "$scratch/bound")"
+done
+
+# Polynomials with a constant cofactor: J. Llibre, X. Zhang, Invariant algebraic surfaces of the Lorenz system, J. Math. Phys. 43 (2002).
+says 'sigma=1/2, beta=1, rho=0' 'integral F3 = (x^2 - z)^2/(y^2 + z^2)'
+says 'beta=2*sigma' 'rate P1 : x^2 - 2*sigma*z = -2*sigma*(x^2 - 2*sigma*z)'
+says 'beta=1, rho=0' 'rate P1 : y^2 + z^2 = -2*(y^2 + z^2)'
+says 'sigma=1, beta=1' 'rate P1 : -rho*x^2 + y^2 + z^2 = -2*(-rho*x^2 + y^2 + z^2)'
+for when in 'beta=6*sigma-2, rho=2*sigma-1' 'beta=4, sigma=1'; do
+    ttc discover codegen/models/lorenz.tt --when "$when" --seek factors --degree 4 > "$scratch/lorenz" 2>&1
+    grep -qE '^rate P1 : -x\^4 \+ 4\*(sigma\*)?x\^2\*z' "$scratch/lorenz" || fail "lorenz when $when: no quartic"
+done
+ttc discover codegen/models/lorenz.tt > "$scratch/lorenz" 2>&1
+grep '^[^#]' "$scratch/lorenz" && fail 'lorenz: finds for parameters in general'
+
+# refused STATUS WORDS ARGUMENTS...
+refused() {
+    local want=$1 words=$2
+    shift 2
+    ttc discover "$@" > "$scratch/out" 2> "$scratch/err"
+    local code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want"
+    grep -qF -- "$words" "$scratch/err" || fail "$*: no '$words' in: $(cat "$scratch/err")"
+    [ ! -s "$scratch/out" ] || fail "$*: says $(head -1 "$scratch/out")"
+}
+refused 3 "has no parameter 'q' (expected one of sigma rho beta)" --when q=1 codegen/models/lorenz.tt
+refused 3 "error:" --when 'rho=(1' codegen/models/lorenz.tt
+refused 2 "sets nothing" --when rho codegen/models/lorenz.tt
+refused 3 "expected" --denominator 'x+unknown' codegen/models/lorenz.tt
+refused 2 "unknown kind 'all'" --seek all codegen/models/lorenz.tt
+refused 3 "has no equations" tests/proof/models/henon_heiles_section.tt
+refused 5 "absent.tt" "$scratch/absent.tt"
+# Said before anything is allocated: 100 MiB would not hold a thousandth of it.
+(ulimit -v 400000; refused 4 "takes a matrix of 28856 columns, 9.47 GiB" --degree 40 $top; exit $status) || status=1
+exit $status
