@@ -3,8 +3,11 @@
 
 #include <math.h>
 
-/* |x| |y| / |y^H x| of a simple eigenvalue: the product of A - mu over all others is a multiple of x y^H. */
-static double condition(const jlt_ball_problem *p, slong which)
+enum { CONDITION_BITS = 60 };
+
+/* |x| |y| / |y^H x| of a simple eigenvalue: the product of A - mu over all others is a multiple of x y^H. Where this precision does not
+ * tell it *sure becomes false. */
+static double condition(bool *sure, const jlt_ball_problem *p, slong which)
 {
     acb_mat_t product, factor;
     acb_t trace;
@@ -29,7 +32,8 @@ static double condition(const jlt_ball_problem *p, slong which)
     acb_abs(ratio, trace, p->precision);
     acb_mat_frobenius_norm(size, product, p->precision);
     arb_div(ratio, size, ratio, p->precision);
-    value = arb_is_finite(ratio) ? arf_get_d(arb_midref(ratio), ARF_RND_NEAR) : INFINITY;
+    *sure = *sure && arb_rel_accuracy_bits(ratio) >= CONDITION_BITS;
+    value = arb_is_finite(ratio) ? arf_get_d(arb_midref(ratio), ARF_RND_NEAR) : NAN;
     arb_clear(ratio);
     arb_clear(size);
     acb_clear(trace);
@@ -88,7 +92,7 @@ bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_pro
     }
     for (slong i = 0; i < p->count; i++) {
         jlt_ball_eigenvalue *value = &s->values[i];
-        *value = (jlt_ball_eigenvalue){ .condition = condition(p, i) };
+        *value = (jlt_ball_eigenvalue){ .condition = condition(sure, p, i) };
         value->re = rounded(&value->error, sure, acb_realref(p->roots + i), p->precision);
         value->im = rounded(&value->error, sure, acb_imagref(p->roots + i), p->precision);
         finite = finite && isnormal(hypot(value->re, value->im));

@@ -88,6 +88,35 @@ eq q2 =
 END
 says ' -2.8284271247461903 error < 1.9e-16, condition not defined' alike.tt --at q1=1.4,q2=1.4 --find
 says 'verdict stable' alike.tt --at q1=1.4,q2=1.4 --find
+# K is an integral where a = b. These differ by 1e-80, which no double tells: zero is an eigenvalue by M alone, and what is nearly
+# zero is well-conditioned: its eigenvectors are (0, 1, 0) and (1, 1, 0) to 80 digits.
+cat > close.tt <<'END'
+model close
+param a
+param b
+default a = 1, b = 1
+variant same : b = a
+state x
+state y
+state z
+eq x =
+    - x
+eq y =
+    + x
+    + a*y
+    - b*y
+eq z =
+    + x
+integral K = x + y when b = a
+integral M = x + z
+END
+b=0.$(printf '%080d' 0 | tr 0 9)
+says ' 0 exactly by the integral K' close.tt
+says 'verdict stable' close.tt
+says ' 0 exactly by the integral M' close.tt --set b=$b
+says ' 9.9999999999999996e-81 error < 3.9e-97, condition 1.41' close.tt --set b=$b
+says 'verdict unstable' close.tt --set b=$b
+
 # x and y at 2^(1/2), lambda^2 = -2 x twice and the oscillators coupled one way: eigenvalues on the axis without eigenvectors.
 cat > resonant.tt <<'END'
 model resonant
