@@ -1,6 +1,6 @@
 #include "spectrum/formula.h"
 
-#include "fields/lambda.h"
+#include "fields/coefficients.h"
 
 #include <string.h>
 
