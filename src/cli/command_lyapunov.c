@@ -171,8 +171,8 @@ static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
         return JLT_EXIT_DONE;
     }
     if (state.blurred > 0)
-        fprintf(stderr, "jellett: %zu of %zu returns stretch by more than rounding can tell apart: exponents between the first and the last are in "
-                "doubt; a section that is met more often shows them\n", state.blurred, state.returns);
+        fprintf(stderr, "jellett: %zu of %zu returns stretch by more than rounding can tell apart: exponents between the first and the "
+                "last are in doubt; a section that is met more often shows them\n", state.blurred, state.returns);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
 }
 

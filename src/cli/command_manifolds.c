@@ -229,7 +229,8 @@ static jlt_exit run(int argc, char **argv)
     }
     const size_t touching = p.touching[0][0] + p.touching[0][1] + p.touching[1][0] + p.touching[1][1];
     if (touching > 0)
-        fprintf(stderr, "jellett: at %zu places separatrices touch, or cross by no more than errors tell: they are no homoclinic points\n", touching);
+        fprintf(stderr, "jellett: at %zu places separatrices touch, or cross by no more than errors tell: they are no homoclinic points\n",
+                touching);
     code = st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
 done:
     jlt_stream_discard(&crossings);

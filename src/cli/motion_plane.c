@@ -12,7 +12,8 @@ static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *op
     const char *text = options->section;
     jlt_exit code;
 
-    if (text == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE; no proved record 'section' describes one", d->model);
+    if (text == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE; no proved record 'section' describes one", d->model);
     if (strchr(text, '=') == NULL || strchr(text, ':') != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE)", text);
     code = jlt_grid_axis_parse(&out->section, text, strlen(text), "--section");

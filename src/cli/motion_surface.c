@@ -121,10 +121,10 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
     for (unsigned i = 0; i < asked->valid_count; i++) {
         for (k = 0; k < table->valid_count && strcmp(table->valids[k].name, asked->valids[i].name) != 0; k++) { }
         if (k == table->valid_count)
-            return jlt_command_fail(JLT_EXIT_INPUT, "the section %s is one of %s, which does not say where %s of this table is lost: write 'valid %s : "
-                                    "...' in its coordinates there, or ask for a section of the table itself, --section %s=%.10g", surface->section->name,
-                                    table->model, asked->valids[i].name, asked->valids[i].name, table->states[surface->section->column].name,
-                                    surface->section->level);
+            return jlt_command_fail(JLT_EXIT_INPUT, "the section %s is one of %s, which does not say where %s of this table is lost: write "
+                                    "'valid %s : ...' in its coordinates there, or ask for a section of the table itself, --section %s=%.10g",
+                                    surface->section->name, table->model, asked->valids[i].name, asked->valids[i].name,
+                                    table->states[surface->section->column].name, surface->section->level);
     }
     return JLT_EXIT_DONE;
 }

@@ -55,7 +55,9 @@ jlt_exit jlt_session_open(jlt_session *self)
 {
     const jlt_exit code = jlt_common_open(&self->common, &self->descriptor, &self->params);
 
-    return code == JLT_EXIT_DONE && self->common.model != NULL ? jlt_table_others(&self->others, self->descriptor, self->common.model, NULL, false) : code;
+    return code == JLT_EXIT_DONE && self->common.model != NULL
+               ? jlt_table_others(&self->others, self->descriptor, self->common.model, NULL, false)
+               : code;
 }
 
 jlt_exit jlt_session_start(jlt_session *self)

@@ -86,7 +86,8 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
         if (a->singular)
             fprintf(stream, "      it is singular where %s' = 0: no smooth positive density\n", k->states[a->along].name);
         if (a->turn != 1.0)
-            fprintf(stream, "      it changes by the factor %.6g in a period of %s: no density of an angle\n", a->turn, k->states[a->along].name);
+            fprintf(stream, "      it changes by the factor %.6g in a period of %s: no density of an angle\n", a->turn,
+                    k->states[a->along].name);
         if (a->closed_form != NULL)
             fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
                     a->closed_form, a->difference, a->difference_bound, verdict(a->difference <= a->difference_bound));
@@ -172,7 +173,8 @@ static json_t *density_json(const jlt_verify_density *d)
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
                      k->states[a->along].name, "defect", jlt_json_number(a->defect), "defects",
                      jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "turn",
-                     jlt_json_number(a->turn), "closed_form", jlt_json_string(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
+                     jlt_json_number(a->turn), "closed_form", jlt_json_string(a->closed_form), "difference",
+                     jlt_json_number(compared ? a->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? a->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
 }

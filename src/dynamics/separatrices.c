@@ -52,8 +52,8 @@ jlt_status jlt_separatrices_cross(jlt_separatrices *self)
     JLT_TRY(jlt_map_create(&map, &coarse));
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
-            JLT_TRY(jlt_homoclinic_find(&self->crossings[u][s], &self->count[u][s], &self->touching[u][s], &self->curve[u], &self->branch[u],
-                                        &self->curve[2 + s], &self->branch[2 + s], map));
+            JLT_TRY(jlt_homoclinic_find(&self->crossings[u][s], &self->count[u][s], &self->touching[u][s],
+                                        &self->curve[u], &self->branch[u], &self->curve[2 + s], &self->branch[2 + s], map));
 done:
     jlt_map_destroy(map);
     return st;

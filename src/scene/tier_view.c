@@ -75,7 +75,8 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
             double *params = view->params[i + 1];
             jlt_way_params(way, params, NULL, view->params[i]);
             /* Levels mean nothing at no state: one that its sign forbids is the table's own. */
-            while (jlt_descriptor_check_params(target, params, &index) != JLT_OK && isfinite(target->params[index].value) && params[index] != target->params[index].value)
+            while (jlt_descriptor_check_params(target, params, &index) != JLT_OK && isfinite(target->params[index].value) &&
+                   params[index] != target->params[index].value)
                 params[index] = target->params[index].value;
             continue;
         }

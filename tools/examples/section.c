@@ -12,7 +12,7 @@ int main(void)
     jlt_return at;
     jlt_status st;
 
-    JLT_TRY(jlt_surface_find(&surface, &broken, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL));
+    JLT_TRY(jlt_surface_find(&surface, &broken, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL, NULL));
     JLT_TRY(jlt_surface_system(&system, &surface, surface.defaults, NULL));
     JLT_TRY(jlt_section_create(&section, &system->flow));
     JLT_TRY(jlt_section_start(section, &at, start, +1));
