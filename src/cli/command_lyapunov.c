@@ -246,7 +246,7 @@ static jlt_status open_maps(jlt_map_batch **out, options *o, const jlt_system *s
 
     if (o->threads == 0) o->threads = jlt_common_processors();
     st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
-    if (st == JLT_OK) o->motion.common.lanes = jlt_map_batch_in_lanes(*out); /* says the header */
+    if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* says the header */
     return st;
 }
 

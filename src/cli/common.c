@@ -4,6 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
 
 #include "cli/grid.h"
 #include "cli/plot.h"
@@ -193,7 +196,11 @@ void jlt_common_list(jlt_assign_list *list, const char *text, const char *option
 
 size_t jlt_common_processors(void)
 {
+#if defined(_OPENMP)
+    const long count = omp_get_max_threads();
+#else
     const long count = sysconf(_SC_NPROCESSORS_ONLN);
+#endif
     return count > 1024 ? 1024 : count > 1 ? (size_t)count : 1;
 }
 

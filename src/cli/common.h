@@ -74,7 +74,8 @@ void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, 
 void jlt_common_number(double *value, const char *text, const char *option);
 void jlt_common_positive(double *value, const char *text, const char *option);
 
-/* Processors that are there: threads of commands whose output does not depend on how many. */
+/* Processors that the program may use, or as many as OMP_NUM_THREADS says: threads of commands whose output does not depend on how
+ * many. */
 size_t jlt_common_processors(void);
 
 #endif

@@ -60,13 +60,13 @@ void jlt_map_batch_images_clear(jlt_map_images *self)
     *self = (jlt_map_images){ 0 };
 }
 
-/* Whether lanes can go the way: a section STATE = 0 that has no other turns, without an end in time, of not too many states. */
+/* Whether lanes can go the way: a section that has no other turns, without an end in time, of not too many states. */
 static bool serves(const jlt_flow *flow)
 {
     const jlt_chart *chart = flow->chart;
     const jlt_batch_map map = { .dim = chart->states, .tangents = chart->dim };
 
-    if (chart->level != 0 || chart->turn != 0 || flow->t_max != 0) return false;
+    if (chart->turn != 0 || flow->t_max != 0) return false;
     return chart->states <= JLT_BATCH_STATES_MAX && jlt_batch_columns(&map) <= JLT_BATCH_COLUMNS_MAX;
 }
 
@@ -91,7 +91,7 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
     const jlt_batch_map map = {
         .kernels = kernels != NULL && serves(flow) ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states, .tangents = flow->chart->dim,
-        .column = flow->chart->column, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
+        .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
         .method = method, .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
         .max_steps = flow->max_steps != 0 && flow->max_steps < most_steps ? flow->max_steps : most_steps,
         .interrupt = flow->interrupt,

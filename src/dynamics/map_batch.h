@@ -3,7 +3,7 @@
  *
  *  A lane ends early near a pole, or when its orbit has all but come to rest. Such an orbit is followed on from there by the
  *  flow's own method, alone, so that its fate is the one that a jlt_map finds. So are all orbits where no lanes can go: on sections
- *  other than STATE = 0, or of a state with turns, with an end in time, or of many states. */
+ *  of a state with turns, with an end in time, or of many states. */
 #ifndef JLT_DYNAMICS_MAP_BATCH_H
 #define JLT_DYNAMICS_MAP_BATCH_H
 
