@@ -4,12 +4,13 @@
 
 #include <stdlib.h>
 
-enum { KEY_FIND = 256, KEY_SWEEP };
+enum { KEY_FIND = 256, KEY_SWEEP, THREADS };
 
 static const struct argp_option option_table[] = {
     { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
     { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
     { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "threads", THREADS, "N", 0, "Of a sweep: work on so many threads; default: all processors, or as many as OMP_NUM_THREADS says", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
     { 0 },
@@ -25,6 +26,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': jlt_common_list(&r->at, value, "--at"); break;
     case KEY_FIND: r->question.find = true; break;
     case KEY_SWEEP: code = jlt_eigen_parse_sweep(r, value); break;
+    case THREADS: jlt_common_count(&r->threads, value, 1, 1024, "--threads"); break;
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
     case ARGP_KEY_END:
@@ -147,7 +149,7 @@ static jlt_exit prepare(jlt_eigen_request *r)
 
 static jlt_exit run(int argc, char **argv)
 {
-    jlt_eigen_request request = { .axis_count = 0 };
+    jlt_eigen_request request = { .threads = jlt_common_processors() };
     jlt_exit code;
 
     jlt_common_begin(&request.common, argc, argv);
