@@ -20,6 +20,7 @@ typedef struct {
     const char *contact; /* ignore (default), report, end */
     size_t threads;      /* of many orbits; these as in motion_many.h */
     bool project;        /* orbits are put back onto their integrals */
+    bool many;           /* lanes are wanted for orbits */
     bool in_lanes;       /* many orbits go at once, by a method that --tol chooses */
     const char *alone;   /* why they do not; NULL: that was not asked for, or they do */
     bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */

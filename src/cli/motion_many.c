@@ -30,7 +30,7 @@ void jlt_motion_many_begin(jlt_motion_options *options)
 
 void jlt_motion_many_choose(jlt_motion_options *options, bool many, bool project)
 {
-    options->common.lanes = many && options->flow.method == NULL;
+    options->many = options->common.lanes = many && options->flow.method == NULL;
     options->project = project;
     if (options->flow.method == NULL) options->flow.method = jlt_method_find(NULL);
 }
@@ -39,8 +39,8 @@ void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *syste
 {
     const jlt_descriptor *d = system->instance->descriptor;
 
-    options->alone = options->common.lanes ? jlt_section_batch_obstacle(&system->flow, jlt_batch_isa_best(d, 0)) : NULL;
-    options->in_lanes = options->common.lanes && options->alone == NULL;
+    options->alone = options->many ? jlt_section_batch_obstacle(&system->flow, jlt_batch_isa_best(d, 0)) : NULL;
+    options->in_lanes = options->many && options->alone == NULL;
 }
 
 /* Lanes put orbits back at crossings, single orbits after every step. */

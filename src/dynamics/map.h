@@ -52,8 +52,8 @@ JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double
  *  NaN. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
-/** From a varied state on the way (map_return.h), shape (states*(1 + dim) + 1,), forwards to the section, where it is put, and the
- *  time of the flow that this takes. Errors: as jlt_map_apply. */
-JLT_CHECKED jlt_status jlt_map_resume(jlt_map *self, double *varied, double *t);
+/** From a varied state on the way (map_return.h), shape (states*(1 + dim) + 1,), to the section, where it is put, and the time of the
+ *  flow that this takes. Errors: as jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_map_resume(jlt_map *self, double *varied, double *t, int time_direction);
 
 #endif

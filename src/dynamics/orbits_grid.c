@@ -80,7 +80,7 @@ static jlt_status one_trial(jlt_map_batch *maps, jlt_newton **going, size_t *cou
 
     for (size_t i = 0; i < *count; points += going[i++]->period)
         memcpy(images->q + points * d, going[i]->trial, going[i]->period * d * sizeof *images->q);
-    const jlt_status st = jlt_map_batch_apply(maps, images, images->q, points, 1);
+    const jlt_status st = jlt_map_batch_apply(maps, images, images->q, points, 1, 1);
     if (st != JLT_OK) return st;
     for (size_t i = 0; i < *count; i++) {
         const size_t first = at;
