@@ -39,7 +39,7 @@ static unsigned row_of(size_t n)
 }
 
 /* An orbit of a batch. */
-static jlt_status read(cells *self, jlt_section_batch *batch, size_t *alive, size_t index, bool backwards)
+static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t *alive, size_t index, bool backwards)
 {
     const jlt_separation_options *o = self->options;
     unsigned char *first = self->first[backwards];
@@ -73,7 +73,7 @@ static jlt_status follow(cells *self, size_t *alive, const jlt_flow *flow, const
     for (size_t first = 0; first < count; first += BLOCK * threads) {
         const size_t here = count - first < BLOCK * threads ? count - first : BLOCK * threads;
         JLT_TRY(jlt_section_batch_run(batch, starts + 2 * first, here, o->settle + o->returns));
-        for (size_t i = 0; i < here; i++) JLT_TRY(read(self, batch, alive, i, backwards));
+        for (size_t i = 0; i < here; i++) JLT_TRY(count_orbit(self, batch, alive, i, backwards));
     }
 done:
     jlt_section_batch_destroy(batch);
