@@ -1,4 +1,4 @@
-#include "cli/motion.h"
+#include "cli/motion_many.h"
 #include "cli/progress.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PROJECT = 2000 };
+enum { PROJECT = 2000, METHODS_MAX = 16 };
 
 typedef struct {
     jlt_motion_options motion;
@@ -24,10 +24,22 @@ typedef struct {
     const char *names[JLT_INVARIANTS_MAX]; /* of the integrals that are watched */
     FILE *file, *points;                   /* points: the same for a picture, or NULL */
     jlt_progress progress;
-    const jlt_method *method;              /* of the rows under way */
+    char showing;                          /* a thread shows the progress; set atomically */
+    size_t made, all;                      /* returns of all methods; made is changed atomically */
+} report;
+
+/* One method's part. */
+typedef struct {
+    report *whole;
+    const jlt_method *method;
+    jlt_drift drift;
+    FILE *file, *points, *notes; /* its rows, the same for a picture or NULL, and what is said below them; in memory: */
+    char *text[3];
+    size_t size[3];
     jlt_drift_row rows[JLT_DRIFT_ROWS_MAX];
     size_t row_count;
-} report;
+    jlt_status status;
+} part;
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0, "Start on the section, every coordinate; of the spherical top a regular orbit by default", 1 },
@@ -41,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case PROJECT: o->project = true; return 0;
@@ -50,7 +62,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -66,25 +78,32 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
+static void show(report *r, size_t done)
+{
+    if (__atomic_test_and_set(&r->showing, __ATOMIC_ACQUIRE)) return;
+    jlt_progress_show(&r->progress, done, r->all);
+    __atomic_clear(&r->showing, __ATOMIC_RELEASE);
+}
+
 static bool tell(void *context, const jlt_drift_row *row, bool due)
 {
-    report *r = context;
+    part *self = context;
 
     if (due) {
-        r->rows[r->row_count++] = *row;
-        fprintf(r->file, "%s,%zu,", r->method->name, row->returns);
-        jlt_csv_value(r->file, row->t);
-        fprintf(r->file, ",%zu", row->evaluations);
+        self->rows[self->row_count++] = *row;
+        fprintf(self->file, "%s,%zu,", self->method->name, row->returns);
+        jlt_csv_value(self->file, row->t);
+        fprintf(self->file, ",%zu", row->evaluations);
         double point[1 + JLT_INVARIANTS_MAX] = { (double)row->returns };
-        for (unsigned k = 0; k < r->drift.count; k++) {
-            fprintf(r->file, ",%.3g", row->drift[k]);
+        for (unsigned k = 0; k < self->drift.count; k++) {
+            fprintf(self->file, ",%.3g", row->drift[k]);
             point[1 + k] = row->drift[k];
         }
-        fputc('\n', r->file);
-        if (r->points != NULL) jlt_look_row(r->points, point, 1 + r->drift.count);
+        fputc('\n', self->file);
+        if (self->points != NULL) jlt_look_row(self->points, point, 1 + self->drift.count);
     }
-    jlt_progress_show(&r->progress, row->returns, r->drift.returns);
-    return !ferror(r->file);
+    show(self->whole, __atomic_add_fetch(&self->whole->made, 1, __ATOMIC_RELAXED));
+    return !ferror(self->file);
 }
 
 static bool asked(const options *o, const jlt_method *method)
@@ -94,49 +113,92 @@ static bool asked(const options *o, const jlt_method *method)
 }
 
 /* The slopes, of integrals with three rows that drift to fit a line. */
-static void write_slopes(FILE *notes, const report *r)
+static void write_slopes(const part *self)
 {
     unsigned told = 0;
 
-    for (unsigned k = 0; k < r->drift.count; k++) {
-        const double power = jlt_drift_slope(r->rows, r->row_count, k);
+    for (unsigned k = 0; k < self->drift.count; k++) {
+        const double power = jlt_drift_slope(self->rows, self->row_count, k);
         if (isnan(power)) continue;
-        fprintf(notes, told++ == 0 ? "# %s: %s drifts as returns^%.2f" : "%.0s, %s as returns^%.2f", r->method->name,
-                r->names[k], power);
+        fprintf(self->notes, told++ == 0 ? "# %s: %s drifts as returns^%.2f" : "%.0s, %s as returns^%.2f", self->method->name,
+                self->whole->names[k], power);
     }
-    if (told > 0) fputc('\n', notes);
+    if (told > 0) fputc('\n', self->notes);
 }
 
-/* *drawn: bit m, method m has points in the picture. */
+/* The orbit, by one method. */
+static void follow(part *self, const options *o)
+{
+    const jlt_drift_whole *whole = &self->whole->whole;
+    jlt_drift_end end;
+
+    if (self->points != NULL) fprintf(self->points, "$%s << END\n", self->method->name);
+    self->status = whole->instance == NULL ? jlt_drift_section(&self->drift, &end, self->method)
+                                           : jlt_drift_whole_follow(&self->drift, &end, self->method, whole, o->project);
+    if (self->points != NULL) fputs("END\n", self->points);
+    if (self->status != JLT_OK) return;
+    if (end.name[0] != '\0')
+        fprintf(self->notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", self->method->name, end.name, end.t, end.returns);
+    else write_slopes(self);
+}
+
+static bool open_part(part *self, report *r, const jlt_method *method)
+{
+    FILE **streams[] = { &self->file, &self->notes, &self->points };
+
+    *self = (part){ .whole = r, .method = method, .drift = r->drift };
+    self->drift.tell = tell;
+    self->drift.context = self;
+    for (size_t i = 0; i < (r->points != NULL ? 3 : 2); i++)
+        if ((*streams[i] = open_memstream(&self->text[i], &self->size[i])) == NULL) return false;
+    return true;
+}
+
+/* Write one of its texts. */
+static void pass_on(FILE *to, FILE **from, const char *const *text)
+{
+    if (*from != NULL && fclose(*from) == 0 && to != NULL) fputs(*text, to);
+    *from = NULL;
+}
+
+/* What a method's part says of its failure. */
+static jlt_exit verdict(const part *self)
+{
+    if (self->status == JLT_OK) return JLT_EXIT_DONE;
+    if (self->status == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", self->method->name);
+    return jlt_command_fail(jlt_command_exit(self->status), "%s: %s", self->method->name, jlt_status_text(self->status));
+}
+
+/* All methods, each on a thread; *drawn: bit m, method m has points in the picture. */
 static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 {
-    char *slopes = NULL;
-    size_t size;
-    FILE *notes = open_memstream(&slopes, &size);
+    part parts[METHODS_MAX];
+    size_t count = 0;
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (notes == NULL) return jlt_command_no_memory();
-    for (size_t m = 0; jlt_method_at(m) != NULL && !jlt_motion_interrupted(&o->motion); m++) {
-        const jlt_method *method = r->method = jlt_method_at(m);
-        jlt_drift_end end;
-        if (!asked(o, method)) continue;
-        r->row_count = 0;
-        if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
-        jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = r->whole.instance == NULL ? jlt_drift_section(&r->drift, &end, method)
-                                                       : jlt_drift_whole_follow(&r->drift, &end, method, &r->whole, o->project);
-        jlt_progress_end(&r->progress);
-        if (r->points != NULL) fputs("END\n", r->points);
-        if (r->row_count > 0) *drawn |= 1u << m;
-        if (st == JLT_ERR_UNSUPPORTED)
-            code = jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", method->name);
-        else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
-        else if (end.name[0] != '\0')
-            fprintf(notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", method->name, end.name, end.t, end.returns);
-        else write_slopes(notes, r);
+    for (size_t m = 0; jlt_method_at(m) != NULL && count < METHODS_MAX; m++)
+        if (asked(o, jlt_method_at(m)) && !open_part(&parts[count++], r, jlt_method_at(m))) code = jlt_command_no_memory();
+    r->all = count * r->drift.returns;
+    jlt_progress_start(&r->progress, "returns");
+#if defined(_OPENMP)
+#pragma omp parallel for num_threads((int)o->motion.threads) schedule(dynamic, 1)
+#endif
+    for (size_t i = 0; i < count; i++)
+        if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion)) follow(&parts[i], o);
+    jlt_progress_end(&r->progress);
+    for (size_t i = 0; i < count; i++) {
+        pass_on(r->file, &parts[i].file, (const char *const *)&parts[i].text[0]);
+        pass_on(r->points, &parts[i].points, (const char *const *)&parts[i].text[2]);
+        const jlt_exit failed = verdict(&parts[i]);
+        if (failed != JLT_EXIT_DONE) code = failed;
+        for (size_t m = 0; parts[i].row_count > 0 && jlt_method_at(m) != NULL; m++)
+            if (jlt_method_at(m) == parts[i].method) *drawn |= 1u << m;
     }
-    if (fclose(notes) == 0) fputs(slopes, r->file);
-    free(slopes);
+    for (size_t i = 0; i < count; i++) {
+        pass_on(r->file, &parts[i].notes, (const char *const *)&parts[i].text[1]);
+        for (size_t k = 0; k < 3; k++) free(parts[i].text[k]);
+    }
     return code;
 }
 
@@ -252,19 +314,19 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 10000 };
     jlt_common *common = &o.motion.common;
-    report r = { .row_count = 0 };
+    report r = { .points = NULL };
     unsigned drawn = 0;
     jlt_system *system = NULL;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
-    o.motion.flow.method = NULL;
+    jlt_motion_many_begin(&o.motion);
     o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
-    r.drift = (jlt_drift){ .system = system, .returns = o.returns, .tell = tell, .context = &r };
+    r.drift = (jlt_drift){ .system = system, .returns = o.returns };
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
     if (code == JLT_EXIT_DONE && o.project && r.whole.instance == NULL) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);

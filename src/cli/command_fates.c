@@ -1,5 +1,6 @@
 #include "cli/fates_table.h"
 #include "cli/motion_family.h"
+#include "cli/motion_many.h"
 #include "cli/motion_map.h"
 #include "cli/progress.h"
 #include "report/symbol.h"
@@ -16,7 +17,8 @@ typedef struct {
     size_t returns;
 } options;
 
-enum { SWEEP = 2000 };
+/* Orbits that are followed at once, for each thread: so many that lanes seldom wait for the last ones. */
+enum { SWEEP = 2000, BLOCK = 4096 };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate; may be repeated", 1 },
@@ -35,8 +37,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
-        state->child_inputs[2] = &o->motion.common;
+        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
+        state->child_inputs[3] = &o->motion.common;
         return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
@@ -50,7 +52,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -64,7 +66,8 @@ static const struct argp parser = {
     "alive, budget), failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the share of the low "
     "starts that turns over, its binomial standard error, and the share that does so with the model valid all the way; starts are even "
     "in the coordinates. Of other models columns are the values, starts, fates, failed, and where the table has conditions NAME_held: on how "
-    "many starts they held all the way.\n\n"
+    "many starts they held all the way. Orbits go at once as those of jellett section, by a method that --tol chooses, or by --method one "
+    "at a time.\n\n"
     "  jellett fates --grid 300x200 --plot fates.png > fates.csv\n"
     "  jellett fates --grid eta=-pi:pi:60,gamma3=-0.9999:-0.99:10\n"
     "  jellett fates --sweep E=0.6:4:18 --plot share.svg\n"
@@ -80,41 +83,75 @@ static const char *grid_of(const options *o, const jlt_system *system)
     return o->grid != NULL ? o->grid : o->start_count > 0 || system->surface == NULL ? NULL : default_grid;
 }
 
-/* All starts of one system; file NULL: only count. */
-static jlt_exit follow_all(jlt_shares *sum, FILE *file, jlt_motion_map *map, const options *o, const jlt_system *system,
-                           jlt_progress *progress, size_t before, size_t whole)
-{
-    const char *grid = grid_of(o, system);
+/* What starts of one system are followed with, and what becomes of them. */
+typedef struct {
+    const options *o;
+    jlt_system *system;
+    jlt_shares *sum;
+    FILE *file;           /* of rows; NULL: they are only counted */
+    jlt_motion_map *map;  /* NULL: there is no picture */
+    jlt_section_batch *batch;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    jlt_section *section = NULL;
-    double q[JLT_CHART_DIM_MAX];
-    jlt_fates_end end;
-    size_t all, i;
-    jlt_exit code = jlt_motion_axes(axes, system, grid, "--grid");
-    jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&section, &system->flow) : JLT_OK;
+    jlt_progress *progress;
+    size_t before, whole; /* starts of the systems before, and how many systems there are; of one 0 and 1 */
+} crowd;
 
-    if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
-    all = o->start_count + (grid != NULL && code == JLT_EXIT_DONE ? jlt_motion_grid_size(axes, system) : 0);
-    for (i = 0; code == JLT_EXIT_DONE && i < all; i++) {
-        if (i < o->start_count) code = jlt_motion_start(q, system, o->starts[i]);
-        else jlt_motion_grid_point(q, axes, system, i - o->start_count);
-        if (code != JLT_EXIT_DONE) break;
-        st = jlt_fates_follow(section, &end, q, o->returns);
-        if (i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
-            sum->empty++;
-            continue;
-        }
-        if (st != JLT_OK) {
-            code = jlt_motion_fail(st, system, i < o->start_count ? o->starts[i] : "a start of the grid");
-            break;
-        }
-        if (end.interrupted) break;
-        jlt_shares_add(sum, system, q, &end);
-        if (file != NULL) jlt_fates_table_row(file, &o->motion, system, q, &end);
-        if (map != NULL) jlt_motion_map_add(map, q, (double)end.fate);
-        jlt_progress_show(progress, before + i + 1, whole > 0 ? whole * all : all);
+/* What has become of start `index`, which is `number` of its block. */
+static jlt_exit count_start(crowd *self, const double *q, size_t index, size_t number)
+{
+    const options *o = self->o;
+    jlt_return last;
+    const jlt_status st = jlt_section_batch_last(self->batch, &last, number);
+
+    if (index >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
+        self->sum->empty++;
+        return JLT_EXIT_DONE;
     }
-    jlt_section_destroy(section);
+    if (st != JLT_OK) return jlt_motion_fail(st, self->system, index < o->start_count ? o->starts[index] : "a start of the grid");
+    if (last.interrupted) return JLT_EXIT_DONE;
+    const jlt_fates_end end = jlt_fates_of(&last);
+    jlt_shares_add(self->sum, self->system, q, &end);
+    if (self->file != NULL) jlt_fates_table_row(self->file, &o->motion, self->system, q, &end);
+    if (self->map != NULL) jlt_motion_map_add(self->map, q, (double)end.fate);
+    return JLT_EXIT_DONE;
+}
+
+/* So many starts from number `first` on, all of `all`. */
+static jlt_exit follow_block(crowd *self, double *q, size_t first, size_t count, size_t all)
+{
+    const options *o = self->o;
+    const unsigned dim = self->system->flow.chart->dim;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
+        if (first + i < o->start_count) code = jlt_motion_start(q + i * dim, self->system, o->starts[first + i]);
+        else jlt_motion_grid_point(q + i * dim, self->axes, self->system, first + i - o->start_count);
+    }
+    if (code != JLT_EXIT_DONE) return code;
+    const jlt_status st = jlt_section_batch_run(self->batch, q, count, o->returns);
+    if (st != JLT_OK) return jlt_motion_fail(st, self->system, "section");
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = count_start(self, q + i * dim, first + i, i);
+    jlt_progress_show(self->progress, self->before + first + count, self->whole * all);
+    return code;
+}
+
+/* All starts of one system. */
+static jlt_exit follow_all(crowd *self)
+{
+    const options *o = self->o;
+    const char *grid = grid_of(o, self->system);
+    const size_t block = BLOCK * o->motion.threads;
+    jlt_section_batch_options batch = { .last_only = true };
+    double *q = malloc(block * self->system->flow.chart->dim * sizeof *q);
+    size_t all = o->start_count;
+    jlt_exit code = q != NULL ? jlt_motion_axes(self->axes, self->system, grid, "--grid") : jlt_command_no_memory();
+
+    if (code == JLT_EXIT_DONE) code = jlt_motion_many_open(&self->batch, &batch, &o->motion, self->system);
+    if (grid != NULL && code == JLT_EXIT_DONE) all += jlt_motion_grid_size(self->axes, self->system);
+    for (size_t first = 0; code == JLT_EXIT_DONE && first < all && !jlt_motion_interrupted(&o->motion); first += block)
+        code = follow_block(self, q, first, all - first < block ? all - first : block, all);
+    jlt_section_batch_destroy(self->batch);
+    free(q);
     return code;
 }
 
@@ -141,7 +178,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, jlt_motio
     return jlt_plot_draw(&plot);
 }
 
-static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map *map)
+static jlt_exit one_system(options *o, jlt_system *system, jlt_motion_map *map)
 {
     jlt_common *common = &o->motion.common;
     jlt_shares sum = { .empty = 0 };
@@ -151,7 +188,8 @@ static jlt_exit one_system(options *o, const jlt_system *system, jlt_motion_map 
     jlt_motion_header(common->table.file, &o->motion, system);
     jlt_fates_table_names(common->table.file, &o->motion, system);
     jlt_progress_start(&progress, "starts");
-    code = follow_all(&sum, common->table.file, map, o, system, &progress, 0, 0);
+    code = follow_all(&(crowd){ .o = o, .system = system, .sum = &sum, .file = common->table.file, .map = map, .progress = &progress,
+                                .whole = 1 });
     jlt_progress_end(&progress);
     if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0 && (map->axes == NULL || map->axes[0].part == 0))
         code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
@@ -229,7 +267,8 @@ static jlt_exit sweep(options *o, const jlt_system *base)
         for (size_t k = 0; k < count; k++) *family.entries[k] = at[k];
         const jlt_status st = jlt_motion_family_make(&family, &system);
         if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_family_fail(&family, st, "--sweep", axes, count);
-        else if (st == JLT_OK) code = follow_all(&sum, NULL, NULL, o, system, &progress, done, all);
+        else if (st == JLT_OK) code = follow_all(&(crowd){ .o = o, .system = system, .sum = &sum, .progress = &progress, .before = done,
+                                                       .whole = all });
         jlt_system_destroy(system);
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;
@@ -260,7 +299,9 @@ static jlt_exit run(int argc, char **argv)
     o.starts = calloc((size_t)argc, sizeof *o.starts);
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
+    jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    jlt_motion_many_choose(&o.motion, o.grid != NULL || o.start_count != 1, false);
     o.motion.begins.starts = o.starts;
     o.motion.begins.start_count = o.start_count;
     o.motion.begins.grid = o.grid;

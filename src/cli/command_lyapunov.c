@@ -200,7 +200,7 @@ static jlt_status exponents(const options *o, jlt_map *map, jlt_map_batch *maps,
     for (size_t i = 0; i < count; i++)
         if ((st = skip(map, images->q + i * d, o)) != JLT_OK)
             for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* it has ended already */
-    return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns);
+    return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns, 1);
 }
 
 static jlt_exit run_chart(jlt_motion_map *picture, jlt_map *map, jlt_map_batch *maps, options *o, const jlt_grid_axis *axes)
@@ -249,7 +249,7 @@ static jlt_status open_maps(jlt_map_batch **out, options *o, const jlt_system *s
 
     if (o->threads == 0) o->threads = jlt_common_processors();
     st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
-    if (st == JLT_OK) o->motion.common.lanes = jlt_map_batch_in_lanes(*out); /* says the header */
+    if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* says the header */
     return st;
 }
 

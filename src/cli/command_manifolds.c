@@ -1,5 +1,6 @@
-#include "cli/motion.h"
+#include "cli/motion_many.h"
 #include "dynamics/separatrices.h"
+#include "kernel/batch_isa.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -35,7 +36,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case LENGTH: jlt_common_positive(&o->growth.length_max, value, "--length"); return 0;
@@ -58,7 +59,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -67,7 +68,8 @@ static const struct argp parser = {
     "\vColumns: branch (unstable or stable), side, sigma, length, the two coordinates; sigma counts fundamental domains from the "
     "saddle. Homoclinic points: the coordinates, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
     "residual, lobe; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe the signed "
-    "area up to the next crossing along the unstable branch.\n\n"
+    "area up to the next crossing along the unstable branch. Branches grow one point after another by --method, each on a thread; "
+    "crossings are refined all at once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,
 };
@@ -193,7 +195,10 @@ static jlt_exit run(int argc, char **argv)
     o.growth.points_max = 4000;
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
+    jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.common.lanes = o.motion.flow.method == NULL;
+    if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_map_method();
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
@@ -222,9 +227,10 @@ static jlt_exit run(int argc, char **argv)
                                 jlt_periodic_type_name(saddle.type));
         goto done;
     }
-    st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth);
+    st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth, (unsigned)o.motion.threads);
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
-        st = jlt_separatrices_cross(&p);
+        const jlt_kernel_batch *kernels = o.motion.common.lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
+        st = jlt_separatrices_cross(&p, kernels, (unsigned)o.motion.threads);
         if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are there */
     }
     const size_t touching = p.touching[0][0] + p.touching[0][1] + p.touching[1][0] + p.touching[1][1];

@@ -1,6 +1,5 @@
-#include "cli/motion.h"
+#include "cli/motion_many.h"
 #include "cli/progress.h"
-#include "cli/section_many.h"
 #include "cli/section_picture.h"
 #include "cli/section_table.h"
 #include "cli/writer.h"
@@ -11,7 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-/* Of --batch, for each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; rows that are
+/* Of many orbits, for each thread: those that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. For all threads together: the most of these rows. */
 enum { BLOCK = 256, ROWS = 1024, ROWS_MAX = 1 << 16 };
 
@@ -24,12 +23,10 @@ typedef struct {
     size_t returns, skip;
     int time_direction;
     bool check;
-    bool batch;
-    size_t threads; /* 0: not given */
     bool project;
 } options;
 
-enum { SKIP = 2000, BACKWARD, CHECK, BATCH, THREADS, PROJECT };
+enum { SKIP = 2000, BACKWARD, CHECK, PROJECT };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate of it; may be repeated", 1 },
@@ -42,25 +39,9 @@ static const struct argp_option option_table[] = {
     { "check", CHECK, NULL, 0,
       "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
       "section and the integral of the divergence", 1 },
-    { "batch", BATCH, NULL, 0,
-      "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the "
-      "method, in a fraction of the time", 2 },
-    { "threads", THREADS, "N", 0, "With --batch: on so many threads; default 1. Rows do not depend on it", 2 },
-    { "project", PROJECT, NULL, 0, "Back onto the integrals' levels of the start: with --batch at every crossing, else after every step", 2 },
+    { "project", PROJECT, NULL, 0, "Back onto the integrals' levels of the start: in lanes at every crossing, else after every step", 2 },
     { 0 },
 };
-
-/* What goes one orbit at a time alone. */
-static void check_batch(const options *o, const struct argp_state *state)
-{
-    if (o->time_direction < 0) argp_error(state, "--batch goes forwards in time: leave out --batch, or --backward");
-    if (o->check) argp_error(state, "--batch computes no derivatives: leave out --batch, or --check");
-    if (strcmp(o->motion.contact, "ignore") != 0)
-        argp_error(state, "--batch does not watch the contact between returns: leave out --batch, or --contact %s",
-                   o->motion.contact);
-    if (o->motion.flow.method != NULL)
-        argp_error(state, "--batch has methods of its own, chosen by --tol: leave out --batch, or --method");
-}
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
@@ -68,7 +49,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = &o->motion, state->child_inputs[2] = &o->motion.common;
+        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
+        state->child_inputs[3] = &o->motion.common;
         return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
@@ -76,21 +58,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SKIP: jlt_common_count(&o->skip, value, 0, SIZE_MAX / 4, "--skip"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
-    case BATCH: o->batch = o->motion.common.lanes = true; return 0;
-    case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case PROJECT: o->project = true; return 0;
     case ARGP_KEY_END:
         if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
-        if (o->batch) check_batch(o, state);
-        else if (o->threads > 0 || (o->project && o->motion.section == NULL))
-            argp_error(state, "--%s is for many orbits at once: add --batch", o->threads > 0 ? "threads" : "project");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -104,12 +81,14 @@ static const struct argp parser = {
     "levels do not tell at a pole. With --check: trace and det of DP at that return, divergence (its integral on the levels), and defect, "
     "det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond what an error of a tolerance "
     "a step makes of it, which is much where the section is crossed slowly.\n\n"
-    "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Near a pole they are followed "
-    "one at a time. N is looked at at returns alone. Rows beyond 1024 of an orbit, or beyond 256 MiB, wait in a file in TMPDIR.\n\n"
+    "More than one orbit go at once, in lanes of vectors and on all processors, by a Runge-Kutta method that --tol chooses, and near a pole "
+    "or at rest one at a time; jellett plan section ... and the header tell by which method, or why there are no lanes. They go in blocks "
+    "of 256 a thread, and a block's rows are written when it is done; rows beyond 1024 of an orbit, or beyond 256 MiB, wait in a file in "
+    "TMPDIR. One orbit alone, and all with --method, go by the method named, gauss by default.\n\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
     "    --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv\n"
-    "  jellett section --batch --threads 2 --grid 100x100 > section.csv",
+    "  jellett section --threads 2 --grid 100x100 > section.csv",
     children, NULL, NULL,
 };
 
@@ -122,7 +101,7 @@ typedef struct {
 /* How orbits are followed: by the section, or many at once by the batch. */
 typedef struct {
     const options *o;
-    const jlt_system *system;
+    jlt_system *system;
     totals *sum;
     jlt_section_picture *picture;
     jlt_section_table table;
@@ -223,12 +202,7 @@ static jlt_exit closing_words(const follower *f)
     if (sum->empty > 0)
         fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
     jlt_section_table_lost(lost, sizeof lost, sum->lost, sum->invalid, f->table.system->observed);
-    if (o->batch && sum->invalid > 0)
-        fprintf(stderr,
-                "jellett: at least %zu of %zu orbits have returns where %s is lost and the model does not hold; they were followed all "
-                "the same, and --batch does not look between returns\n",
-                sum->invalid, sum->orbits, lost);
-    else if (sum->invalid > 0 && !o->motion.flow.end_where_invalid)
+    if (sum->invalid > 0 && !o->motion.flow.end_where_invalid)
         fprintf(stderr,
                 "jellett: %zu of %zu orbits lose %s, and the model does not hold from there on; they were followed all the same "
                 "(--contact end stops them there)\n",
@@ -240,31 +214,29 @@ static jlt_exit closing_words(const follower *f)
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 
+/* Whether orbits are followed together: an orbit put back onto integrals of a section that tables describe as well, which lanes can. */
+static bool are_many(const options *o)
+{
+    return o->grid != NULL || o->start_count > 1 || (o->project && o->motion.section == NULL);
+}
+
 /* Whatever orbits are followed with. */
 static jlt_exit open_follower(follower *f)
 {
     const options *o = f->o;
-    const jlt_system *system = f->system;
-    jlt_section_batch_options batch = { .threads = (unsigned)o->threads, .progress = show_batch, .context = f };
-    jlt_status st = JLT_OK;
+    jlt_section_batch_options batch = { .backwards = o->time_direction < 0, .progress = show_batch, .context = f };
+    jlt_exit code;
 
-    if (!o->batch) {
-        JLT_TRY(jlt_section_create(&f->section, &system->flow));
-        if (o->check) JLT_TRY(jlt_map_create(&f->map, &system->flow));
-        goto done;
+    if (are_many(o)) {
+        code = jlt_motion_many_open(&f->batch, &batch, &o->motion, f->system);
+    } else {
+        code = o->project ? jlt_motion_project(f->system) : JLT_EXIT_DONE;
+        const jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&f->section, &f->system->flow) : JLT_OK;
+        if (st != JLT_OK) code = jlt_motion_fail(st, f->system, "section");
     }
-    return jlt_section_many_open(&f->batch, &batch, system, o->project);
-done:
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");
-}
-
-static jlt_exit plan_batch(follower *f, const jlt_system *system)
-{
-    f->system = system;
-    const jlt_exit code = open_follower(f);
-    if (code != JLT_EXIT_DONE) return code;
-    jlt_section_many_line(stdout, " ", &f->o->motion, system, f->o->project);
-    return JLT_EXIT_PLANNED;
+    if (code != JLT_EXIT_DONE || !o->check) return code;
+    const jlt_status st = jlt_map_create(&f->map, &f->system->flow);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, f->system, "section");
 }
 
 /* Orbits from so many starts, the first of which has the number `first`. */
@@ -300,8 +272,8 @@ static jlt_exit run_block(follower *f, const double *q, size_t first, size_t cou
 static jlt_exit run_all(follower *f, FILE *stream)
 {
     const options *o = f->o;
-    const size_t threads = o->threads > 1 ? o->threads : 1, room = o->batch ? BLOCK * threads : 1;
-    const size_t rows = !o->batch ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
+    const size_t threads = o->check ? 1 : o->motion.threads, room = f->batch != NULL ? BLOCK * o->motion.threads : 1;
+    const size_t rows = f->batch == NULL ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
     const jlt_chart *chart = f->system->flow.chart;
     const unsigned dim = chart->dim;
     const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->start_count + grid;
@@ -348,24 +320,21 @@ static jlt_exit run(int argc, char **argv)
     o.starts = calloc((size_t)argc, sizeof *o.starts);
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
-    o.motion.flow.method = NULL;
+    jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
+    jlt_motion_many_choose(&o.motion, are_many(&o), o.project);
     o.motion.begins.starts = o.starts;
     o.motion.begins.start_count = o.start_count;
     o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_PLANNED && o.batch) code = plan_batch(&f, system);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = jlt_section_picture_open(&picture, &o.motion, system);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     f.system = system;
-    if (code == JLT_EXIT_DONE && o.project && !o.batch) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);
-    if (o.batch) jlt_section_many_line(common->table.file, "#", &o.motion, system, o.project);
     f.table = (jlt_section_table){ .system = system, .least = strcmp(o.motion.contact, "report") == 0, .check = o.check,
                                    .map = f.map, .time_direction = o.time_direction };
     jlt_section_table_names(common->table.file, &f.table);

@@ -1,5 +1,6 @@
-#include "cli/motion.h"
+#include "cli/motion_many.h"
 #include "dynamics/separation.h"
+#include "kernel/batch_isa.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
     case 'g': o->grid = value; return 0;
     case CELLS: o->cells = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
@@ -37,7 +38,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -46,7 +47,8 @@ static const struct argp parser = {
     "\vColumns: returns, alive_forward, alive_backward, cells_forward, cells_backward, cells_common, overlap, mirror_overlap. "
     "overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are apart; in between lies "
     "mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: its distance from 1 "
-    "is the error of finite length.\n\n"
+    "is the error of finite length. Orbits go at once as those of jellett section, by a method that --tol chooses, or by --method one at "
+    "a time.\n\n"
     "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 \\\n"
     "    --returns 4096",
     children, NULL, NULL,
@@ -55,7 +57,8 @@ static const struct argp parser = {
 static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, const jlt_system *system)
 {
     jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
-    jlt_separation_options wanted = { .settle = o->settle, .returns = o->returns };
+    const jlt_kernel_batch *kernels = o->motion.in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
+    jlt_separation_options wanted = { .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads };
     double *starts = NULL;
     size_t all;
     jlt_status st = JLT_ERR_NOMEM;
@@ -115,7 +118,9 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
+    jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    jlt_motion_many_choose(&o.motion, true, false);
     o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
+#include "cli/motion_many.h"
 #include "cli/motion_plane.h"
 #include "cli/planned.h"
 #include "kernel/descriptor.h"
@@ -102,7 +103,7 @@ bool jlt_motion_interrupted(const jlt_motion_options *options)
     return options->flow.interrupt != NULL && *options->flow.interrupt;
 }
 
-jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
+jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options)
 {
     const jlt_descriptor *descriptor;
     jlt_surface surface;
@@ -115,6 +116,7 @@ jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *option
     code = jlt_motion_surface(&surface, &has_surface, options, descriptor);
     if (code != JLT_EXIT_DONE) return code;
     code = has_surface ? jlt_motion_surface_system(system, options, &surface) : jlt_motion_plane_system(system, options, descriptor);
+    if (code == JLT_EXIT_DONE) jlt_motion_many_settle(options, *system);
     return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
 }
 

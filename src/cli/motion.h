@@ -18,6 +18,11 @@ typedef struct {
     jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
+    size_t threads;      /* of many orbits; these as in motion_many.h */
+    bool project;        /* orbits are put back onto their integrals */
+    bool many;           /* lanes are wanted for orbits */
+    bool in_lanes;       /* many orbits go at once, by a method that --tol chooses */
+    const char *alone;   /* why they do not; NULL: that was not asked for, or they do */
     bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
@@ -42,7 +47,7 @@ void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
 /** The system that the options describe. Says what is wrong. Where only its plan is asked for, that is shown: JLT_EXIT_PLANNED. */
-jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
+jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options);
 
 /** What its levels are solved for, behind them in the header. */
 void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
@@ -65,7 +70,7 @@ jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, 
 jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
                                   const char *wanted);
 
-/** Name of the method that orbits are followed with: batches choose theirs by the tolerance; "each" where all are asked. */
+/** Name of the method that orbits are followed with: in lanes it is chosen by the tolerance; "each" where all are asked. */
 const char *jlt_motion_method(const jlt_motion_options *options);
 
 /** Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,). Returns how many. */

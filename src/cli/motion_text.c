@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/motion_many.h"
 #include "cli/motion_plane.h"
 #include "integrate/batch_method.h"
 #include "kernel/descriptor.h"
@@ -33,7 +34,7 @@ unsigned jlt_motion_levels(const jlt_system *system, const char **names, double 
 
 const char *jlt_motion_method(const jlt_motion_options *options)
 {
-    if (options->common.lanes) return jlt_batch_method_for(options->flow.tolerance)->name;
+    if (options->in_lanes) return jlt_batch_method_for(options->flow.tolerance)->name;
     return options->flow.method != NULL ? options->flow.method->name : "each";
 }
 
@@ -66,6 +67,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     if (jlt_observed_conditions(system->observed) > 0)
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
     fputs("; nothing is random, so there is no seed\n", stream);
+    jlt_motion_many_line(stream, "#", options, system);
 }
 
 void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept)

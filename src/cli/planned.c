@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/motion_many.h"
 #include "cli/table.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -120,6 +121,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     const jlt_exit refused = show_starts(system, options);
     if (refused != JLT_EXIT_DONE) return refused;
     printf("  method %s, tolerance %.3g%s\n", jlt_motion_method(options), options->flow.tolerance,
-           options->common.lanes ? "" : ", one orbit at a time");
+           options->in_lanes ? "" : ", one orbit at a time");
+    jlt_motion_many_line(stdout, " ", options, system);
     return code;
 }

@@ -1,6 +1,8 @@
 #include "dynamics/branch.h"
 
 #include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "dynamics/linear.h"
@@ -35,28 +37,66 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
     return JLT_OK;
 }
 
+static bool is_parameter(double sigma) { return sigma >= 0 && isfinite(sigma); }
+
+/* The fundamental domain that sigma is in, the point near the saddle that leads there, and its rate along the eigenvector. */
+static size_t begin(const jlt_branch *self, double start[2], double *rate, double sigma)
+{
+    const double n = ceil(sigma), offset = self->seed * pow(self->lambda, sigma - n);
+
+    *rate = offset * log(self->lambda);
+    for (unsigned k = 0; k < 2; k++) start[k] = self->q[k] + offset * self->v[k];
+    jlt_chart_wrap(jlt_map_flow(self->map)->chart, start);
+    return (size_t)n;
+}
+
+static void turn(double *tangent, const jlt_branch *self, double rate, const double *slope)
+{
+    for (unsigned k = 0; k < 2; k++) tangent[k] = rate * (slope[2 * k] * self->v[0] + slope[2 * k + 1] * self->v[1]);
+}
+
+static const double unity[4] = { 1, 0, 0, 1 };
+
 jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma)
 {
-    const jlt_chart *chart = jlt_map_flow(self->map)->chart;
-    const double n = ceil(sigma), offset = self->seed * pow(self->lambda, sigma - n), rate = offset * log(self->lambda);
-    double start[2] = { self->q[0] + offset * self->v[0], self->q[1] + offset * self->v[1] };
+    double start[2], rate;
     jlt_image image;
     jlt_status st;
 
-    if (!(sigma >= 0)) return JLT_ERR_ARG;
-    jlt_chart_wrap(chart, start);
+    if (!is_parameter(sigma)) return JLT_ERR_ARG;
+    const size_t n = begin(self, start, &rate, sigma);
     if (n == 0) {
         memcpy(q, start, sizeof start);
-        if (tangent != NULL) tangent[0] = rate * self->v[0], tangent[1] = rate * self->v[1];
+        if (tangent != NULL) turn(tangent, self, rate, unity);
         return JLT_OK;
     }
-    if (tangent == NULL) st = jlt_map_point(self->map, &image, start, (size_t)n * self->returns, self->time_direction);
-    else st = jlt_map_apply(self->map, &image, start, (size_t)n * self->returns, self->time_direction);
+    if (tangent == NULL) st = jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction);
+    else st = jlt_map_apply(self->map, &image, start, n * self->returns, self->time_direction);
     if (st != JLT_OK) return st;
     memcpy(q, image.q, sizeof start);
-    if (tangent != NULL) {
-        tangent[0] = rate * (image.slope[0] * self->v[0] + image.slope[1] * self->v[1]);
-        tangent[1] = rate * (image.slope[2] * self->v[0] + image.slope[3] * self->v[1]);
-    }
+    if (tangent != NULL) turn(tangent, self, rate, image.slope);
     return JLT_OK;
+}
+
+jlt_status jlt_branch_points(const jlt_branch *self, jlt_map_batch *maps, jlt_status *status, double *q, double *tangent,
+                             const double *sigma, size_t count)
+{
+    size_t *returns = calloc(count + 1, sizeof *returns);
+    jlt_map_images room = { 0 };
+    double start[2], rate;
+    jlt_status st = returns != NULL ? jlt_map_batch_images(&room, 2, count + 1) : JLT_ERR_NOMEM;
+
+    for (size_t i = 0; st == JLT_OK && i < count; i++)
+        returns[i] = is_parameter(sigma[i]) ? begin(self, room.q + 2 * i, &rate, sigma[i]) * self->returns : 0;
+    if (st == JLT_OK) st = jlt_map_batch_apply_each(maps, &room, room.q, count, returns, self->time_direction);
+    for (size_t i = 0; st == JLT_OK && i < count; i++) {
+        status[i] = is_parameter(sigma[i]) ? room.status[i] : JLT_ERR_ARG;
+        if (status[i] != JLT_OK) continue;
+        (void)begin(self, start, &rate, sigma[i]);
+        memcpy(q + 2 * i, room.q + 2 * i, sizeof start);
+        turn(tangent + 2 * i, self, rate, room.slope + 4 * i);
+    }
+    jlt_map_batch_images_clear(&room);
+    free(returns);
+    return st;
 }

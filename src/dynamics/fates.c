@@ -10,15 +10,22 @@ jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const doub
 
     JLT_TRY(jlt_section_start(section, &row, q, 1));
     while (row.fate == JLT_FATE_ALIVE && !row.interrupted && row.number < returns) JLT_TRY(jlt_section_next(section, &row));
-    *end = (jlt_fates_end){ .fate = row.fate,
-                            .lost = row.lost,
-                            .t = row.t,
-                            .returns = row.number,
-                            .least = row.least,
-                            .interrupted = row.interrupted };
-    memcpy(end->x, row.x, sizeof end->x);
+    *end = jlt_fates_of(&row);
 done:
     return st;
+}
+
+jlt_fates_end jlt_fates_of(const jlt_return *last)
+{
+    jlt_fates_end end = { .fate = last->fate,
+                          .lost = last->lost,
+                          .t = last->t,
+                          .returns = last->number,
+                          .least = last->least,
+                          .interrupted = last->interrupted };
+
+    memcpy(end.x, last->x, sizeof end.x);
+    return end;
 }
 
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)

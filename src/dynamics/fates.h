@@ -21,6 +21,9 @@ typedef struct {
  *  jlt_section_next; *end is then not touched. */
 JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
 
+/** The same of an orbit whose last row is known. */
+jlt_fates_end jlt_fates_of(const jlt_return *last);
+
 /** Numbers of starts by fate; begin with all zero. */
 typedef struct {
     size_t starts;                /* that were added */

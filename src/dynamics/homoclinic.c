@@ -22,70 +22,151 @@ static bool segments_cross(const jlt_chart *chart, double *a, double *b, const d
     return *a >= 0 && *a < 1 && *b >= 0 && *b < 1;
 }
 
-/* Newton on gamma_u(sigma_u) = gamma_s(sigma_s). Fills q, angle, residual, both sigmas. */
-static jlt_status refine(jlt_homoclinic *io, const jlt_branch *unstable, const jlt_branch *stable, int iterations)
-{
-    const jlt_chart *chart = jlt_map_flow(unstable->map)->chart;
-    double u[2], s[2], du[2], ds[2], gap[2], cross;
-    jlt_homoclinic best = *io;
-    double su = io->sigma_unstable, ss = io->sigma_stable;
-    jlt_status st;
-    int i;
+/* Newton's method on gamma_u(sigma_u) = gamma_s(sigma_s), for one crossing. */
+typedef struct {
+    jlt_homoclinic best;
+    double sigma[2]; /* of the next trial, on the unstable and on the stable branch */
+    bool goes_on;
+    jlt_status status; /* of what was looked at last */
+} refinement;
 
-    best.residual = INFINITY;
-    for (i = 0; i < iterations; i++) {
-        st = jlt_branch_point(unstable, u, du, su);
-        if (st == JLT_OK) st = jlt_branch_point(stable, s, ds, ss);
-        if (st != JLT_OK) return st;
-        jlt_chart_difference(chart, gap, s, u);
-        if (!(hypot(gap[0], gap[1]) < best.residual)) break;
-        cross = du[0] * ds[1] - du[1] * ds[0];
-        best.residual = hypot(gap[0], gap[1]);
-        best.sigma_unstable = su;
-        best.sigma_stable = ss;
-        memcpy(best.q, u, sizeof u);
-        best.angle = atan2(cross, du[0] * ds[0] + du[1] * ds[1]);
-        if (best.angle > pi / 2) best.angle -= pi;
-        if (best.angle <= -pi / 2) best.angle += pi;
-        /* u + du x = s + ds y */
-        su += (gap[0] * ds[1] - gap[1] * ds[0]) / cross;
-        ss += (gap[0] * du[1] - gap[1] * du[0]) / cross;
-        if (!(su >= 0 && ss >= 0 && isfinite(su) && isfinite(ss))) break;
-    }
-    if (!isfinite(best.residual)) return JLT_ERR_NO_CONVERGENCE;
-    *io = best;
-    return JLT_OK;
+static void begin_refinement(refinement *self, const jlt_homoclinic *at)
+{
+    *self = (refinement){ .best = *at, .sigma = { at->sigma_unstable, at->sigma_stable }, .goes_on = true };
+    self->best.residual = INFINITY;
 }
 
-/* The same crossing by another map, from branches whose seeds are so many times as large: sigma moves by the logarithm. */
-static double angle_again(const jlt_homoclinic *point, const jlt_branch *unstable, const jlt_branch *stable, jlt_map *map,
-                          double seeds)
+/* What the points and tangents of a trial say, shape (2, 2) each: of the unstable branch, of the stable one. */
+static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2])
 {
-    jlt_branch u = *unstable, s = *stable;
-    jlt_homoclinic other = *point;
+    const double *du = tangent[0], *ds = tangent[1], cross = du[0] * ds[1] - du[1] * ds[0];
+    jlt_homoclinic *best = &self->best;
+    double gap[2];
 
-    u.map = s.map = map;
+    jlt_chart_difference(chart, gap, q[1], q[0]);
+    if (!(hypot(gap[0], gap[1]) < best->residual)) {
+        self->goes_on = false;
+        return;
+    }
+    best->residual = hypot(gap[0], gap[1]);
+    best->sigma_unstable = self->sigma[0];
+    best->sigma_stable = self->sigma[1];
+    memcpy(best->q, q[0], sizeof best->q);
+    best->angle = atan2(cross, du[0] * ds[0] + du[1] * ds[1]);
+    if (best->angle > pi / 2) best->angle -= pi;
+    if (best->angle <= -pi / 2) best->angle += pi;
+    /* u + du x = s + ds y */
+    self->sigma[0] += (gap[0] * ds[1] - gap[1] * ds[0]) / cross;
+    self->sigma[1] += (gap[0] * du[1] - gap[1] * du[0]) / cross;
+    for (unsigned k = 0; k < 2; k++)
+        if (!(self->sigma[k] >= 0 && isfinite(self->sigma[k]))) self->goes_on = false;
+}
+
+/* Room for the trials of so many crossings. */
+typedef struct {
+    size_t *index;      /* (count,): whose they are */
+    jlt_status *status; /* (2, count), as follows: on the unstable branch, on the stable one */
+    double *sigma, *q, *tangent; /* q and tangent: (2, count, 2) */
+} trials;
+
+static void clear_trials(trials *self)
+{
+    free(self->index);
+    free(self->status);
+    free(self->sigma);
+}
+
+static jlt_status make_trials(trials *self, size_t count)
+{
+    *self = (trials){ .index = calloc(count + 1, sizeof *self->index), .status = calloc(2 * count + 1, sizeof *self->status),
+                      .sigma = calloc(10 * count + 1, sizeof *self->sigma) };
+    self->q = self->sigma + 2 * count;
+    self->tangent = self->q + 4 * count;
+    if (self->index != NULL && self->status != NULL && self->sigma != NULL) return JLT_OK;
+    clear_trials(self);
+    return JLT_ERR_NOMEM;
+}
+
+/* All of them, side by side; *branches: the unstable one, the stable one. */
+static jlt_status refine(refinement *list, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, int iterations)
+{
+    const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
+    trials t;
+    jlt_status st = make_trials(&t, count);
+
+    if (st != JLT_OK) return st;
+    for (int iteration = 0; iteration < iterations; iteration++) {
+        size_t going = 0;
+        for (size_t i = 0; i < count; i++) {
+            if (!list[i].goes_on) continue;
+            for (unsigned k = 0; k < 2; k++) t.sigma[k * count + going] = list[i].sigma[k];
+            t.index[going++] = i;
+        }
+        if (going == 0) break;
+        for (unsigned k = 0; k < 2; k++)
+            JLT_TRY(jlt_branch_points(branches[k], maps, t.status + k * count, t.q + 2 * k * count, t.tangent + 2 * k * count,
+                                      t.sigma + k * count, going));
+        for (size_t i = 0; i < going; i++) {
+            refinement *at = &list[t.index[i]];
+            double q[2][2], tangent[2][2];
+            at->status = t.status[i] != JLT_OK ? t.status[i] : t.status[count + i];
+            at->goes_on = at->status == JLT_OK;
+            for (unsigned k = 0; k < 2 && at->goes_on; k++) {
+                memcpy(q[k], t.q + 2 * (k * count + i), sizeof q[k]);
+                memcpy(tangent[k], t.tangent + 2 * (k * count + i), sizeof tangent[k]);
+            }
+            if (at->goes_on) take_step(at, chart, (const double(*)[2])q, (const double(*)[2])tangent);
+        }
+    }
+    for (size_t i = 0; i < count; i++)
+        if (list[i].status == JLT_OK && !isfinite(list[i].best.residual)) list[i].status = JLT_ERR_NO_CONVERGENCE;
+done:
+    clear_trials(&t);
+    return st;
+}
+
+/* The same crossings by other maps, from branches whose seeds are so many times as large: sigma moves by the logarithm. Errors become the
+ * largest change of each angle so far, NaN where one cannot be found again. */
+static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, double seeds,
+                               refinement *room)
+{
+    jlt_branch u = *branches[0], s = *branches[1];
+    const jlt_branch *const others[] = { &u, &s };
+
     u.seed *= seeds;
     s.seed *= seeds;
-    other.sigma_unstable -= log(seeds) / log(u.lambda);
-    other.sigma_stable -= log(seeds) / log(s.lambda);
-    if (other.sigma_unstable < 0 || other.sigma_stable < 0) return NAN;
-    return refine(&other, &u, &s, 8) == JLT_OK ? other.angle : NAN;
+    for (size_t i = 0; i < count; i++) {
+        jlt_homoclinic other = points[i];
+        other.sigma_unstable -= log(seeds) / log(u.lambda);
+        other.sigma_stable -= log(seeds) / log(s.lambda);
+        begin_refinement(&room[i], &other);
+        if (!(other.sigma_unstable < 0) && !(other.sigma_stable < 0)) continue;
+        room[i].goes_on = false;
+        room[i].status = JLT_ERR_ARG;
+    }
+    const jlt_status st = refine(room, count, others, maps, 8);
+    for (size_t i = 0; st == JLT_OK && i < count; i++) {
+        const double change = room[i].status == JLT_OK ? fabs(remainder(room[i].best.angle - points[i].angle, pi)) : NAN;
+        if (isnan(change) || change > points[i].angle_error) points[i].angle_error = change;
+    }
+    return st;
 }
 
 /* Twice the largest change by another tolerance, another seed, and both: where all that is left is rounding, one of them alone may
  * happen to change little. */
-static double angle_error(const jlt_homoclinic *point, const jlt_branch *unstable, const jlt_branch *stable, jlt_map *coarse)
+static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
+                               jlt_map_batch *coarse)
 {
-    const double others[] = { angle_again(point, unstable, stable, coarse, 2), angle_again(point, unstable, stable, coarse, 1),
-                              angle_again(point, unstable, stable, unstable->map, 2) };
-    double largest = 0;
+    refinement *room = calloc(count + 1, sizeof *room);
+    jlt_status st = room != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
-    for (int i = 0; i < 3; i++) {
-        const double change = fabs(remainder(others[i] - point->angle, pi));
-        if (isnan(change) || change > largest) largest = change;
-    }
-    return 2 * largest;
+    for (size_t i = 0; i < count; i++) points[i].angle_error = 0;
+    if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 2, room);
+    if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 1, room);
+    if (st == JLT_OK) st = angles_again(points, count, branches, fine, 2, room);
+    for (size_t i = 0; i < count; i++) points[i].angle_error *= 2;
+    free(room);
+    return st;
 }
 
 static int compare(const void *left, const void *right)
@@ -133,11 +214,6 @@ static void measure_lobes(jlt_homoclinic *points, size_t count, const jlt_manifo
     }
 }
 
-typedef struct {
-    jlt_homoclinic *points;
-    size_t count, capacity;
-} found_list;
-
 /* How far along the branches a point may lie from where it is: they leave each other by the angle. */
 static double blur(const jlt_homoclinic *point) { return point->residual / fabs(sin(point->angle)); }
 
@@ -149,57 +225,86 @@ static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_
     return along < 1e-7 || (along < 1 && jlt_chart_distance(chart, a->q, b->q) < blur(a) + blur(b));
 }
 
-static jlt_status push(found_list *list, const jlt_homoclinic *point, const jlt_chart *chart)
+/* Where sides of the polygons meet: the list, for free(). */
+static jlt_status find_candidates(refinement **out, size_t *count, const jlt_manifold *unstable, const jlt_manifold *stable,
+                                  const jlt_chart *chart)
 {
-    size_t i;
+    refinement *list = NULL;
+    size_t room = 0;
 
-    for (i = 0; i < list->count; i++)
-        if (is_same(&list->points[i], point, chart)) return JLT_OK;
-    if (list->count == list->capacity) {
-        const size_t capacity = list->capacity == 0 ? 16 : 2 * list->capacity;
-        jlt_homoclinic *grown = realloc(list->points, capacity * sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        list->points = grown;
-        list->capacity = capacity;
-    }
-    list->points[list->count++] = *point;
-    return JLT_OK;
-}
-
-jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
-                               const jlt_branch *unstable_branch, const jlt_manifold *stable,
-                               const jlt_branch *stable_branch, jlt_map *coarse)
-{
-    const jlt_chart *chart = jlt_map_flow(unstable_branch->map)->chart;
-    found_list list = { .count = 0 };
-    jlt_status st = JLT_OK;
-    size_t i, j;
-
-    *points = NULL;
     *count = 0;
-    if (touching != NULL) *touching = 0;
-    for (i = 0; i + 1 < unstable->count; i++)
-        for (j = 0; j + 1 < stable->count; j++) {
+    for (size_t i = 0; i + 1 < unstable->count; i++)
+        for (size_t j = 0; j + 1 < stable->count; j++) {
             jlt_homoclinic point = { .lobe = NAN };
             double a, b;
             if (!segments_cross(chart, &a, &b, unstable->points + 2 * i, unstable->points + 2 * i + 2,
                                 stable->points + 2 * j, stable->points + 2 * j + 2)) continue;
             point.sigma_unstable = unstable->sigma[i] + a * (unstable->sigma[i + 1] - unstable->sigma[i]);
             point.sigma_stable = stable->sigma[j] + b * (stable->sigma[j + 1] - stable->sigma[j]);
-            st = refine(&point, unstable_branch, stable_branch, 12);
-            if (st == JLT_ERR_NOMEM) goto done;
-            if (st != JLT_OK || point.residual > 1e-8) continue;
-            point.angle_error = angle_error(&point, unstable_branch, stable_branch, coarse);
-            if (!(fabs(point.angle) <= point.angle_error) && blur(&point) < JLT_MANIFOLD_FINEST) JLT_TRY(push(&list, &point, chart));
-            else if (touching != NULL) ++*touching;
+            if (*count == room) {
+                room = room == 0 ? 64 : 2 * room;
+                refinement *grown = realloc(list, room * sizeof *grown);
+                if (grown == NULL) {
+                    free(list);
+                    return JLT_ERR_NOMEM;
+                }
+                list = grown;
+            }
+            begin_refinement(&list[(*count)++], &point);
         }
-    st = JLT_OK;
-    if (list.count > 1) qsort(list.points, list.count, sizeof *list.points, compare);
-    measure_lobes(list.points, list.count, unstable, stable, chart);
-    *points = list.points;
-    *count = list.count;
-    list.points = NULL;
+    *out = list;
+    return JLT_OK;
+}
+
+/* Leaves out what is no crossing as far as errors tell, and what is one of those before; *touching counts the former. */
+static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touching, const jlt_chart *chart)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        const jlt_homoclinic *point = &points[i];
+        bool known = false;
+        for (size_t k = 0; !known && k < kept; k++) known = is_same(&points[k], point, chart);
+        if (known) continue;
+        if (fabs(point->angle) <= point->angle_error || !(blur(point) < JLT_MANIFOLD_FINEST)) ++*touching;
+        else points[kept++] = *point;
+    }
+    return kept;
+}
+
+jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
+                               const jlt_branch *unstable_branch, const jlt_manifold *stable,
+                               const jlt_branch *stable_branch, jlt_map_batch *fine, jlt_map_batch *coarse)
+{
+    const jlt_chart *chart = jlt_map_batch_flow(fine)->chart;
+    const jlt_branch *const branches[] = { unstable_branch, stable_branch };
+    refinement *list = NULL;
+    jlt_homoclinic *found = NULL;
+    size_t candidates = 0, kept = 0, apart = 0;
+    jlt_status st = JLT_OK;
+
+    *points = NULL;
+    *count = 0;
+    if (touching != NULL) *touching = 0;
+    JLT_TRY(find_candidates(&list, &candidates, unstable, stable, chart));
+    if (candidates == 0) goto done;
+    found = calloc(candidates, sizeof *found);
+    st = found != NULL ? refine(list, candidates, branches, fine, 12) : JLT_ERR_NOMEM;
+    if (st != JLT_OK) goto done;
+    for (size_t i = 0; i < candidates; i++)
+        if (list[i].status == JLT_OK && list[i].best.residual <= 1e-8) found[kept++] = list[i].best;
+    JLT_TRY(angle_errors(found, kept, branches, fine, coarse));
+    kept = keep_crossings(found, kept, &apart, chart);
+    if (touching != NULL) *touching = apart;
+    if (kept > 1) qsort(found, kept, sizeof *found, compare);
+    measure_lobes(found, kept, unstable, stable, chart);
+    *count = kept;
+    if (kept > 0) {
+        *points = found;
+        found = NULL; /* ownership moved to the caller */
+    }
 done:
-    free(list.points);
+    free(list);
+    free(found);
     return st;
 }

@@ -17,10 +17,11 @@ typedef struct {
  *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there
  *  are none. *touching, unless NULL: crossings of the polygons that are none of the branches as far as errors tell, and are left out:
  *  their angle is within its error of 0, or so small that where they lie is not known to JLT_MANIFOLD_FINEST.
- *  In: coarse, a map of ten times the tolerance, from which angle_error is found.
- *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 20 branch points a crossing. */
+ *  In: fine, maps of the branches' section; coarse, such of ten times the tolerance, from which angle_error is found.
+ *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 20 branch points a crossing, all crossings at
+ *  once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,
-                                           const jlt_branch *stable_branch, jlt_map *coarse);
+                                           const jlt_branch *stable_branch, jlt_map_batch *fine, jlt_map_batch *coarse);
 
 #endif

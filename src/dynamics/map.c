@@ -162,13 +162,13 @@ done:
     return st;
 }
 
-jlt_status jlt_map_resume(jlt_map *self, double *x, double *t)
+jlt_status jlt_map_resume(jlt_map *self, double *x, double *t, int time_direction)
 {
     jlt_outcome outcome;
     jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_orbit_start(self->orbit, 0, x, 1));
-    JLT_TRY(to_section(self, &outcome, 1));
+    JLT_TRY(jlt_orbit_start(self->orbit, 0, x, time_direction));
+    JLT_TRY(to_section(self, &outcome, time_direction));
     memcpy(x, outcome.x, self->varied.field.dim * sizeof *x);
     *t = outcome.t;
 done:

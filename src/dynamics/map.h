@@ -49,8 +49,8 @@ JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double
  *  NaN. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
-/** Follow a varied state (map_return.h) forwards to the section. In/out: varied, shape (states*(1 + dim) + 1,). Out: *t, the time that
- *  this took, in the flow's unit. Errors: as jlt_map_apply. */
-JLT_CHECKED jlt_status jlt_map_resume(jlt_map *self, double *varied, double *t);
+/** Follow a varied state (map_return.h) to the section, forwards or backwards. In/out: varied, shape (states*(1 + dim) + 1,). Out: *t, the
+ *  time that this took, in the flow's unit. Errors: as jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_map_resume(jlt_map *self, double *varied, double *t, int time_direction);
 
 #endif

@@ -19,6 +19,9 @@ enum { BLOCK = 256 };
 typedef struct {
     const jlt_map_batch *batch;
     const jlt_map_images *out;
+    int time_direction;
+    const size_t *each; /* returns of every point; NULL: `returns` */
+    size_t returns;
     jlt_map *alone;  /* for orbits that go on by themselves */
     size_t *point;   /* in each lane, shape (BLOCK,) as those that follow */
     double *starts;  /* (BLOCK, columns) */
@@ -60,13 +63,13 @@ void jlt_map_batch_images_clear(jlt_map_images *self)
     *self = (jlt_map_images){ 0 };
 }
 
-/* Whether lanes can go the way: a section STATE = 0 that has no other turns, without an end in time, of not too many states. */
+/* Whether lanes can go the way: a section that has no other turns, without an end in time, of not too many states. */
 static bool serves(const jlt_flow *flow)
 {
     const jlt_chart *chart = flow->chart;
     const jlt_batch_map map = { .dim = chart->states, .tangents = chart->dim };
 
-    if (chart->level != 0 || chart->turn != 0 || flow->t_max != 0) return false;
+    if (chart->turn != 0 || flow->t_max != 0) return false;
     return chart->states <= JLT_BATCH_STATES_MAX && jlt_batch_columns(&map) <= JLT_BATCH_COLUMNS_MAX;
 }
 
@@ -91,7 +94,7 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
     const jlt_batch_map map = {
         .kernels = kernels != NULL && serves(flow) ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states, .tangents = flow->chart->dim,
-        .column = flow->chart->column, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
+        .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
         .method = method, .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
         .max_steps = flow->max_steps != 0 && flow->max_steps < most_steps ? flow->max_steps : most_steps,
         .interrupt = flow->interrupt,
@@ -179,7 +182,7 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
 static void go_on(const worker *self, size_t lane)
 {
     double *varied = self->starts + lane * self->batch->columns, t = 0;
-    const jlt_status st = jlt_map_resume(self->alone, varied, &t);
+    const jlt_status st = jlt_map_resume(self->alone, varied, &t, self->time_direction);
 
     self->out->status[self->point[lane]] = st;
     if (st == JLT_OK) arrive(self, lane, varied, varied[self->batch->columns - 1] + t);
@@ -193,14 +196,20 @@ static void go_alone(const worker *self, size_t point)
     jlt_image image;
 
     if (out->status[point] != JLT_OK) return;
-    out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, 1);
+    out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->time_direction);
     if (out->status[point] != JLT_OK) return;
     memcpy(out->q + point * d, image.q, d * sizeof *image.q);
     add(out, point, d, image.slope, image.T, image.expansion, image.determinant, image.defect);
 }
 
+/* Whether a point has made all its returns. */
+static bool is_done(const worker *self, size_t point, size_t number)
+{
+    return number >= (self->each != NULL ? self->each[point] : self->returns);
+}
+
 /* What orbits of points first .. first + count - 1 begin as; those without a state have their status. */
-static size_t lift(const worker *self, size_t first, size_t count)
+static size_t lift(const worker *self, size_t first, size_t count, size_t number)
 {
     const jlt_map_images *out = self->out;
     const unsigned d = self->batch->flow.chart->dim, columns = self->batch->columns;
@@ -208,7 +217,7 @@ static size_t lift(const worker *self, size_t first, size_t count)
 
     for (size_t i = first; i < first + count; i++) {
         double *start = self->starts + lanes * columns;
-        if (out->status[i] != JLT_OK) continue;
+        if (out->status[i] != JLT_OK || is_done(self, i, number)) continue;
         out->status[i] = jlt_map_return_start(start, &self->flux[lanes], &self->batch->flow, out->q + i * d);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
@@ -219,42 +228,47 @@ static size_t lift(const worker *self, size_t first, size_t count)
     return lanes;
 }
 
-static jlt_status one_return(worker *self, size_t first, size_t count)
+static jlt_status one_return(worker *self, size_t first, size_t count, size_t number)
 {
-    const jlt_batch_map *map = &self->batch->map;
+    jlt_batch_map map = self->batch->map;
 
-    for (size_t i = first; map->kernels == NULL && i < first + count; i++) go_alone(self, i);
-    if (map->kernels == NULL) return JLT_OK;
-    const size_t lanes = lift(self, first, count);
+    map.backwards = self->time_direction < 0;
+    for (size_t i = first; map.kernels == NULL && i < first + count; i++)
+        if (!is_done(self, i, number)) go_alone(self, i);
+    if (map.kernels == NULL) return JLT_OK;
+    const size_t lanes = lift(self, first, count, number);
     if (lanes == 0) return JLT_OK;
-    const jlt_status st = jlt_batch_section(map, self->starts, lanes, 1, keep_row, keep_end, self, NULL);
+    const jlt_status st = jlt_batch_section(&map, self->starts, lanes, 1, keep_row, keep_end, self, NULL);
     for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++)
         if (self->is_on_way[lane]) go_on(self, lane);
     return st;
 }
 
 /* Blocks of points, until *next has passed the last. */
-static jlt_status work(worker *self, const jlt_map_images *out, size_t count, size_t block, size_t returns, size_t *next)
+static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
 {
     jlt_status st = JLT_OK;
 
-    self->out = out;
     for (;;) {
         const size_t first = __atomic_fetch_add(next, block, __ATOMIC_RELAXED);
         if (first >= count || st != JLT_OK) return st;
-        for (size_t number = 0; number < returns && st == JLT_OK; number++)
-            st = one_return(self, first, count - first < block ? count - first : block);
+        for (size_t number = 0; number < self->returns && st == JLT_OK; number++)
+            st = one_return(self, first, count - first < block ? count - first : block, number);
     }
 }
 
-jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns)
+const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self) { return &self->flow; }
+
+/* returns: the most of any point. */
+static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns, const size_t *each,
+                        int time_direction)
 {
     const unsigned d = self->flow.chart->dim;
     const size_t share = (count + self->threads - 1) / self->threads, block = share < BLOCK ? share : BLOCK;
     size_t next = 0;
     int failure = JLT_OK;
 
-    if (returns == 0) return JLT_ERR_ARG;
+    if (time_direction != 1 && time_direction != -1) return JLT_ERR_ARG;
     if (count == 0) return JLT_OK;
     memmove(out->q, q, count * d * sizeof *q);
     for (size_t i = 0; i < count; i++) {
@@ -267,8 +281,29 @@ jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, c
 #pragma omp parallel for num_threads((int)self->threads) schedule(static, 1) reduction(max : failure)
 #endif
     for (unsigned thread = 0; thread < self->threads; thread++) {
-        const int st = (int)work(&self->workers[thread], out, count, block, returns, &next);
+        worker *w = &self->workers[thread];
+        w->out = out;
+        w->time_direction = time_direction;
+        w->each = each;
+        w->returns = returns;
+        const int st = (int)work(w, count, block, &next);
         if (st > failure) failure = st;
     }
     return (jlt_status)failure;
+}
+
+jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns,
+                               int time_direction)
+{
+    return returns == 0 ? JLT_ERR_ARG : apply(self, out, q, count, returns, NULL, time_direction);
+}
+
+jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, const size_t *returns,
+                                    int time_direction)
+{
+    size_t most = 0;
+
+    for (size_t i = 0; i < count; i++)
+        if (returns[i] > most) most = returns[i];
+    return apply(self, out, q, count, most, returns, time_direction);
 }

@@ -3,7 +3,7 @@
  *
  *  A lane ends early near a pole, or when its orbit has all but come to rest. Such an orbit is followed on from there by the
  *  flow's own method, alone, so that its fate is the one that a jlt_map finds. So are all orbits where lanes do not serve: on sections
- *  other than STATE = 0, or of a state with turns, with an end in time, or of many states. */
+ *  of a state with turns, with an end in time, or of many states. */
 #ifndef JLT_DYNAMICS_MAP_BATCH_H
 #define JLT_DYNAMICS_MAP_BATCH_H
 
@@ -37,8 +37,16 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_map_batch_images(jlt_map_images *out, unsigned d, size_t count);
 void jlt_map_batch_images_clear(jlt_map_images *self); /* legal on zeroed ones */
 
-/** P^returns and its derivative, returns >= 1, at points q, shape (count, dim), forwards. out->q may be q. An interrupt leaves
+/** P^returns and its derivative, returns >= 1, at points q, shape (count, dim); time_direction +1 or -1. out->q may be q. An interrupt leaves
  *  NO_CONVERGENCE in the status of points that are not done. Errors: ARG; NOMEM; as jlt_batch_section. */
-JLT_CHECKED jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns);
+JLT_CHECKED jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns,
+                                           int time_direction);
+
+/** The same with a number of returns, 0 or more, for each point: returns, shape (count,). Lanes are filled with those that go on. */
+JLT_CHECKED jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count,
+                                                const size_t *returns, int time_direction);
+
+/** The flow as given. */
+const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self);
 
 #endif

@@ -22,8 +22,7 @@ typedef struct {
     jlt_flow flow;                /* of the search */
     jlt_map_batch **maps;         /* one a thread */
     unsigned threads;
-    jlt_section_batch *together;  /* NULL: orbits of starts are followed by `section` */
-    jlt_section *section;
+    jlt_section_batch *together;
     jlt_newton *newton;           /* (count,) */
     size_t count, room, points, bytes; /* points of all of them */
 } grid_search;
@@ -81,7 +80,7 @@ static jlt_status one_trial(jlt_map_batch *maps, jlt_newton **going, size_t *cou
 
     for (size_t i = 0; i < *count; points += going[i++]->period)
         memcpy(images->q + points * d, going[i]->trial, going[i]->period * d * sizeof *images->q);
-    const jlt_status st = jlt_map_batch_apply(maps, images, images->q, points, 1);
+    const jlt_status st = jlt_map_batch_apply(maps, images, images->q, points, 1, 1);
     if (st != JLT_OK) return st;
     for (size_t i = 0; i < *count; i++) {
         const size_t first = at;
@@ -163,22 +162,21 @@ done:
     return st;
 }
 
-/* The windows of start `index` of a block, whose point is q: from it, and from where it is after `settle` returns. */
-static jlt_status follow(grid_search *self, const double *q, size_t index)
+/* The windows of start `index` of a block: from it, and from where it is after `settle` returns. */
+static jlt_status follow(grid_search *self, size_t index)
 {
     const unsigned d = self->chart->dim;
     const size_t wanted = self->options->period_max + 1, settle = self->options->settle;
     double windows[2][(JLT_PERIODIC_MAX + 1) * JLT_CHART_DIM_MAX];
     size_t filled[2] = { 0, 0 };
     jlt_return row;
-    jlt_status st = self->together != NULL ? jlt_section_batch_start(self->together, &row, index)
-                                           : jlt_section_start(self->section, &row, q, 1);
+    jlt_status st = jlt_section_batch_start(self->together, &row, index);
 
     for (size_t i = 0; st == JLT_OK && row.fate == JLT_FATE_ALIVE && !row.interrupted; i++) {
-        if (filled[0] < wanted) memcpy(windows[0] + filled[0]++ * d, row.q, d * sizeof *q);
-        if (settle > 0 && i >= settle) memcpy(windows[1] + filled[1]++ * d, row.q, d * sizeof *q);
+        if (filled[0] < wanted) memcpy(windows[0] + filled[0]++ * d, row.q, d * sizeof *row.q);
+        if (settle > 0 && i >= settle) memcpy(windows[1] + filled[1]++ * d, row.q, d * sizeof *row.q);
         if (filled[settle > 0 ? 1 : 0] == wanted) break;
-        st = self->together != NULL ? jlt_section_batch_next(self->together, &row) : jlt_section_next(self->section, &row);
+        st = jlt_section_batch_next(self->together, &row);
     }
     if (st != JLT_OK && !jlt_orbits_is_miss(st)) return st;
     for (unsigned pass = 0; pass < 2; pass++) JLT_TRY(begin_window(self, windows[pass], filled[pass]));
@@ -203,22 +201,18 @@ static jlt_status search_block(grid_search *self, double *q, size_t first, size_
     jlt_status st = JLT_OK;
 
     for (size_t i = 0; i < count; i++) grid_point(q + i * d, self->options, self->chart, first + i);
-    if (self->together != NULL)
-        JLT_TRY(jlt_section_batch_run(self->together, q, count, self->options->settle + self->options->period_max));
-    for (size_t i = 0; i < count && !raised(self); i++) JLT_TRY(follow(self, q + i * d, i));
+    JLT_TRY(jlt_section_batch_run(self->together, q, count, self->options->settle + self->options->period_max));
+    for (size_t i = 0; i < count && !raised(self); i++) JLT_TRY(follow(self, i));
     st = raised(self) ? JLT_ERR_NO_CONVERGENCE : solve(self);
 done:
     return st;
 }
 
-/* Batches where they serve. */
 static jlt_status open_search(grid_search *self)
 {
     const jlt_section_batch_options together = { .threads = self->options->threads };
-    jlt_status st = JLT_ERR_UNSUPPORTED;
+    jlt_status st = jlt_section_batch_create(&self->together, &self->flow, self->options->kernels, &together);
 
-    if (self->options->kernels != NULL) st = jlt_section_batch_create(&self->together, &self->flow, self->options->kernels, &together);
-    if (st == JLT_ERR_UNSUPPORTED) st = jlt_section_create(&self->section, &self->flow);
     if (st != JLT_OK) return st;
     self->threads = self->options->threads > 1 ? self->options->threads : 1;
     self->maps = calloc(self->threads, sizeof(jlt_map_batch *));
@@ -251,7 +245,6 @@ done:
     for (unsigned i = 0; self.maps != NULL && i < self.threads; i++) jlt_map_batch_destroy(self.maps[i]);
     free(self.maps);
     jlt_section_batch_destroy(self.together);
-    jlt_section_destroy(self.section);
     free(q);
     return st;
 }

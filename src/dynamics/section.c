@@ -334,6 +334,27 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
     row->direction = (f[column] > 0) - (f[column] < 0);
 }
 
+void jlt_section_resume(jlt_section *self, size_t number, double t, const double *x)
+{
+    self->number = number;
+    self->t_start = t;
+    self->accepted = true;
+    memcpy(self->x, x, self->flow.chart->states * sizeof *x);
+}
+
+void jlt_section_note(jlt_section *self, double least, unsigned which)
+{
+    if (!(least < self->least)) return;
+    self->least = least;
+    self->condition = which;
+}
+
+void jlt_section_end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate, unsigned lost)
+{
+    end(self, row, t, x, fate);
+    if (fate == JLT_FATE_INVALID) row->lost = lost;
+}
+
 void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);

@@ -99,6 +99,15 @@ JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
  *  conditions at this point alone into account; jlt_section_next goes on from here. Not to be called after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 
+/** Go on from the point (t, x), in these units, that another integrator has led the orbit to after so many returns. */
+void jlt_section_resume(jlt_section *self, size_t number, double t, const double *x);
+
+/** The least value of the model's conditions that whoever followed the orbit met, and whose it is. */
+void jlt_section_note(jlt_section *self, double least, unsigned condition);
+
+/** Take a fate at (t, x), as above, for the end of the orbit, as if jlt_section_next had come to it. */
+void jlt_section_end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate, unsigned lost);
+
 /** Accepted and rejected steps, and field evaluations, since creation of the orbit. */
 void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations);
 

@@ -3,28 +3,51 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/spool.h"
 #include "integrate/rest.h"
 
-/* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. */
-enum { COLUMNS_MAX = JLT_CHART_STATES_MAX + 1, ROOM = 1024, BYTES = 1 << 28 };
+/* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. A row has the states, t, the least value of the model's
+ * conditions, and whose it is. */
+enum { WATCHED = 2, COLUMNS_MAX = JLT_CHART_STATES_MAX + 1 + WATCHED, ROOM = 1024, BYTES = 1 << 28 };
+
+/* What is known of an orbit beside its rows. */
+typedef struct {
+    size_t rows;
+    unsigned lost;
+    jlt_fate fate;         /* of the end */
+    jlt_lane_end lane_end;
+    bool has_lane_end;
+    bool is_slow;          /* the lane's next return was slower than what it may be left to */
+    bool has_end;          /* it ends after its rows, or was interrupted there */
+    bool is_interrupted;
+} course;
 
 struct jlt_section_batch {
     jlt_flow flow;
-    jlt_batch_map map;
+    jlt_batch_map map; /* kernels NULL: no lanes */
+    jlt_batch_watch watch;
+    double unit[JLT_BATCH_STATES_MAX]; /* of it */
     jlt_section_batch_options options;
-    jlt_section *section;
-    unsigned columns; /* states, and t */
+    jlt_section **sections; /* (threads,): for orbits that go alone; the first one reads */
+    unsigned threads;
+    unsigned columns;   /* of lanes: states, and t */
+    unsigned width;     /* of a row */
+    double slow;        /* below it an orbit is left to the flow's own method */
     jlt_status *lifted; /* (count,): what the chart says of the starts */
     size_t *lane;       /* (count,): of starts that have a state */
-    size_t *orbit;      /* (lanes,): the other way round */
-    double *starts;     /* (lanes, columns) */
-    size_t count, lanes;
-    jlt_spool *rows;
+    double *starts;     /* (lanes, columns); as follows */
+    course *courses;    /* (lanes,) */
+    double *last, *end; /* (lanes, width): the last row; where the lane or the orbit ended */
+    size_t count, lanes, returns;
+    jlt_spool *rows;    /* of lanes; NULL: the last one is kept alone */
     size_t made; /* returns of the run; changed atomically */
     int failure; /* of the spool; set atomically */
-    bool alone;  /* the orbit that is read goes on by itself */
+    struct {
+        size_t lane;
+        bool is_done; /* all its rows have been read */
+    } reading;
 };
 
 /* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error is no
@@ -35,37 +58,77 @@ static size_t most_steps(double tolerance)
     return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
 }
 
+/* The rates at which the end at a pole is known at once: what is left of the way then has a square below a hundredth of the tolerance
+ * (integrate/approach.h). Explicit methods, at their limit of stability there, hold at some tolerances what has decayed. */
+static double rest_at_pole(double tolerance) { return fmax(0.01 * sqrt(tolerance), 10 * tolerance); }
+
+static unsigned conditions_of(const jlt_flow *flow) { return flow->observed != NULL ? jlt_observed_conditions(flow->observed) : 0; }
+
+const char *jlt_section_batch_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels)
+{
+    const unsigned conditions = conditions_of(flow);
+    const double *p;
+    const int *exponents;
+
+    if (kernels == NULL) return "there are no kernels on vectors";
+    if (flow->chart->states > JLT_BATCH_STATES_MAX) return "there are more states than lanes take";
+    if (flow->chart->turn != 0) return "the section's state is an angle";
+    if (flow->end_where_invalid && conditions > 0) return "orbits end where the model loses its conditions, between steps too";
+    if (flow->t_max != 0) return "returns have an end in time";
+    if (conditions > JLT_BATCH_CONDITIONS_MAX) return "there are more conditions than lanes watch";
+    if (conditions > 0 && jlt_observed_lanes(flow->observed, &p, &exponents, kernels->lanes) == NULL)
+        return "its conditions have no kernels on vectors";
+    return NULL;
+}
+
+static void set_watch(jlt_section_batch *self)
+{
+    const int *exponents;
+
+    self->watch = (jlt_batch_watch){ .count = conditions_of(&self->flow) };
+    if (self->map.kernels == NULL || self->watch.count == 0) return;
+    self->watch.values = jlt_observed_lanes(self->flow.observed, &self->watch.p, &exponents, self->map.kernels->lanes);
+    for (unsigned i = 0; exponents != NULL && i < self->map.dim; i++) self->unit[i] = ldexp(1, exponents[i]);
+    if (exponents != NULL) self->watch.unit = self->unit;
+    self->map.watch = &self->watch;
+}
+
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
 {
-    /* Where a lane is left to the method that can end at the pole: as far from it as that judges. */
-    static const double root_floor = 1e-9;
+    static const double root_floor = 1e-9; /* where the flow's own method judges whether an orbit ends at a pole; few come deeper that */
+    static const double root_least = 1e-12; /* do not */
     jlt_section_batch *self = NULL;
     jlt_status st = JLT_OK;
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL) return JLT_ERR_ARG;
-    if (flow->chart->level != 0 || flow->chart->turn != 0) return JLT_ERR_UNSUPPORTED;
-    if (flow->end_where_invalid || flow->t_max != 0) return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->flow = *flow;
     self->options = *options;
+    self->threads = options->threads > 1 ? options->threads : 1;
     self->columns = flow->chart->states + 1;
+    self->width = self->columns + WATCHED;
     const double tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12;
     const size_t steps_max = most_steps(tolerance);
+    self->slow = jlt_rest_slow(tolerance);
     self->map = (jlt_batch_map){
-        .kernels = kernels, .p = flow->field->p, .dim = flow->chart->states, .clock = true, .column = flow->chart->column,
-        .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
-        .domain = flow->field->domain,
-        .tolerance = tolerance,
+        .kernels = jlt_section_batch_obstacle(flow, kernels) == NULL ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states,
+        .clock = true, .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction,
+        .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_rest = rest_at_pole(tolerance),
+        .root_least = root_least, .domain = flow->field->domain, .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project, .interrupt = flow->interrupt,
     };
-    JLT_TRY(jlt_section_create(&self->section, flow));
-    *out = self;
-    self = NULL; /* ownership moved to the caller */
-done:
+    set_watch(self);
+    self->sections = calloc(self->threads, sizeof(jlt_section *));
+    st = self->sections == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    for (unsigned i = 0; st == JLT_OK && i < self->threads; i++) st = jlt_section_create(&self->sections[i], flow);
+    if (st == JLT_OK) {
+        *out = self;
+        self = NULL; /* ownership moved to the caller */
+    }
     jlt_section_batch_destroy(self);
     return st;
 }
@@ -75,12 +138,15 @@ static void forget(jlt_section_batch *self)
     jlt_spool_destroy(self->rows);
     free(self->lifted);
     free(self->lane);
-    free(self->orbit);
     free(self->starts);
+    free(self->courses);
+    free(self->last);
+    free(self->end);
     self->rows = NULL;
     self->lifted = NULL;
-    self->lane = self->orbit = NULL;
-    self->starts = NULL;
+    self->lane = NULL;
+    self->courses = NULL;
+    self->starts = self->last = self->end = NULL;
     self->count = self->lanes = self->made = 0;
     self->failure = JLT_OK;
 }
@@ -89,61 +155,182 @@ void jlt_section_batch_destroy(jlt_section_batch *self)
 {
     if (self == NULL) return;
     forget(self);
-    jlt_section_destroy(self->section);
+    for (unsigned i = 0; self->sections != NULL && i < self->threads; i++) jlt_section_destroy(self->sections[i]);
+    free(self->sections);
     free(self);
+}
+
+/* One more row (width,) of an orbit. */
+static jlt_status keep(jlt_section_batch *self, size_t lane, const double *row)
+{
+    const jlt_status st = self->rows != NULL ? jlt_spool_add(self->rows, lane, row) : JLT_OK;
+
+    memcpy(self->last + lane * self->width, row, self->width * sizeof *row);
+    self->courses[lane].rows++;
+    const size_t made = __atomic_add_fetch(&self->made, 1, __ATOMIC_RELAXED);
+    if (self->options.progress != NULL) self->options.progress(self->options.context, made);
+    return st;
+}
+
+/* What a lane tells, as a row. */
+static void row_of(const jlt_section_batch *self, double *row, const double *x)
+{
+    memcpy(row, x, self->columns * sizeof *x);
+    row[self->columns] = self->map.watch != NULL ? x[self->columns] : INFINITY;
+    row[self->columns + 1] = self->map.watch != NULL ? x[self->columns + 1] : 0;
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
 {
     jlt_section_batch *self = context;
-    const jlt_status st = jlt_spool_add(self->rows, self->orbit[lane], x);
+    course *at = &self->courses[lane];
+    double row[COLUMNS_MAX];
 
     (void)number;
+    at->is_slow = at->is_slow || jlt_rest_is_slower(self->flow.field, x, self->slow);
+    if (at->is_slow) return 0;
+    row_of(self, row, x);
+    const jlt_status st = keep(self, lane, row);
     if (st != JLT_OK) __atomic_store_n(&self->failure, (int)st, __ATOMIC_RELAXED);
-    const size_t made = __atomic_add_fetch(&self->made, 1, __ATOMIC_RELAXED);
-    if (self->options.progress != NULL) self->options.progress(self->options.context, made);
     return st != JLT_OK;
+}
+
+static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns, const double *x)
+{
+    jlt_section_batch *self = context;
+
+    (void)returns;
+    self->courses[lane].lane_end = end;
+    self->courses[lane].has_lane_end = true;
+    row_of(self, self->end + lane * self->width, x);
+    return 0;
+}
+
+/* A section's row (width,), in the units of lanes. */
+static void from_section(const jlt_section_batch *self, double *row, const jlt_return *at)
+{
+    const unsigned n = self->flow.chart->states;
+
+    for (unsigned k = 0; k < n; k++) row[k] = ldexp(at->x[k], -self->flow.units.state[k]);
+    row[n] = ldexp(at->t, -self->flow.units.time);
+    row[self->columns] = at->least;
+    row[self->columns + 1] = at->lost;
+}
+
+static jlt_status begin(const jlt_section_batch *self, jlt_section *section, jlt_return *row, size_t lane)
+{
+    double x[JLT_CHART_STATES_MAX];
+
+    for (unsigned k = 0; k < self->flow.chart->states; k++)
+        x[k] = ldexp(self->starts[lane * self->columns + k], self->flow.units.state[k]);
+    return jlt_section_start_state(section, row, x, self->options.backwards ? -1 : 1);
+}
+
+/* Where an orbit goes on alone from: near a pole and at the end of an interval from where the lane ended, else from its last return, for
+ * a lane that stalls may have gone astray. */
+static void resume(const jlt_section_batch *self, jlt_section *section, size_t lane)
+{
+    const course *at = &self->courses[lane];
+    const bool goes_on = at->has_lane_end && !at->is_slow && (at->lane_end == JLT_LANE_ROOT || at->lane_end == JLT_LANE_DOMAIN);
+    double *from = (goes_on ? self->end : self->last) + lane * self->width;
+
+    if (!goes_on && at->rows == 0) return;
+    if (at->lane_end == JLT_LANE_ROOT && goes_on) from[self->map.root] = fabs(from[self->map.root]); /* rounding may have gone past 0 */
+    jlt_section_note(section, from[self->columns], (unsigned)from[self->columns + 1]);
+    jlt_section_resume(section, at->rows, from[self->columns - 1], from);
+}
+
+/* What lanes have left of an orbit, by the flow's own method. */
+static jlt_status finish(jlt_section_batch *self, jlt_section *section, size_t lane)
+{
+    course *at = &self->courses[lane];
+    double kept[COLUMNS_MAX];
+    jlt_return row;
+    jlt_status st = JLT_OK;
+
+    if (at->has_lane_end && at->lane_end == JLT_LANE_DONE && !at->is_slow) return JLT_OK;
+    JLT_TRY(begin(self, section, &row, lane));
+    if (row.fate != JLT_FATE_ALIVE) return JLT_OK; /* readers see that it has ended at its start */
+    resume(self, section, lane);
+    while (row.fate == JLT_FATE_ALIVE && !row.interrupted && at->rows < self->returns) {
+        JLT_TRY(jlt_section_next(section, &row));
+        from_section(self, kept, &row);
+        if (row.fate == JLT_FATE_ALIVE && !row.interrupted) JLT_TRY(keep(self, lane, kept));
+    }
+    at->has_end = row.fate != JLT_FATE_ALIVE || row.interrupted;
+    if (!at->has_end) return JLT_OK;
+    at->fate = row.fate;
+    at->lost = row.lost;
+    at->is_interrupted = row.interrupted;
+    memcpy(self->end + lane * self->width, kept, self->width * sizeof *kept);
+done:
+    return st;
+}
+
+static jlt_status finish_all(jlt_section_batch *self)
+{
+    size_t next = 0;
+    int failure = JLT_OK;
+
+#if defined(_OPENMP)
+#pragma omp parallel for num_threads((int)self->threads) schedule(static, 1) reduction(max : failure)
+#endif
+    for (unsigned thread = 0; thread < self->threads; thread++) {
+        jlt_status st = JLT_OK;
+        while (st == JLT_OK) {
+            const size_t lane = __atomic_fetch_add(&next, 1, __ATOMIC_RELAXED);
+            if (lane >= self->lanes) break;
+            st = finish(self, self->sections[thread], lane);
+        }
+        if ((int)st > failure) failure = (int)st;
+    }
+    return (jlt_status)failure;
 }
 
 /* Rows of an orbit that are in memory: one at least. */
 static size_t rows_in_memory(const jlt_section_batch *self, size_t count, size_t returns)
 {
-    const size_t each = BYTES / (self->columns * sizeof(double)) / count, most = returns < ROOM ? returns : ROOM;
+    const size_t each = BYTES / (self->width * sizeof(double)) / count, most = returns < ROOM ? returns : ROOM;
 
     if (each == 0) return 1;
     return each < most ? each : most;
 }
 
-/* Rows tell enough: whoever reads beyond them goes on from the last. */
-static int ignore_end(void *context, size_t lane, jlt_lane_end end, size_t returns, const double *x)
+/* What orbits begin as, without those that have no state. */
+static jlt_status lift_starts(jlt_section_batch *self, const double *q, size_t count)
 {
-    (void)context, (void)lane, (void)end, (void)returns, (void)x;
-    return 0;
+    const jlt_chart *chart = self->flow.chart;
+
+    self->lifted = calloc(count, sizeof *self->lifted);
+    self->lane = calloc(count, sizeof *self->lane);
+    self->starts = calloc(count, self->columns * sizeof *self->starts);
+    if (self->lifted == NULL || self->lane == NULL || self->starts == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++) {
+        self->lifted[i] = chart->lift(chart, self->starts + self->lanes * self->columns, NULL, q + i * chart->dim);
+        if (self->lifted[i] == JLT_OK) self->lane[i] = self->lanes++;
+    }
+    self->count = count;
+    if (self->lanes == 0) return JLT_OK;
+    self->courses = calloc(self->lanes, sizeof *self->courses);
+    self->last = calloc(self->lanes, self->width * sizeof *self->last);
+    self->end = calloc(self->lanes, self->width * sizeof *self->end);
+    if (self->courses == NULL || self->last == NULL || self->end == NULL) return JLT_ERR_NOMEM;
+    if (self->options.last_only) return JLT_OK;
+    return jlt_spool_create(&self->rows, self->width, self->lanes, rows_in_memory(self, self->lanes, self->returns));
 }
 
 jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns)
 {
-    const jlt_chart *chart = self->flow.chart;
-    jlt_status st = JLT_ERR_NOMEM;
+    jlt_status st = JLT_OK;
 
     if (count == 0 || returns == 0) return JLT_ERR_ARG;
     forget(self);
-    self->lifted = calloc(count, sizeof *self->lifted);
-    self->lane = calloc(count, sizeof *self->lane);
-    self->orbit = calloc(count, sizeof *self->orbit);
-    self->starts = calloc(count, self->columns * sizeof *self->starts);
-    if (self->lifted == NULL || self->lane == NULL || self->orbit == NULL || self->starts == NULL) goto done;
-    JLT_TRY(jlt_spool_create(&self->rows, self->columns, count, rows_in_memory(self, count, returns)));
-    for (size_t i = 0; i < count; i++) {
-        self->lifted[i] = chart->lift(chart, self->starts + self->lanes * self->columns, NULL, q + i * chart->dim);
-        if (self->lifted[i] != JLT_OK) continue;
-        self->lane[i] = self->lanes;
-        self->orbit[self->lanes++] = i;
-    }
-    self->count = count;
-    if (self->lanes > 0)
-        JLT_TRY(jlt_batch_section(&self->map, self->starts, self->lanes, returns, keep_row, ignore_end, self, NULL));
+    self->returns = returns;
+    JLT_TRY(lift_starts(self, q, count));
+    if (self->lanes > 0 && self->map.kernels != NULL)
+        JLT_TRY(jlt_batch_section(&self->map, self->starts, self->lanes, returns, keep_row, keep_end, self, NULL));
     st = (jlt_status)self->failure;
+    if (st == JLT_OK) st = finish_all(self);
 done:
     if (st != JLT_OK) forget(self);
     return st;
@@ -154,33 +341,60 @@ size_t jlt_section_batch_begun(const jlt_section_batch *self)
     size_t begun = self->count;
 
     if (self->flow.interrupt == NULL || !*self->flow.interrupt) return begun;
-    while (begun > 0 && jlt_spool_count(self->rows, begun - 1) == 0) begun--;
+    while (begun > 0 && (self->lifted[begun - 1] != JLT_OK || self->courses[self->lane[begun - 1]].rows == 0)) begun--;
     return begun;
 }
 
 jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, size_t orbit)
 {
-    const double *start = self->starts + self->lane[orbit] * self->columns;
-    double x[JLT_CHART_STATES_MAX];
-
     if (self->lifted[orbit] != JLT_OK) return self->lifted[orbit];
-    for (unsigned k = 0; k < self->flow.chart->states; k++) x[k] = ldexp(start[k], self->flow.units.state[k]);
-    self->alone = false;
-    jlt_spool_rewind(self->rows, orbit);
-    return jlt_section_start_state(self->section, row, x, 1);
+    self->reading.lane = self->lane[orbit];
+    self->reading.is_done = false;
+    if (self->rows != NULL) jlt_spool_rewind(self->rows, self->reading.lane);
+    return begin(self, self->sections[0], row, self->reading.lane);
+}
+
+static void read_end(jlt_section_batch *self, jlt_return *row)
+{
+    const course *at = &self->courses[self->reading.lane];
+    const double *x = self->end + self->reading.lane * self->width;
+
+    jlt_section_note(self->sections[0], x[self->columns], (unsigned)x[self->columns + 1]);
+    jlt_section_end(self->sections[0], row, x[self->columns - 1], x, at->fate, at->lost);
+    row->interrupted = at->is_interrupted;
+}
+
+static void read_row(jlt_section_batch *self, jlt_return *row, const double *x)
+{
+    jlt_section_note(self->sections[0], x[self->columns], (unsigned)x[self->columns + 1]);
+    jlt_section_accept(self->sections[0], row, x[self->columns - 1], x);
 }
 
 jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row)
 {
-    const double slow = jlt_rest_slow(self->map.tolerance);
     double x[COLUMNS_MAX];
-    const jlt_status st = self->alone ? JLT_ERR_EMPTY : jlt_spool_read(self->rows, x);
 
-    if (st == JLT_OK && !jlt_rest_is_slower(self->flow.field, x, slow)) {
-        jlt_section_accept(self->section, row, x[self->columns - 1], x);
-        return JLT_OK;
+    if (self->reading.is_done) return jlt_section_next(self->sections[0], row);
+    const jlt_status st = self->rows != NULL ? jlt_spool_read(self->rows, x) : JLT_ERR_ARG;
+    if (st == JLT_OK) read_row(self, row, x);
+    if (st != JLT_ERR_EMPTY) return st;
+    self->reading.is_done = true;
+    if (!self->courses[self->reading.lane].has_end) return jlt_section_next(self->sections[0], row);
+    read_end(self, row);
+    return JLT_OK;
+}
+
+jlt_status jlt_section_batch_last(jlt_section_batch *self, jlt_return *row, size_t orbit)
+{
+    const jlt_status st = jlt_section_batch_start(self, row, orbit);
+
+    if (st != JLT_OK || row->fate != JLT_FATE_ALIVE) return st;
+    const course *at = &self->courses[self->reading.lane];
+    const double *last = self->last + self->reading.lane * self->width;
+    if (at->rows > 0) {
+        jlt_section_resume(self->sections[0], at->rows - 1, last[self->columns - 1], last);
+        read_row(self, row, last);
     }
-    if (st != JLT_OK && st != JLT_ERR_EMPTY) return st;
-    self->alone = true;
-    return jlt_section_next(self->section, row);
+    if (at->has_end) read_end(self, row);
+    return JLT_OK;
 }

@@ -1,14 +1,16 @@
-/** Follows many orbits through a surface of section at once, on batched kernels with an orbit in each lane; then they are read
- *  one after another, like those of a jlt_section.  *
+/** Follows many orbits through a surface of section at once, in lanes of vectors and on threads; then they are read one after
+ *  another, like those of a jlt_section.
+ *
  *      JLT_TRY(jlt_section_batch_run(batch, q, count, returns));
  *      for (size_t i = 0; i < jlt_section_batch_begun(batch); i++) {
  *          JLT_TRY(jlt_section_batch_start(batch, &row, i));
  *          while (row.fate == JLT_FATE_ALIVE && row.number < returns) JLT_TRY(jlt_section_batch_next(batch, &row));
  *      }
- *   * A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest.
- *  Such an orbit is followed on from its last return by the flow's own method, alone, when it is read, so that its fate is the one
- *  that a jlt_section finds. In rows of a batch, `least` is taken over returns, not over the steps between them. Rows depend neither
- *  on the other orbits nor on the number of threads. */
+ *
+ *  A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest. Such an
+ *  orbit is followed on by the flow's own method, alone, so that its fate is the one that a jlt_section finds. So are all orbits where
+ *  no lanes can go: on sections of a state with turns, where orbits end as the model loses its conditions, with an end in time, of many
+ *  states. Rows depend neither on the other orbits nor on the number of threads. */
 #ifndef JLT_DYNAMICS_SECTION_BATCH_H
 #define JLT_DYNAMICS_SECTION_BATCH_H
 
@@ -17,7 +19,9 @@
 
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
-    unsigned project; /* integrals of the kernels, and the relation of a root, that are restored at crossings; 0: none */
+    unsigned project; /* integrals of the kernels, and the relation of a root, that lanes restore at crossings; 0: none */
+    bool backwards;   /* in time */
+    bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
     /* Told how many returns have been made since the run began, by all threads; NULL: nobody. */
     void (*progress)(void *context, size_t returns);
     void *context;
@@ -25,17 +29,19 @@ typedef struct {
 
 typedef struct jlt_section_batch jlt_section_batch;
 
-/** Create a batch. kernels: those of the flow's field. What the flow points to must live as long as the batch. Orbits are
- *  followed forwards in time only. Errors: as jlt_section_create; UNSUPPORTED, the flow asks for a section other than STATE =
- *  0, for the end where the model no longer holds, or for an end in time; NOMEM. */
+/** Create a batch. kernels: those of the flow's field, see jlt_batch_isa_best; NULL: all orbits go alone, by the flow's method. What
+ *  the flow points to must live as long as the batch. Errors: as jlt_section_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                                 const jlt_section_batch_options *options);
 void jlt_section_batch_destroy(jlt_section_batch *self); /* NULL is legal */
 
+/** Why orbits of this flow go alone, a clause such as "the section's state is an angle"; NULL: they go in lanes. */
+const char *jlt_section_batch_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
+
 /** Follow the orbits from starts q, shape (count, dim), on the section for `returns` returns each; the orbits of an earlier run
  *  are dropped. An interrupt ends the run early, with OK. Errors: ARG; as jlt_batch_section; IO, the temporary file.
- *  Memory: count * min(returns, 1024) rows, 256 MiB or a row each at most; older rows wait in a temporary file
- *  (core/spool.h). */
+ *  Memory: some 200 bytes an orbit, and unless last_only count * min(returns, 1024) rows, 256 MiB or a row each at most; older rows
+ *  wait in a temporary file (core/spool.h). */
 JLT_CHECKED jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns);
 
 /** How many orbits, from the first on, can be read: all of them, or after an interrupt those up to the last that has a
@@ -47,5 +53,8 @@ JLT_CHECKED jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_retu
 
 /** Read its next return, or its end, as jlt_section_next. Errors: IO, the temporary file; as jlt_section_next. */
 JLT_CHECKED jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row);
+
+/** The last row of an orbit: its end, or the last of its returns. Errors: as the chart's lift. */
+JLT_CHECKED jlt_status jlt_section_batch_last(jlt_section_batch *self, jlt_return *row, size_t orbit);
 
 #endif

@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 48 };
+#include "dynamics/section_batch.h"
+
+enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
 
 typedef struct {
     const jlt_chart *chart;
@@ -36,16 +38,17 @@ static unsigned row_of(size_t n)
     return row;
 }
 
-static jlt_status run(cells *self, jlt_section *section, size_t *alive, const double *q, int time_direction)
+/* An orbit of a batch. */
+static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t *alive, size_t index, bool backwards)
 {
     const jlt_separation_options *o = self->options;
-    unsigned char *first = self->first[time_direction < 0];
+    unsigned char *first = self->first[backwards];
     jlt_return row;
-    jlt_status st = jlt_section_start(section, &row, q, time_direction);
+    jlt_status st = jlt_section_batch_start(batch, &row, index);
 
     if (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN) return JLT_OK;
-    while (st == JLT_OK && row.number < o->settle + o->returns) {
-        st = jlt_section_next(section, &row);
+    while (st == JLT_OK && row.fate == JLT_FATE_ALIVE && row.number < o->settle + o->returns) {
+        st = jlt_section_batch_next(batch, &row);
         if (st != JLT_OK || row.fate != JLT_FATE_ALIVE) break;
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
         if (row.number > o->settle) {
@@ -55,7 +58,26 @@ static jlt_status run(cells *self, jlt_section *section, size_t *alive, const do
         }
     }
     if (st == JLT_OK && row.fate == JLT_FATE_ALIVE) ++*alive;
-    return st == JLT_ERR_NOMEM ? st : JLT_OK;
+    return st;
+}
+
+/* All orbits in one direction of time. */
+static jlt_status follow(cells *self, size_t *alive, const jlt_flow *flow, const double *starts, size_t count, bool backwards)
+{
+    const jlt_separation_options *o = self->options;
+    const unsigned threads = o->threads > 1 ? o->threads : 1;
+    jlt_section_batch *batch = NULL;
+    jlt_status st = JLT_OK;
+
+    JLT_TRY(jlt_section_batch_create(&batch, flow, o->kernels, &(jlt_section_batch_options){ .threads = threads, .backwards = backwards }));
+    for (size_t first = 0; first < count; first += BLOCK * threads) {
+        const size_t here = count - first < BLOCK * threads ? count - first : BLOCK * threads;
+        JLT_TRY(jlt_section_batch_run(batch, starts + 2 * first, here, o->settle + o->returns));
+        for (size_t i = 0; i < here; i++) JLT_TRY(count_orbit(self, batch, alive, i, backwards));
+    }
+done:
+    jlt_section_batch_destroy(batch);
+    return st;
 }
 
 static bool visited(const unsigned char *first, size_t cell, unsigned row)
@@ -93,8 +115,7 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
 {
     const size_t all = options->cells[0] * options->cells[1];
     cells self = { .chart = flow->chart, .options = options };
-    jlt_section *section = NULL;
-    size_t alive[2] = { 0, 0 }, i;
+    size_t alive[2] = { 0, 0 };
     unsigned row, last;
     jlt_status st = JLT_OK;
 
@@ -106,11 +127,7 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
     self.first[1] = calloc(all, 1);
     st = JLT_ERR_NOMEM;
     if (self.first[0] == NULL || self.first[1] == NULL) goto done;
-    JLT_TRY(jlt_section_create(&section, flow));
-    for (i = 0; i < count; i++) {
-        JLT_TRY(run(&self, section, &alive[0], starts + 2 * i, 1));
-        JLT_TRY(run(&self, section, &alive[1], starts + 2 * i, -1));
-    }
+    for (unsigned k = 0; k < 2; k++) JLT_TRY(follow(&self, &alive[k], flow, starts, count, k == 1));
     for (row = 0; row <= last; row++) {
         out[row] = (jlt_separation){ .returns = (size_t)1 << row, .alive_forward = alive[0], .alive_backward = alive[1] };
         count_row(&out[row], &self, row);
@@ -118,7 +135,6 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
     if (out[last].returns > options->returns) out[last].returns = options->returns;
     *rows = last + 1;
 done:
-    jlt_section_destroy(section);
     free(self.first[0]);
     free(self.first[1]);
     return st;

@@ -14,13 +14,14 @@ typedef struct {
     size_t count[2][2], touching[2][2]; /* as of jlt_homoclinic_find */
 } jlt_separatrices;
 
-/** Grow all four; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map must outlive
- *  it. Errors: those of jlt_branch_init and jlt_manifold_grow. */
+/** Grow all four, each on a thread; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map must
+ *  outlive it. Errors: those of jlt_branch_init and jlt_manifold_grow. */
 JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
-                                             const jlt_manifold_options *options);
+                                             const jlt_manifold_options *options, unsigned threads);
 
-/** Find where the grown branches cross: fills crossings and count. Errors: those of jlt_homoclinic_find. */
-JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self);
+/** Find where the grown branches cross, by the batches of jlt_map_batch_create: fills crossings, count and touching. Errors: those of
+ *  jlt_homoclinic_find. */
+JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads);
 void jlt_separatrices_clear(jlt_separatrices *self); /* legal when zeroed */
 
 #endif

@@ -33,6 +33,7 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
         !(map->tolerance < 1) || map->kernels == NULL ||
         map->tangents > JLT_BATCH_COLUMNS_MAX || jlt_batch_columns(map) > JLT_BATCH_COLUMNS_MAX ||
+        (map->watch != NULL && (map->watch->count == 0 || map->watch->count > JLT_BATCH_CONDITIONS_MAX)) ||
         (map->project > 0 && (map->tangents > 0 || map->kernels->integral_gradients == NULL || map->project >= JLT_INVARIANTS_MAX)))
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;

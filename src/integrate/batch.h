@@ -14,16 +14,25 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64 };
+enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
 /** Where a lane's orbit ended. */
 typedef enum {
     JLT_LANE_DONE,    /* all its returns are made */
-    JLT_LANE_ROOT,    /* the lifted root fell below root_floor: near a pole; go on from there with a scalar method */
+    JLT_LANE_ROOT,    /* the lifted root fell below root_floor and all else has come to rest: near a pole; go on from there with a
+                         scalar method */
     JLT_LANE_DOMAIN,  /* a state would have left its interval: go on from there with a scalar method */
     JLT_LANE_STALLED, /* the step fell below what time resolves, or a value is not finite */
     JLT_LANE_BUDGET   /* max_steps are spent on one return */
 } jlt_lane_end;
+
+/** Conditions under which the model holds, looked at after every step that is taken: those of a kernel `valid_values`. */
+typedef struct {
+    jlt_kernel_lanes values; /* of the instruction set that the map's kernels have */
+    const double *p;
+    unsigned count;          /* 1 .. JLT_BATCH_CONDITIONS_MAX */
+    const double *unit;      /* (dim,), states times these are what the kernel takes; NULL: states as they are */
+} jlt_batch_watch;
 
 /** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */
 typedef struct {
@@ -33,10 +42,15 @@ typedef struct {
     bool clock;                      /* physical time is carried as the last column, in starts, rows and ends */
     unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and
                                         after them the integral of the divergence and, asked for or not, the clock; 0: none */
-    unsigned column;                 /* the section is x[column] = 0 */
-    int direction;                   /* +1: crossed upwards; -1: downwards; 0: both */
+    unsigned column;                 /* the section is x[column] = level */
+    double level;
+    int direction;                   /* of crossings as time grows, +1: upwards; -1: downwards; 0: both */
+    bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
-    double root_floor;               /* the lane ends where the root is below */
+    double root_floor;               /* the lane ends where the root is below, and all rates are below root_rest in units of max(1, |x_i|); */
+    double root_rest;                /* 0: whatever the rates; it ends anyway after max_steps, and below 1e-100 */
+    double root_least;               /* below it the root's error is measured against it: enough for an orbit that ends at the pole; the
+                                        lane of one that comes back is stalled, from where it was less accurate. 0: against itself */
     const jlt_quantity *domain;      /* (dim,), intervals in which states must stay, as in field.h; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
@@ -45,14 +59,16 @@ typedef struct {
     unsigned project;                /* integrals of the kernels: after every step that crosses the section, unless that would
                                         lead back across it, orbits are put back onto their starts' levels of these and, with
                                         a root r, of x[0]^2 + r^2; 0: not */
+    const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries more: the least value of the conditions at
+                                        the ends of all the orbit's steps so far, that over the section with them, and whose it is */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step, orbits under way without their end; NULL: none */
 } jlt_batch_map;
 
-/** Called at each crossing, for one orbit in order of time: x (columns,); number counts from 1. A nonzero answer ends the run.
+/** Called at each crossing, for one orbit in order of time: x (columns,), and what is watched; number counts from 1. A nonzero answer ends the run.
  *  With several threads it is called by several at once, though never for the same orbit. */
 typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
 
-/** Called once for each orbit, with its last point x (columns,) and the number of its returns, unless the run ends before. A
+/** Called once for each orbit, with its last point x (columns,), what is watched, and the number of its returns, unless the run ends before. A
  *  nonzero answer ends the run; threads as above. */
 typedef int (*jlt_batch_end)(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x);
 
@@ -66,7 +82,7 @@ typedef struct {
 unsigned jlt_batch_columns(const jlt_batch_map *map);
 
 /** Follow the orbits from starts, shape (count, columns), for `returns` returns each. The error of all that is carried is controlled:
- *  that of integrals like a state's, that of tangent vectors relative to them. A start on the section, x[column] = 0, does not count as a crossing.
+ *  that of integrals like a state's, that of tangent vectors relative to them. A start on the section, x[column] = level, does not count as a crossing.
  *  Out: work, the work done; may be NULL. context is passed to row and end.
  *  Errors: ARG, also tangent vectors to be projected, or too many columns; UNSUPPORTED, no code here has as many lanes as the
  *  kernels; NOMEM.

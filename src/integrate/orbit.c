@@ -71,6 +71,12 @@ void jlt_orbit_destroy(jlt_orbit *self)
     free(self);
 }
 
+static jlt_status look_for_pole(jlt_orbit *self)
+{
+    if (self->stepper->field->root < 0 || self->options.ignore_pole) return JLT_OK;
+    return jlt_pole_judge(&self->pole, self->stepper);
+}
+
 jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction)
 {
     if (direction != 1 && direction != -1) return JLT_ERR_ARG;
@@ -78,8 +84,9 @@ jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direc
     self->cursor = 1;
     self->pole.ends = false;
     const jlt_status st = jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step);
-    if (st == JLT_OK) jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
-    return st;
+    if (st != JLT_OK) return st;
+    jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
+    return look_for_pole(self);
 }
 
 void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context)
@@ -223,12 +230,6 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
     }
 done:
     return st;
-}
-
-static jlt_status look_for_pole(jlt_orbit *self)
-{
-    if (self->stepper->field->root < 0 || self->options.ignore_pole) return JLT_OK;
-    return jlt_pole_judge(&self->pole, self->stepper);
 }
 
 static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 
 struct jlt_observed {
@@ -94,6 +95,15 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
         }
     if (condition != NULL && of < d->valid_count) *condition = of;
     return least;
+}
+
+jlt_kernel_lanes jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes)
+{
+    const jlt_kernel_batch *kernels = jlt_batch_isa_best(observed->general->descriptor, lanes);
+
+    *p = observed->general->block;
+    *exponents = observed->scaled ? observed->exponents : NULL;
+    return kernels != NULL && kernels->lanes == lanes ? kernels->valid_values : NULL;
 }
 
 double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x)

@@ -35,6 +35,11 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
 /** The value of one of these conditions at x; the index must be below jlt_observed_conditions. */
 double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x);
 
+/** The conditions on vectors, for whoever has states in lanes: their kernel, of states in the table's units, whose values have shape
+ *  (conditions,). Out: *p, its block; *exponents, shape (states,): states times 2^these are in those units; NULL: states as they are.
+ *  NULL: there are no conditions, or the table has no kernels with so many lanes that the processor runs. */
+jlt_kernel_lanes jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes);
+
 /** How many conditions there are, and the name of one by its index. JLT_OBSERVED_ANY stands for all of them together: its name
  *  is that of the only condition, or "valid" when there are several. */
 enum { JLT_OBSERVED_ANY = JLT_OBSERVED_CONDITIONS_MAX };

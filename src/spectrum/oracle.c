@@ -20,9 +20,13 @@ static jlt_status differentiate(jlt_oracle *o)
 {
     const size_t n = o->model->state_count;
 
+    const size_t slopes = o->model->claim_count * n;
+
     o->field = calloc(n + 1, sizeof *o->field);
     o->jacobian = calloc(n * n + 1, sizeof *o->jacobian);
-    if (o->field == NULL || o->jacobian == NULL) return JLT_ERR_NOMEM;
+    o->gradients = calloc(slopes + 1, sizeof *o->gradients);
+    if (o->field == NULL || o->jacobian == NULL || o->gradients == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < slopes; i++) o->gradients[i] = TTC_NONE;
     o->trace = ttc_integer(o->model->graph, 0);
     for (size_t i = 0; i < n; i++) {
         o->field[i] = ttc_model_field(o->model, i);
@@ -86,6 +90,7 @@ void jlt_oracle_destroy(jlt_oracle *oracle)
     free(oracle->defaults);
     free(oracle->field);
     free(oracle->jacobian);
+    free(oracle->gradients);
     free(oracle);
 }
 
@@ -123,9 +128,10 @@ jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const 
         uint32_t claim = 0;
         if (!ttc_model_find_claim(model, integrals[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
         for (size_t j = 0; j < n; j++) {
-            const ttc_id partial = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+            ttc_id *partial = &oracle->gradients[claim * n + j];
             ttc_enclosure exact;
-            if (!ttc_ball_enclose(&exact, oracle->ball, partial)) return JLT_ERR_DOMAIN;
+            if (*partial == TTC_NONE) *partial = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+            if (!ttc_ball_enclose(&exact, oracle->ball, *partial)) return JLT_ERR_DOMAIN;
             errors[k * n + j] = jlt_oracle_error(gradients[k * n + j], &exact);
             if (!isfinite(errors[k * n + j])) return JLT_ERR_NONFINITE;
         }

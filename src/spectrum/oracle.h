@@ -15,6 +15,7 @@ typedef struct {
     char **defaults;                  /* of the table, "p/q", shape (params,); NULL where it has none */
     ttc_id *field, *jacobian;         /* shapes (n,) and (n, n) */
     ttc_id trace;                     /* sum of the diagonal */
+    ttc_id *gradients;                /* (claims, n), of claimed integrals that have been asked for; TTC_NONE of the others */
 } jlt_oracle;
 
 /** Errors: NOMEM; UNSUPPORTED when the embedded table does not read, which says that the build is broken. */

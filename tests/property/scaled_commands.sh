@@ -45,7 +45,7 @@ pair() {
 
 {
     pair section --start $start --returns 6 --contact report
-    pair section --batch --grid 6x4 --returns 6
+    pair section --grid 6x4 --returns 6
     pair fates --grid 6x4 --returns 10
     pair orbits --period 1 --start eta=0.01,gamma3=-0.61
     pair lyapunov --start $start --returns 20

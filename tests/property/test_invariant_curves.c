@@ -106,18 +106,20 @@ static void separatrices_cross_transversally(void **unused)
     jlt_manifold curves[2] = { { 0 } };
     jlt_homoclinic *points = NULL;
     jlt_branch branches[2];
-    jlt_map *map, *coarse;
+    jlt_map_batch *fine, *coarse;
+    jlt_map *map;
     size_t count = 0, transverse = 0;
 
     (void)unused;
     assert_ok(jlt_map_create(&map, &system->flow));
-    assert_ok(jlt_map_create(&coarse, &rough->flow));
+    assert_ok(jlt_map_batch_create(&fine, &system->flow, system->field.batch, NULL, 2));
+    assert_ok(jlt_map_batch_create(&coarse, &rough->flow, rough->field.batch, NULL, 2));
     const jlt_periodic saddle = saddle_of(map);
     for (int stable = 0; stable < 2; stable++) {
         assert_ok(jlt_branch_init(&branches[stable], map, &saddle, 0, stable, 1, 1e-4));
         assert_ok(jlt_manifold_grow(&curves[stable], &branches[stable], &options));
     }
-    assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], coarse));
+    assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], fine, coarse));
     for (size_t i = 0; i < count; i++) {
         assert_true(points[i].residual < 1e-8);
         transverse += fabs(points[i].angle) > 0.1 && points[i].angle_error < 1e-4;
@@ -128,7 +130,8 @@ static void separatrices_cross_transversally(void **unused)
     free(points);
     for (int k = 0; k < 2; k++) jlt_manifold_clear(&curves[k]);
     jlt_map_destroy(map);
-    jlt_map_destroy(coarse);
+    jlt_map_batch_destroy(coarse);
+    jlt_map_batch_destroy(fine);
     jlt_system_destroy(system);
     jlt_system_destroy(rough);
 }

@@ -38,7 +38,7 @@ static void apply(images *out, const jlt_system *system, const jlt_kernel_batch 
 
     assert_true(count <= POINTS_MAX);
     assert_ok(jlt_map_batch_create(&batch, &system->flow, kernels, NULL, threads));
-    assert_ok(jlt_map_batch_apply(batch, &into, q, count, returns));
+    assert_ok(jlt_map_batch_apply(batch, &into, q, count, returns, 1));
     jlt_map_batch_destroy(batch);
 }
 

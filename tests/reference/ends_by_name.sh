@@ -31,8 +31,9 @@ done
 # A balanced sphere spirals into an equilibrium (4.4). The row has the limit, which all methods agree on to the error of twenty
 # returns, a thousand tolerances at most.
 spiral=(--set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 100)
-for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd" "--method rkf45" "--method msadams" --batch; do
+for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd" "--method rkf45" "--method msadams" "--start eta=1,gamma3=0.3"; do
     run 0 section "${spiral[@]}" $how
+    grep -E '^(o|0,)' "$scratch/out" > "$scratch/first" && mv "$scratch/first" "$scratch/out"
     [ "$(last 9)" = equilibrium ] || fail "spiral, $how: ends by '$(last 9)'"
     near "$(last 5)" -0.673987147562 1e-9 || fail "spiral, $how: limit gamma3 = $(last 5)"
     near "$(last 7)" 0 1e-9 || fail "spiral, $how: omega_n = $(last 7)"
@@ -57,7 +58,7 @@ awk 'BEGIN { srand(7); for (k = 0; k < 10; k++) {
 while read -r set level; do
     run 0 fates --set "$set" --level "$level" --grid 6x4 --returns 60
     [ "$(grep -c '^-\?[0-9]' "$scratch/out")" = 24 ] || fail "$set $level: $(grep -c '^-\?[0-9]' "$scratch/out") of 24 rows"
-    run 0 section --batch --set "$set" --level "$level" --grid 6x4 --returns 60
+    run 0 section --set "$set" --level "$level" --grid 6x4 --returns 60
     [ "$(last 1)" = 23 ] || fail "$set $level: in batches the last orbit is $(last 1)"
 done < "$scratch/spheres"
 
@@ -69,7 +70,7 @@ grep -q '^0,[01],.*,\(nonfinite\|no_progress\)$' "$scratch/out" || fail "the orb
 grep -q 'failed on 1 of 2 orbits' "$scratch/err" || fail "the failure is not said: $(cat "$scratch/err")"
 
 # What has no limit at a pole, or is not told there, is an empty field.
-for how in "section --returns 3" "section --batch --returns 3" fates; do
+for how in "section --returns 3" "section --returns 3 --start eta=0.3,gamma3=0.2" fates; do
     run 0 $how --set I3=0 --level E=1,G=0 --start eta=0.3,gamma3=0.2
     grep -q ',pole-' "$scratch/out" || fail "$how, I3 = G = 0: no pole"
 done
@@ -154,7 +155,7 @@ done
 
 # Without gravity every command answers.
 run 0 section --set g=0 --start eta=0.1,gamma3=-0.6 --returns 3
-run 0 section --set g=0 --batch --grid 6x4 --returns 5
+run 0 section --set g=0 --grid 6x4 --returns 5
 run 0 fates --set g=0 --grid 6x4
 run 0 orbits --set g=0 --period 1
 run 0 eigen --set g=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1

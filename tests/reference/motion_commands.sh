@@ -146,7 +146,6 @@ printf 'title = "x";\ncompute = ( { what = "simulate"; start = { gamma4 = 1; }; 
 # Plans look at starts and grids, and say what would follow the orbits.
 expect 3 "gamma3 must lie strictly between -1 and 1" jellett plan section --start eta=0.1,gamma3=3
 expect 3 "give gamma3 as well" jellett plan lyapunov --start eta=0.02
-expect 2 "leave out --batch for z=27" jellett plan section --batch lorenz --section z=27 --start x=1,y=2
 planned() { # WORDS OPTION...
     local words=$1
     shift
@@ -156,8 +155,10 @@ planned() { # WORDS OPTION...
 planned '^  starts 1 of --start, 100 of a grid, of which 50 are on the section$' \
     section --level E=0.5 --start eta=0.1,gamma3=-0.6 --grid eta=-3:3:10,gamma3=-0.9:0.9:10
 planned '^  starts 384 of a grid' section --grid 24x16
-planned '^  method gauss, tolerance 1e-09, one orbit at a time$' section --grid 24x16 --tol 1e-9
-planned '^  many orbits at once by stepanov10 on .*; gauss from where an orbit comes near a pole$' section --batch --grid 24x16
+planned '^  method gauss, tolerance 1e-09, one orbit at a time$' section --start eta=0.1,gamma3=-0.6 --tol 1e-9
+planned '^  method dop853, tolerance 1e-09, one orbit at a time$' fates --grid 24x16 --tol 1e-9 --method dop853
+planned '^  one orbit at a time by gauss: orbits end where the model loses its conditions' section --grid 24x16 --contact end
+planned '^  many orbits at once by stepanov10 on .*; gauss from where an orbit comes near a pole$' section --grid 24x16
 
 expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett run "$scratch/bad.scene"
 expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett plan "$scratch/bad.scene"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `jellett section --batch`, as typed: rows against quadruple precision and against those of one orbit at a time, fates, threads,
+# Many orbits of `jellett section`, as typed: rows against quadruple precision and against those of one orbit at a time, fates, threads,
 # rows that wait in the temporary file, projection, refusals, and what an interrupt leaves.
 set -uo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
@@ -20,7 +20,7 @@ starts() { awk -F, "$1"' { printf "--start eta=%s,gamma3=%s ", $('"$2"'), $('"$2
 
 # Quadruple precision: all columns of all four orbits within 1e-11 at --tol 1e-13, which is what ten returns that amplify errors by
 # up to 100 make of a local error of a tolerance.
-section rows.csv --batch --tol 1e-13 --returns 10 $(starts 'NR > 1 && $2 == 0' 3 "$data/returns_51.csv")
+section rows.csv --tol 1e-13 --returns 10 $(starts 'NR > 1 && $2 == 0' 3 "$data/returns_51.csv")
 paste -d, <(tail -n +2 rows.csv) <(tail -n +2 "$data/returns_51.csv") | awk -F, '
     function abs(x) { return x < 0 ? -x : x }
     { if ($1 != $10 || $2 != $11 || $9 != "alive") print "rows differ: " $0
@@ -36,8 +36,8 @@ eval "$command" 2> /dev/null | cmp -s - all.csv || fail "the header's command gi
 # One at a time, on the regular island: the same columns and keys in the same order, and values within 1000 tolerances, which 50
 # returns make of the some 10 of ten returns where errors grow as the square of time.
 island=(--returns 50 --grid eta=0.40:0.48:20,gamma3=-0.635:-0.605:15)
-section one.csv "${island[@]}"
-section many.csv --batch "${island[@]}"
+section one.csv --method gauss "${island[@]}"
+section many.csv "${island[@]}"
 cmp -s <(cut -d, -f1,2,9 one.csv) <(cut -d, -f1,2,9 many.csv) || fail "orbits, returns or fates differ from those one at a time"
 cmp -s <(head -1 one.csv) <(head -1 many.csv) || fail "columns differ from those one at a time"
 paste -d, <(tail -n +2 one.csv) <(tail -n +2 many.csv) | awk -F, '
@@ -47,7 +47,8 @@ paste -d, <(tail -n +2 one.csv) <(tail -n +2 many.csv) | awk -F, '
 
 # A nearly balanced sphere creeps for 840 units of time, where explicit methods are at their limit of stability and a batch was off by
 # 0.4 in t: after 400 steps it is the default method's, which at 9e-10 is off by 7e-5 (at 1e-13 it and DOP853 agree on 838.42538).
-section creeps.csv --batch --tol 9e-10 --returns 2 --start eta=1.1596285976164666,gamma3=-0.09498910085690882 \
+creeping=eta=1.1596285976164666,gamma3=-0.09498910085690882
+section creeps.csv --tol 9e-10 --returns 2 --start $creeping --start $creeping \
     --set m=2.9679390030820643,R=5.7487378158665905,g=9.81,I1=4.6941652960533755,I3=4.6941652960533755,a3=0.0012273549505698084 \
     --level E=1059.5353769598159,G=108.24474604034094
 awk -F, 'END { exit !($2 == 2 && $3 > 838.4247 && $3 < 838.4261) }' creeps.csv || fail "a slow return: $(tail -1 creeps.csv)"
@@ -55,22 +56,22 @@ awk -F, 'END { exit !($2 == 2 && $3 > 838.4247 && $3 < 838.4261) }' creeps.csv |
 # At a loose tolerance too all rows are the batch's: none after the start has a time that gauss has, to the bit. Few returns: errors
 # of a hundredth soon carry an orbit off the island, to a pole.
 loose=(--tol 1e-2 --returns 5 --grid eta=0.40:0.48:20,gamma3=-0.635:-0.605:15)
-section one.csv "${loose[@]}"
-section many.csv --batch "${loose[@]}"
+section one.csv --method gauss "${loose[@]}"
+section many.csv "${loose[@]}"
 cmp -s <(cut -d, -f1,2,9 one.csv) <(cut -d, -f1,2,9 many.csv) || fail "--tol 1e-2: orbits, returns or fates differ"
 paste -d, one.csv many.csv | awk -F, 'NR > 1 && $2 > 0 && $3 == $12' > wrong
 [ -s wrong ] && fail "--tol 1e-2: $(wc -l < wrong) rows are gauss's: $(head -1 wrong)"
 
 # Two threads: the same bytes; more orbits than are followed at once, those that end at poles with them.
-section chaos1.csv --batch --grid 23x17 --returns 40
-section chaos2.csv --batch --threads 2 --grid 23x17 --returns 40
+section chaos1.csv --threads 1 --grid 23x17 --returns 40
+section chaos2.csv --threads 2 --grid 23x17 --returns 40
 cmp -s chaos1.csv chaos2.csv || fail "two threads give other rows"
 [ "$(cut -d, -f1 chaos1.csv | uniq | wc -l)" -gt 257 ] || fail "fewer orbits than a block"
 
 # Rows that do not fit into memory go through a file that is left nowhere: more than 2048 returns of an orbit, whose first 900 are
 # those of a run that needs none.
-section long.csv --batch --threads 2 --start eta=0.44,gamma3=-0.62 --returns 2500 --start eta=0.41,gamma3=-0.61
-section short.csv --batch --start eta=0.44,gamma3=-0.62 --returns 900 --start eta=0.41,gamma3=-0.61
+section long.csv --threads 2 --start eta=0.44,gamma3=-0.62 --returns 2500 --start eta=0.41,gamma3=-0.61
+section short.csv --threads 1 --start eta=0.44,gamma3=-0.62 --returns 900 --start eta=0.41,gamma3=-0.61
 [ "$(tail -n +2 long.csv | awk -F, '$1 != int((NR - 1)/2501) || $2 != (NR - 1)%2501 || $9 != "alive"' | wc -l)" -eq 0 ] ||
     fail "long orbits: rows are missing or out of order"
 [ "$(wc -l < long.csv)" -eq 5003 ] || fail "long orbits: $(wc -l < long.csv) lines"
@@ -79,7 +80,7 @@ ls "$scratch"/jellett.* > /dev/null 2>&1 && fail "a temporary file is left"
 
 # Ends at poles, as the reference has them: side, time, velocities, within what the command keeps one at a time.
 for file in poles_51 poles_creeping_51; do
-    section ends.csv --batch --tol 1e-13 --returns 100 $(starts 'NR > 1' 1 "$data/$file.csv")
+    section ends.csv --tol 1e-13 --returns 100 $(starts 'NR > 1' 1 "$data/$file.csv")
     paste -d, <(grep ',pole' ends.csv) <(tail -n +2 "$data/$file.csv") | awk -F, '
         function abs(x) { return x < 0 ? -x : x }
         $9 != ($12 > 0 ? "pole+" : "pole-") || !(abs($3 - $13) < 1e-11 && abs($6 - $14) < 1e-10 && abs($8 - $16) < 1e-10)
@@ -90,8 +91,8 @@ done
 # The same numbers and fates as one at a time: ends after few returns, before chaos tells the methods apart; starts without a
 # state among the others; orbits that come to rest (a3 = 0, equilibria (4.4)); crossings in either direction.
 same_fates() { # OPTION...
-    section one.csv "$@"
-    section many.csv --batch "$@"
+    section one.csv --method gauss "$@"
+    section many.csv "$@"
     cmp -s <(cut -d, -f1,2,9 one.csv) <(cut -d, -f1,2,9 many.csv) || fail "fates differ: $*"
 }
 same_fates --grid 12x9 --returns 6
@@ -102,6 +103,10 @@ same_fates --set a3=0 --start eta=1.0471975511965974,gamma3=0.3 --start eta=0.3,
 grep -q ',equilibrium$' many.csv || fail "no orbit came to rest"
 same_fates --direction both --grid 3x3 --returns 5
 same_fates --direction down --grid 3x3 --returns 5
+same_fates --backward --grid 3x3 --returns 5
+same_fates --backward --direction both --level E=1.5 --grid 4x3 --returns 5
+same_fates lorenz --section z=27 --direction down --start x=-13.76,y=-19.58 --start x=1,y=2 --returns 3
+same_fates lorenz --section z=27 --direction down --backward --start x=-13.76,y=-19.58 --start x=1,y=2 --returns 3
 same_fates roessler --section y=0 --direction down --start x=-7,z=0.02 --start x=-6,z=0.02 --returns 20
 
 # Projected, E = m v^2/2 + I1 omega_n^2/2 + I3 omega3^2/2 + m g a3 gamma3 with omega_tau = 0 is off by what the last return adds,
@@ -114,12 +119,40 @@ drift() {
           if (abs(E - 2.15) > worst) worst = abs(E - 2.15) }
         END { print worst }' "$1"
 }
-section projected.csv --batch --project --tol 1e-10 --start eta=0.44,gamma3=-0.62 --returns 1000
-section plain.csv --batch --tol 1e-10 --start eta=0.44,gamma3=-0.62 --returns 1000
+section projected.csv --project --tol 1e-10 --start eta=0.44,gamma3=-0.62 --returns 1000
+section plain.csv --tol 1e-10 --start eta=0.44,gamma3=-0.62 --start eta=0.44,gamma3=-0.62 --returns 1000
 awk -v a="$(drift projected.csv)" -v b="$(drift plain.csv)" 'BEGIN { exit !(a < 1e-10 && b > 20 * a) }' ||
     fail "--project: E is off by $(drift projected.csv), without it by $(drift plain.csv)"
 
-# What batches cannot do is refused, with a word on what to do instead.
+# Followed back in time, orbits come back: 20 returns there, and 20 from where they led.
+section there.csv --backward --tol 1e-13 --returns 20 --start eta=0.44,gamma3=-0.62 --start eta=0.41,gamma3=-0.61
+section back.csv --tol 1e-13 --returns 20 $(starts '$2 == 20' 4 there.csv)
+awk -F, 'function abs(x) { return x < 0 ? -x : x }
+    $2 == 20 && !(abs($4 - ($1 == 0 ? 0.44 : 0.41)) < 1e-10 && abs($5 + ($1 == 0 ? 0.62 : 0.61)) < 1e-10)' back.csv > wrong
+[ -s wrong ] || [ "$(grep -c '^[01],20,' back.csv)" -ne 2 ] && fail "back and forth: $(cat wrong)"
+
+# Contact is looked at after every step, as one at a time: the same orbits lose it. Steps end elsewhere, so that the least N differs by
+# what it moves within one.
+section one.csv --method gauss --contact report --grid 12x9 --returns 6
+cp err one.err
+section many.csv --contact report --grid 12x9 --returns 6
+cmp -s err one.err && grep -q 'lose contact' err || fail "contact: $(cat err), one at a time: $(cat one.err)"
+paste -d, <(tail -n +2 one.csv) <(tail -n +2 many.csv) | awk -F, '
+    { off = $10 - $20; if (!(off*off < 0.01)) print "N: " $0; other += ($10 > 0) != ($20 > 0) }
+    END { if (other > NR/100) print other " of " NR " rows differ in whether contact is lost" }' > wrong
+[ -s wrong ] && fail "where contact is lost: $(head -1 wrong)"
+
+# Where no lanes can go, orbits go one at a time, on threads; the header says so, and rows are those of the method named. So are checks.
+for threads in 1 2; do
+    section ends$threads.csv --contact end --grid 12x9 --returns 6 --threads $threads
+    grep -q '^# one orbit at a time by gauss: orbits end where the model loses its conditions' all.csv || fail "--contact end: the header does not tell"
+done
+section one.csv --contact end --grid 12x9 --returns 6 --method gauss
+cmp -s ends1.csv one.csv && cmp -s ends2.csv one.csv || fail "--contact end: rows depend on threads"
+section checked.csv --check --grid 5x3 --returns 2
+[ "$(awk -F, '$2 > 0 && $10 != ""' checked.csv | wc -l)" -gt 10 ] || fail "--check: $(head -3 checked.csv)"
+
+# What cannot be done is refused, with a word on what to do instead.
 refused() { # STATUS WORDS OPTION...
     local want=$1 words=$2 got
     shift 2
@@ -130,17 +163,10 @@ refused() { # STATUS WORDS OPTION...
     [ ! -e never.csv ] || fail "$*: a file is left"
 }
 at=(--start eta=0.1,gamma3=-0.6)
-refused 2 'leave out --batch, or --backward' --batch --backward "${at[@]}"
-refused 2 'leave out --batch, or --check' --batch --check "${at[@]}"
-refused 2 'leave out --batch, or --contact end' --batch --contact end "${at[@]}"
-refused 2 'leave out --batch, or --contact report' --batch --contact report "${at[@]}"
-refused 2 'leave out --batch, or --method' --batch --method gauss "${at[@]}"
-refused 2 'add --batch' --threads 2 "${at[@]}"
-refused 2 'add --batch' --project "${at[@]}"
-refused 2 'leave out --batch for z=27' --batch lorenz --section z=27 --start x=-13,y=-19
-refused 2 'no integrals' --batch --project roessler --section y=0 --start x=-7,z=0.02
-refused 3 'threads' --batch --threads 0 "${at[@]}"
-TMPDIR=/no/such/folder refused 5 TMPDIR --batch "${at[@]}" --returns 3000 --start eta=0.44,gamma3=-0.62
+refused 2 'in lanes alone' --project --method gauss "${at[@]}"
+refused 2 'no integrals' --project roessler --section y=0 --start x=-7,z=0.02
+refused 3 'threads' --threads 0 "${at[@]}"
+TMPDIR=/no/such/folder refused 5 TMPDIR "${at[@]}" --returns 3000 --start eta=0.44,gamma3=-0.62
 
 # Without a root as well: the energy of Toda's chain, whose drift over 200 returns at --tol 1e-6 is 1e-7. Projected, it is that of a
 # return, whose share of 1e-7 would be 5e-10, and of the way back to the section.
@@ -149,7 +175,7 @@ chain_drift() { # FILE: the largest relative change of the energy
                      off = H/first - 1; if (off < 0) off = -off; if (off > most) most = off; rows++ }
              END { if (rows != 201) most = 1; print most }' "$1"
 }
-toda=(toda --batch --section q1=0 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.7 --returns 200 --tol 1e-6)
+toda=(toda --section q1=0 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.7 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.6 --returns 200 --tol 1e-6)
 section plain.csv "${toda[@]}"
 section projected.csv "${toda[@]}" --project
 awk -v plain="$(chain_drift plain.csv)" -v projected="$(chain_drift projected.csv)" 'BEGIN { exit !(plain < 1e-6 && 10*projected < plain) }' ||
@@ -160,7 +186,7 @@ interrupted() { # RETURNS WHEN...: of a hundred orbits, interrupted when that co
     local returns=$1 child code=0
     shift
     set -m
-    jellett section --batch --threads 2 --grid eta=0.40:0.48:10,gamma3=-0.635:-0.605:10 --returns "$returns" \
+    jellett section --threads 2 --grid eta=0.40:0.48:10,gamma3=-0.635:-0.605:10 --returns "$returns" \
         --output long.csv 2> err &
     child=$!
     set +m

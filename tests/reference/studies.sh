@@ -39,10 +39,10 @@ expect 0 '^0,40,' jellett section "${orbit[@]}" --returns 40
 rows | tail -10 > late
 expect 0 '^0,31,' jellett section "${orbit[@]}" --skip 30 --returns 10
 rows | diff - late || fail "--skip: not the last ten rows"
-expect 0 '^0,40,' jellett section --batch --start eta=0.44,gamma3=-0.62 --returns 40
-rows | tail -10 > late
-expect 0 '^0,31,' jellett section --batch --start eta=0.44,gamma3=-0.62 --skip 30 --returns 10
-rows | diff - late || fail "--skip --batch: not the last ten rows"
+expect 0 '^0,40,' jellett section --start eta=0.44,gamma3=-0.62 --start eta=2,gamma3=-0.5 --returns 40
+rows | grep '^0,' | tail -10 > late
+expect 0 '^0,31,' jellett section --start eta=0.44,gamma3=-0.62 --start eta=2,gamma3=-0.5 --skip 30 --returns 10
+rows | grep '^0,' | diff - late || fail "--skip, in lanes: not the last ten rows"
 expect 0 'pole' jellett section --start eta=2,gamma3=-0.5 --skip 1000 --returns 1
 [ "$(rows | wc -l)" -eq 1 ] || fail "the end of an orbit is left out: $(rows)"
 # Exponents from where the section is after so many returns; chaos takes the tolerance up by exp(30*0.53).
@@ -92,7 +92,7 @@ expect 0 '^# {' jellett lyapunov roessler --section y=0 --direction down --start
 says '"levels":{},"method":"gauss","tolerance":9.9999999999999998e-13}'
 
 # A table is the same in a file as on standard output, but for the command line in its header.
-for command in "section --start eta=0.1,gamma3=-0.6 --returns 2" "section --batch --grid 2x2 --returns 2" "fates --grid 2x2 --returns 1" \
+for command in "section --start eta=0.1,gamma3=-0.6 --returns 2" "section --grid 2x2 --returns 2" "fates --grid 2x2 --returns 1" \
     "fates --grid 2x2 --returns 1 --sweep a3=0.5:0.51:2" "orbits --period 1 --grid 0x0 --samples 9" "lyapunov --returns 2" \
     "drift --returns 2" "rod --start $start" "simulate --start $start --times 1" "measure --set I3=0 --csv" \
     "eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --csv" "separation --grid 2x2 --returns 1 --settle 0" \

@@ -37,7 +37,8 @@ static crossing cross(int place, double tolerance, const char *method, double se
     const jlt_top_values values = jlt_system_top_defaults();
     const jlt_flow fine = { .tolerance = tolerance, .direction = JLT_RISING, .method = jlt_method_find(method) };
     jlt_system *system = NULL;
-    jlt_map *map = NULL, *coarse_map = NULL;
+    jlt_map_batch *maps[2];
+    jlt_map *map = NULL;
     jlt_periodic saddle;
     jlt_branch branch[2];
     jlt_manifold curve[2];
@@ -49,7 +50,9 @@ static crossing cross(int place, double tolerance, const char *method, double se
     jlt_flow coarse = system->flow;
     coarse.tolerance *= 10;
     assert_ok(jlt_map_create(&map, &system->flow));
-    assert_ok(jlt_map_create(&coarse_map, &coarse));
+    const jlt_kernel_batch *kernels = strcmp(method, "gauss") != 0 ? system->field.batch : NULL; /* in lanes, but for the oracle */
+    assert_ok(jlt_map_batch_create(&maps[0], &system->flow, kernels, NULL, 1));
+    assert_ok(jlt_map_batch_create(&maps[1], &coarse, kernels, NULL, 1));
     assert_ok(jlt_periodic_find(map, &saddle, (double[2]){ 0, -0.6136 }, 1, NULL));
     for (int s = 0; s < 2; s++) {
         assert_ok(jlt_branch_init(&branch[s], map, &saddle, 0, s == 1, 1, seed));
@@ -57,10 +60,10 @@ static crossing cross(int place, double tolerance, const char *method, double se
         piece(&curve[s], &branch[s], (s == 0 ? places[place].unstable : places[place].stable) - shift, points[s], sigmas[s],
               lengths[s]);
     }
-    assert_ok(jlt_homoclinic_find(&found, &c.count, NULL, &curve[0], &branch[0], &curve[1], &branch[1], coarse_map));
+    assert_ok(jlt_homoclinic_find(&found, &c.count, NULL, &curve[0], &branch[0], &curve[1], &branch[1], maps[0], maps[1]));
     if (c.count > 0) c.point = found[0];
     free(found);
-    jlt_map_destroy(coarse_map);
+    for (int k = 0; k < 2; k++) jlt_map_batch_destroy(maps[k]);
     jlt_map_destroy(map);
     jlt_system_destroy(system);
     return c;

@@ -8,7 +8,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 begun=$(date +%s%N)
-script -qec "jellett section --batch --grid 40x40 --returns 300 --output '$scratch/section.csv'" "$scratch/terminal" < /dev/null > /dev/null ||
+script -qec "jellett section --grid 40x40 --returns 300 --output '$scratch/section.csv'" "$scratch/terminal" < /dev/null > /dev/null ||
     { echo "section ends with $?"; exit 1; }
 seconds=$(( ($(date +%s%N) - begun)/1000000 ))e-3
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of \([0-9]*\) returns.*/\1 \2/p' > "$scratch/shown"

@@ -20,6 +20,7 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
     while read -r object kind symbol; do
         stem=${object%.o}
         stem=${stem%.c}
+        stem=${stem%.cc}
         found=no
         while IFS= read -r file; do
             folder=${file%/*}
@@ -36,9 +37,9 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
                     done
                     ;;
             esac
-        done < <(find "$@" -name "$stem.[ch]") # runtime.c is made by the build: runtime.h declares what is in it
+        done < <(find "$@" \( -name "$stem.[ch]" -o -name "$stem.cc" \)) # runtime.c is made by the build: runtime.h declares what is in it
         if [ $found = no ]; then
-            echo "$(find "$@" -name "$stem.[ch]" | head -1): $symbol: public, but neither its file's nor its header's stem" \
+            echo "$(find "$@" \( -name "$stem.[ch]" -o -name "$stem.cc" \) | head -1): $symbol: public, but neither its file's nor its header's stem" \
                 "(want jlt_${stem}_... in src/, ttc_... in codegen/; or make it static)"
             status=1
         fi

@@ -46,7 +46,7 @@ static void read_rows(trial *t, const family *f, FILE *table, const jlt_method *
     char line[1024], *words[16];
 
     while (fgets(line, sizeof line, table) != NULL) {
-        if ((line[0] < '0' || line[0] > '9') || split(v, words, 16, line) != 9 || v[1] == 0) continue;
+        if ((line[0] < '0' || line[0] > '9') || split(v, words, 16, line) != 9 || v[0] != 0 || v[1] == 0) continue;
         const double at[ROW_SIZE] = { v[4], v[5], NAN, v[6], v[7], NAN, v[2] };
         memcpy(row, at, sizeof row);
         if (!check(t, f, method, how, (int)v[1], words[8], row)) break;
@@ -58,8 +58,8 @@ void case_command(trial *t)
 {
     const jlt_top_values *v = &t->top;
     const jlt_method *method = jlt_method_at(jlt_random_below(&t->random, 6));
-    const bool batch = jlt_random_below(&t->random, 3) == 0;
-    char folder[PATH_MAX] = "", command[PATH_MAX + 1024];
+    const bool batch = jlt_random_below(&t->random, 3) == 0; /* two orbits, the same, go in lanes */
+    char folder[PATH_MAX] = "", command[PATH_MAX + 1024], other[128];
     jlt_chart_top chart;
     double x[5];
     static family f;
@@ -70,15 +70,16 @@ void case_command(trial *t)
                                 .time_direction = 1, .crossings = 1, .count = RETURNS, .tolerance = t->tolerance, .speed = t->speed };
     family_follow(&f, t, &q, ORACLE_LEVEL_NOISE);
     if (!f.sound) return;
+    snprintf(other, sizeof other, "--start eta=%.17g,gamma3=%.17g", t->q[0], t->q[1]);
     snprintf(command, sizeof command,
              "%s/jellett section --set m=%.17g,R=%.17g,g=%.17g,I1=%.17g,I3=%.17g,a3=%.17g --level E=%.17g,G=%.17g "
              "--start eta=%.17g,gamma3=%.17g --tol %.17g --returns %d %s%s 2>/dev/null",
              dirname(folder), v->m, v->R, v->g, v->I1, v->I3, v->a3, v->E, v->G, t->q[0], t->q[1], t->tolerance, RETURNS,
-             batch ? "--batch" : "--method ", batch ? "" : method->name);
+             batch ? other : "--method ", batch ? "" : method->name);
     FILE *table = popen(command, "r");
     if (table == NULL) return;
     char how[64];
-    snprintf(how, sizeof how, "jellett section %s%s", batch ? "--batch" : "--method ", batch ? "" : method->name);
+    snprintf(how, sizeof how, "jellett section %s%s", batch ? "in lanes" : "--method ", batch ? "" : method->name);
     read_rows(t, &f, table, batch ? jlt_method_find("gauss") : method, how);
     const int status = pclose(table);
     if (status != 0) trial_complain(t, "ends with %d: %s", status, command);

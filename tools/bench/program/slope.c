@@ -108,7 +108,7 @@ static jlt_status batch_pass(void *context, bool first)
     jlt_map_images *images = &run->images;
 
     for (size_t i = 0; i < rows; i++) memcpy(images->q + 2 * i, run->reference->values + i * COLUMNS + START, 2 * sizeof *images->q);
-    const jlt_status st = jlt_map_batch_apply(run->batch, images, images->q, rows, 1);
+    const jlt_status st = jlt_map_batch_apply(run->batch, images, images->q, rows, 1, 1);
     for (size_t i = 0; first && st == JLT_OK && i < rows; i++)
         note(run, run->reference->values + i * COLUMNS, images->slope + 4 * i, images->status[i]);
     return st;

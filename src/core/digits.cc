@@ -1,0 +1,75 @@
+/* The only C++ of the library: std::to_chars, which finds the shortest digits, has no name in C. */
+extern "C" {
+#include "core/digits.h"
+}
+
+#include <charconv>
+#include <cstring>
+
+namespace {
+
+enum { LEAST = 15 /* digits that every decimal of so many keeps */ };
+
+/* What std::to_chars writes as d.ddde-XX. */
+struct decimal {
+    bool negative;
+    int count, exponent;
+    char digits[JLT_DIGITS_SIZE];
+};
+
+decimal read_scientific(const char *text, const char *end)
+{
+    decimal out = {};
+
+    out.negative = *text == '-';
+    for (text += out.negative; text < end && *text != 'e'; text++)
+        if (*text != '.') out.digits[out.count++] = *text;
+    text += 1 + (text[1] == '+'); /* from_chars takes no plus */
+    std::from_chars(text, end, out.exponent);
+    return out;
+}
+
+char *put(char *to, char c, int count)
+{
+    std::memset(to, c, static_cast<std::size_t>(count));
+    return to + count;
+}
+
+char *put(char *to, const char *from, int count)
+{
+    std::memcpy(to, from, static_cast<std::size_t>(count));
+    return to + count;
+}
+
+void write_fixed(char *text, const decimal &d)
+{
+    const int whole = d.exponent + 1; /* digits before the point */
+
+    if (d.negative) *text++ = '-';
+    if (whole <= 0) {
+        text = put(text, "0.", 2);
+        text = put(text, '0', -whole);
+        text = put(text, d.digits, d.count);
+    } else if (d.count <= whole) {
+        text = put(text, d.digits, d.count);
+        text = put(text, '0', whole - d.count);
+    } else {
+        text = put(text, d.digits, whole);
+        *text++ = '.';
+        text = put(text, d.digits + whole, d.count - whole);
+    }
+    *text = '\0';
+}
+
+} // namespace
+
+/* Where printf's %g changes to an exponent, with at least 15 digits asked for. */
+extern "C" void jlt_digits_shortest(char *text, double value)
+{
+    char *end = std::to_chars(text, text + JLT_DIGITS_SIZE - 1, value, std::chars_format::scientific).ptr;
+
+    *end = '\0';
+    if (!(value - value == 0)) return; /* nan, inf */
+    const decimal d = read_scientific(text, end);
+    if (d.exponent >= -4 && d.exponent < (d.count > LEAST ? d.count : LEAST)) write_fixed(text, d);
+}
