@@ -198,7 +198,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.motion.common.lanes = o.motion.flow.method == NULL;
-    if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_map_method();
+    if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);

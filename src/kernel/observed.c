@@ -101,7 +101,7 @@ jlt_kernel_lanes jlt_observed_lanes(const jlt_observed *observed, const double *
 {
     const jlt_kernel_batch *kernels = jlt_batch_isa_best(observed->general->descriptor, lanes);
 
-    *p = observed->general->block;
+    *p = observed->general->prepared;
     *exponents = observed->scaled ? observed->exponents : NULL;
     return kernels != NULL && kernels->lanes == lanes ? kernels->valid_values : NULL;
 }
