@@ -22,21 +22,27 @@ static void free_ratios(ttc_ring *ring, ttc_ratio *ratios, size_t count)
 }
 
 bool ttc_function_reading_open(ttc_function_reading *out, const ttc_model *model, const uint32_t *inputs, size_t input_count,
-                               const uint32_t *parameters, size_t parameter_count, bool lifted_free)
+                               const uint32_t *parameters, size_t parameter_count, bool lifted_free,
+                               const ttc_function_bound *bound)
 {
     ttc_function_reading r = { .model = model, .valuation = ttc_valuation_create(model, 0) };
     *out = r;
     if (r.valuation == NULL) return false;
     r.ring = ttc_valuation_ring(r.valuation);
+    for (size_t k = 0; bound != NULL && k < bound->count; k++)
+        for (size_t i = 0; i < bound->lists[k]->count; i++)
+            ttc_valuation_bind(r.valuation, bound->lists[k]->items[i].symbol, bound->lists[k]->items[i].expression);
     for (size_t i = model->state_count; lifted_free && i < input_count; i++) ttc_valuation_free_root(r.valuation, inputs[i]);
     r.inputs = make_ratios(r.ring, r.input_count = input_count);
     r.parameters = make_ratios(r.ring, r.parameter_count = parameter_count);
+    r.input_is_given = calloc(input_count + 1, 1);
     r.is_given = calloc(parameter_count + 1, 1);
     *out = r;
-    if (r.inputs == NULL || r.parameters == NULL || r.is_given == NULL) return false;
+    if (r.inputs == NULL || r.parameters == NULL || r.is_given == NULL || r.input_is_given == NULL) return false;
+    for (size_t i = 0; i < input_count; i++) r.input_is_given[i] = !ttc_valuation_is_bound(r.valuation, inputs[i]);
     for (size_t i = 0; i < input_count; i++) ttc_evaluate(r.valuation, &r.inputs[i], model->symbols[inputs[i]].node);
     for (size_t i = 0; i < parameter_count; i++) {
-        r.is_given[i] = parameters[i] != UINT32_MAX;
+        r.is_given[i] = parameters[i] != UINT32_MAX && !ttc_valuation_is_bound(r.valuation, parameters[i]);
         if (r.is_given[i]) ttc_evaluate(r.valuation, &r.parameters[i], model->symbols[parameters[i]].node);
     }
     return true;
@@ -47,6 +53,7 @@ void ttc_function_reading_close(ttc_function_reading *r)
     if (r->valuation == NULL) return;
     free_ratios(r->ring, r->inputs, r->input_count);
     free_ratios(r->ring, r->parameters, r->parameter_count);
+    free(r->input_is_given);
     free(r->is_given);
     ttc_valuation_destroy(r->valuation);
     *r = (ttc_function_reading){ 0 };
@@ -104,42 +111,94 @@ static bool reads_what_is_not_given(const ttc_program *program, const ttc_functi
 {
     for (size_t i = 0; i < ttc_program_size(program); i++) {
         const ttc_instruction *at = ttc_program_at(program, (ttc_value)i);
+        if (at->op == TTC_OP_INPUT && at->index < r->input_count && !r->input_is_given[at->index]) return true;
         if (at->op == TTC_OP_PARAMETER && at->index < r->parameter_count && !r->is_given[at->index]) return true;
     }
     return false;
 }
 
-static bool compare(ttc_proof *proof, ttc_function_reading *r, const ttc_program *program, const ttc_function_output *expected, size_t count)
+/* What the function is to be: outputs one by one, or a polynomial. */
+typedef struct {
+    const ttc_function_output *outputs;
+    size_t count;
+    bool is_polynomial;
+    ttc_id polynomial;
+    uint32_t symbol;
+} expectation;
+
+static void refute(ttc_proof *proof, ttc_ring *ring, const ttc_ratio *difference, size_t output)
 {
-    ttc_ratio *found = make_ratios(r->ring, count), table;
-    bool ok = found != NULL && ttc_program_read(program, r->valuation, r->inputs, r->input_count, r->parameters, r->parameter_count, found);
+    char *value = ttc_ratio_text(ring, difference);
+    settle_as(proof, TTC_REFUTED, "output %zu, function - record = %.4000s", output, value == NULL ? "" : value);
+    free(value);
+}
+
+static bool compare_outputs(ttc_proof *proof, ttc_function_reading *r, const ttc_ratio *found, const expectation *e)
+{
+    ttc_ratio table;
+    bool ok = true;
     ttc_ratio_init(r->ring, &table);
-    for (size_t i = 0; ok && i < count && proof->status == TTC_PROVED && r->ring->status == TTC_RING_OK; i++) {
-        ok = find_expected(r, &table, &expected[i]);
+    for (size_t i = 0; ok && i < e->count && proof->status == TTC_PROVED && r->ring->status == TTC_RING_OK; i++) {
+        ok = find_expected(r, &table, &e->outputs[i]);
         ttc_ratio_subtract(r->ring, &table, &found[i], &table);
-        if (!ok || r->ring->status != TTC_RING_OK || ttc_ratio_is_zero(r->ring, &table)) continue;
-        char *value = ttc_ratio_text(r->ring, &table);
-        settle_as(proof, TTC_REFUTED, "output %zu, function - record = %.4000s", i, value == NULL ? "" : value);
-        free(value);
+        if (ok && r->ring->status == TTC_RING_OK && !ttc_ratio_is_zero(r->ring, &table)) refute(proof, r->ring, &table, i);
     }
     ttc_ratio_clear(r->ring, &table);
-    free_ratios(r->ring, found, count);
+    return ok;
+}
+
+static void compare_polynomial(ttc_proof *proof, ttc_function_reading *r, const ttc_ratio *found, const expectation *e)
+{
+    ttc_ratio sum, variable;
+    ttc_ratio_init(r->ring, &sum);
+    ttc_ratio_init(r->ring, &variable);
+    ttc_evaluate(r->valuation, &variable, r->model->symbols[e->symbol].node);
+    ttc_ratio_set_integer(r->ring, &sum, 0);
+    for (size_t i = 0; i < e->count; i++) {
+        ttc_ratio_multiply(r->ring, &sum, &sum, &variable);
+        ttc_ratio_add(r->ring, &sum, &sum, &found[i]);
+    }
+    ttc_evaluate(r->valuation, &variable, e->polynomial);
+    ttc_ratio_subtract(r->ring, &sum, &sum, &variable);
+    if (r->ring->status == TTC_RING_OK && !ttc_ratio_is_zero(r->ring, &sum)) refute(proof, r->ring, &sum, 0);
+    ttc_ratio_clear(r->ring, &variable);
+    ttc_ratio_clear(r->ring, &sum);
+}
+
+static bool compare(ttc_proof *proof, ttc_function_reading *r, const ttc_program *program, const expectation *e)
+{
+    ttc_ratio *found = make_ratios(r->ring, e->count);
+    bool ok = found != NULL && ttc_program_read(program, r->valuation, r->inputs, r->input_count, r->parameters, r->parameter_count, found);
+    if (ok && !e->is_polynomial) ok = compare_outputs(proof, r, found, e);
+    else if (ok) compare_polynomial(proof, r, found, e);
+    free_ratios(r->ring, found, e->count);
     if (r->ring->status != TTC_RING_OK) settle_as(proof, TTC_UNSETTLED, "%s", ttc_ring_status_text(r->ring->status));
     else if (r->ring->choice_count > 0) settle_as(proof, TTC_UNSETTLED, "a root becomes rational with either sign");
+    return ok;
+}
+
+static bool check(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading, const expectation *e)
+{
+    ttc_program *program;
+    const ttc_function_status status = ttc_function_read(&program, text, name, e->count);
+    bool ok = status != TTC_FUNCTION_NO_MEMORY;
+    proof->status = TTC_PROVED;
+    if (status == TTC_FUNCTION_ABSENT) settle_as(proof, TTC_REFUTED, "there is no function %s of the form that is read", name);
+    else if (status == TTC_FUNCTION_ROUNDED) settle_as(proof, TTC_UNSETTLED, "a constant of %s is written as a rounded number", name);
+    else if (ok && reads_what_is_not_given(program, reading)) settle_as(proof, TTC_REFUTED, "%s reads an entry that has no meaning", name);
+    else if (ok) ok = compare(proof, reading, program, e);
+    ttc_program_destroy(program);
     return ok;
 }
 
 bool ttc_function_check(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading,
                         const ttc_function_output *expected, size_t count)
 {
-    ttc_program *program;
-    const ttc_function_status status = ttc_function_read(&program, text, name, count);
-    bool ok = status != TTC_FUNCTION_NO_MEMORY;
-    proof->status = TTC_PROVED;
-    if (status == TTC_FUNCTION_ABSENT) settle_as(proof, TTC_REFUTED, "there is no function %s of the form that is read", name);
-    else if (status == TTC_FUNCTION_ROUNDED) settle_as(proof, TTC_UNSETTLED, "a constant of %s is written as a rounded number", name);
-    else if (ok && reads_what_is_not_given(program, reading)) settle_as(proof, TTC_REFUTED, "%s reads a parameter that has no meaning", name);
-    else if (ok) ok = compare(proof, reading, program, expected, count);
-    ttc_program_destroy(program);
-    return ok;
+    return check(proof, text, name, reading, &(expectation){ .outputs = expected, .count = count });
+}
+
+bool ttc_function_check_polynomial(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading, ttc_id polynomial,
+                                   uint32_t symbol, size_t count)
+{
+    return check(proof, text, name, reading, &(expectation){ .count = count, .is_polynomial = true, .polynomial = polynomial, .symbol = symbol });
 }

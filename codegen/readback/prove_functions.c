@@ -1,5 +1,6 @@
 #include "readback/prove_functions.h"
 
+#include "algebra/derive.h"
 #include "emit/emit.h"
 #include "prove/section_chart.h"
 #include "prove/way_table.h"
@@ -49,8 +50,9 @@ static char *copy(const ttc_text *text)
     return out;
 }
 
-/* The first `count` expected outputs are those of the function of the record. */
-static bool check(checker *c, const record *r, const char *name, ttc_function_reading *reading, size_t count)
+/* The record's function `name`: against a polynomial in a symbol, or, with polynomial TTC_NONE, the first `count` expected outputs. */
+static bool check_one(checker *c, const record *r, const char *name, ttc_function_reading *reading, size_t count, ttc_id polynomial,
+                      uint32_t symbol)
 {
     ttc_text function = { 0 }, title = { 0 };
     ttc_proof proof = { .kind = "kernel", .place = r->claim->place };
@@ -60,8 +62,10 @@ static bool check(checker *c, const record *r, const char *name, ttc_function_re
     ttc_proof *grown = realloc(c->report->proofs, (c->report->proof_count + 1) * sizeof *grown);
     if (grown != NULL) c->report->proofs = grown;
     proof.name = copy(&title);
-    const bool ok = grown != NULL && proof.name != NULL && !function.failed
-                    && ttc_function_check(&proof, c->text, ttc_text_string(&function), reading, c->expected, count);
+    bool ok = grown != NULL && proof.name != NULL && !function.failed;
+    if (ok && polynomial != TTC_NONE)
+        ok = ttc_function_check_polynomial(&proof, c->text, ttc_text_string(&function), reading, polynomial, symbol, count);
+    else if (ok) ok = ttc_function_check(&proof, c->text, ttc_text_string(&function), reading, c->expected, count);
     if (ok) {
         grown[c->report->proof_count++] = proof;
         c->report->proved += proof.status == TTC_PROVED;
@@ -74,6 +78,11 @@ static bool check(checker *c, const record *r, const char *name, ttc_function_re
     ttc_text_clear(&function);
     ttc_text_clear(&title);
     return ok;
+}
+
+static bool check(checker *c, const record *r, const char *name, ttc_function_reading *reading, size_t count)
+{
+    return check_one(c, r, name, reading, count, TTC_NONE, 0);
 }
 
 /* ---- readings ---- */
@@ -92,7 +101,7 @@ static bool open_table(ttc_function_reading *out, const ttc_model *model, const 
 {
     size_t count;
     uint32_t *states = states_of(model, time, &count);
-    const bool ok = states != NULL && ttc_function_reading_open(out, model, states, count, model->params, model->param_count, lifted_free);
+    const bool ok = states != NULL && ttc_function_reading_open(out, model, states, count, model->params, model->param_count, lifted_free, NULL);
     free(states);
     return ok;
 }
@@ -185,7 +194,7 @@ static bool check_lift(checker *c, const record *r, const ttc_section *section, 
     uint32_t *params = NULL, *slopes = NULL;
     bool ok = place(&params, &slopes, c, section, chart)
               && ttc_function_reading_open(&there, chart, chart->states, chart->state_count, params,
-                                           c->model->param_count + section->image.level_count, false);
+                                           c->model->param_count + section->image.level_count, false, NULL);
     for (size_t i = 0; ok && i < n; i++) expect(c, i, ttc_chart_lift(chart, state_name(c, i)), UINT32_MAX);
     ok = ok && check(c, r, "lift", &there, n);
     for (size_t i = 0; ok && i < n * width; i++) expect(c, i, ttc_chart_lift(chart, state_name(c, i / width)), slopes[i % width]);
@@ -238,17 +247,89 @@ static bool check_sections(checker *c)
     return ok;
 }
 
+/* ---- families of equilibria ---- */
+
+static bool open_family(ttc_function_reading *out, const checker *c, const ttc_claim *family, bool imposed)
+{
+    const ttc_function_bound bound = { { &family->bindings, &family->when }, imposed ? 2 : 1 };
+    return ttc_function_reading_open(out, c->model, c->model->states, c->model->state_count, c->model->params, c->model->param_count, false,
+                                     &bound);
+}
+
+/* Which parameters it stands at, and which states. */
+static bool check_points(checker *c, const record *r, ttc_function_reading *on)
+{
+    const ttc_model *model = c->model;
+    ttc_function_reading imposed = { 0 };
+    bool ok = has_room(c, model->param_count + model->state_count) && open_family(&imposed, c, r->claim, true);
+    for (size_t i = 0; ok && i < model->param_count; i++) expect(c, i, model->symbols[model->params[i]].node, UINT32_MAX);
+    ok = ok && check(c, r, "impose", &imposed, model->param_count);
+    for (size_t i = 0; ok && i < model->state_count; i++) expect(c, i, model->symbols[model->states[i]].node, UINT32_MAX);
+    ok = ok && check(c, r, "point", on, model->state_count);
+    ttc_function_reading_close(&imposed);
+    return ok;
+}
+
+static bool check_gradients(checker *c, const record *r, ttc_function_reading *on, const ttc_claim *member)
+{
+    const size_t n = c->model->state_count, count = n * member->member_count;
+    if (!has_room(c, count)) return false;
+    for (size_t i = 0; i < count; i++) {
+        const ttc_id value = c->model->claims[member->members[i / n]].expression;
+        expect(c, i, ttc_derive_state(c->model, value, i % n), UINT32_MAX);
+    }
+    return check(c, r, "left_null_gradients", on, count);
+}
+
+/* What one more record says of the family. */
+static bool check_member(checker *c, const record *r, ttc_function_reading *on, const ttc_claim *member)
+{
+    uint32_t lambda = 0;
+    switch (member->kind) {
+    case TTC_CLAIM_TRACE:
+        expect(c, 0, member->expression, UINT32_MAX);
+        return check(c, r, "trace", on, 1);
+    case TTC_CLAIM_CHARPOLY:
+        while (c->model->symbols[lambda].kind != TTC_LAMBDA) lambda++;
+        return check_one(c, r, "charpoly", on, c->model->state_count + 1, member->expression, lambda);
+    case TTC_CLAIM_MATRIX:
+        if (!has_room(c, member->entry_count)) return false;
+        for (size_t i = 0; i < member->entry_count; i++) expect(c, i, member->entries[i], UINT32_MAX);
+        return check(c, r, "matrix", on, member->entry_count);
+    case TTC_CLAIM_LEFT_NULL: return check_gradients(c, r, on, member);
+    default: return true;
+    }
+}
+
+static bool check_families(checker *c, const ttc_kernels *kernels)
+{
+    bool ok = true;
+    for (size_t k = 0; ok && k < kernels->family_count; k++) {
+        const uint32_t claim = kernels->families[k];
+        const record r = { c->model->claims + claim, "family", k };
+        ttc_function_reading on = { 0 };
+        ok = open_family(&on, c, r.claim, false) && check_points(c, &r, &on);
+        for (size_t i = 0; ok && i < c->model->claim_count; i++) {
+            const ttc_claim *member = c->model->claims + i;
+            const bool is_member = member->kind >= TTC_CLAIM_TRACE && member->kind <= TTC_CLAIM_LEFT_NULL && member->family == claim;
+            if (is_member) ok = check_member(c, &r, &on, member);
+        }
+        ttc_function_reading_close(&on);
+    }
+    return ok;
+}
+
 bool ttc_prove_functions_emit(ttc_text *text, ttc_kernels *kernels)
 {
     size_t sections = 0, ways = 0;
-    return ttc_emit_sections(text, kernels, &sections) && ttc_emit_ways(text, kernels, &ways) && !text->failed;
+    return ttc_emit_equilibria(text, kernels) && ttc_emit_sections(text, kernels, &sections) && ttc_emit_ways(text, kernels, &ways) && !text->failed;
 }
 
 bool ttc_prove_functions_in(const char *text, const ttc_kernels *kernels, ttc_proof_report *report)
 {
     checker c = { .field = kernels->field, .model = kernels->field->model, .text = text, .report = report };
     const bool ok = open_table(&c.own, c.model, c.field->time, false) && open_table(&c.free, c.model, c.field->time, true)
-                    && check_sections(&c) && check_ways(&c);
+                    && check_families(&c, kernels) && check_sections(&c) && check_ways(&c);
     ttc_function_reading_close(&c.own);
     ttc_function_reading_close(&c.free);
     free(c.expected);
@@ -258,7 +339,6 @@ bool ttc_prove_functions_in(const char *text, const ttc_kernels *kernels, ttc_pr
 bool ttc_prove_functions(const ttc_catalogue *catalogue, ttc_proof_report *report)
 {
     bool ok = true;
-    if (catalogue->model->section_count + catalogue->model->way_count == 0) return true;
     for (size_t i = 0; ok && i < catalogue->count; i++) {
         ttc_kernels *kernels = catalogue->fields[i].kernels;
         ttc_text text = { 0 };

@@ -1,4 +1,4 @@
-/** Proofs of translation for what stands beside the kernels of a field: the coordinates of its sections, and the ways to tables that
+/** Proofs of translation for what stands beside the kernels of a field: its families of equilibria, the coordinates of its sections, and the ways to tables that
  *  serve in place of its own. Their functions are read back from the C that is emitted for them, word by word, and what they compute
  *  is compared, as exact ratios, with what the records say; slopes with derivatives of these. */
 #ifndef TTC_PROVE_FUNCTIONS_H
