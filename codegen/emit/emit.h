@@ -66,6 +66,9 @@ const char *ttc_emit_base_name(const ttc_model *model);
 /* Name parts: "general", "balanced_in_regular_on_level_omega3", ... */
 void ttc_emit_stem(ttc_text *text, const ttc_field *field);
 
+/* The table of balls that serves a field, "jlt_balls_MODEL_STEM": its variant is no part of the stem. */
+void ttc_emit_ball_name(ttc_text *text, const ttc_field *field);
+
 /* The kernels of one descriptor on vectors of lanes, to be compiled once for each instruction set. */
 void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
 

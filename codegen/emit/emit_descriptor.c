@@ -5,30 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void add_stem(ttc_text *text, const char *variant, const ttc_field *field)
-{
-    ttc_text_add(text, variant);
-    if (field->time != NULL) ttc_text_format(text, "_in_%s", field->time->name);
-    if (field->elimination != NULL) ttc_text_format(text, "_on_%s", field->elimination->name);
-}
-
-void ttc_emit_stem(ttc_text *text, const ttc_field *field)
-{
-    add_stem(text, field->variant == NULL ? "general" : field->variant->name, field);
-}
-
-static void add_ball_name(ttc_text *text, const ttc_field *field)
-{
-    ttc_text_format(text, "jlt_balls_%s_", field->model->name);
-    add_stem(text, "general", field);
-}
-
-const char *ttc_emit_base_name(const ttc_model *model)
-{
-    const char *slash = strrchr(model->file, '/');
-    return slash == NULL ? model->file : slash + 1;
-}
-
 static void add_comment_line(ttc_text *text, const char *label, const char *content)
 {
     if (content == NULL || *content == '\0') return;
@@ -274,7 +250,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
     if (k->measure_count > 0) ttc_text_add(text, "    .measures = measures,\n");
     if (k->family_count > 0) ttc_text_add(text, "    .equilibria = equilibria,\n");
     ttc_text_add(text, "#ifndef JLT_WITHOUT_BALLS\n    .balls = &");
-    add_ball_name(text, field);
+    ttc_emit_ball_name(text, field);
     ttc_text_add(text, ",\n#endif\n");
     ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n#ifndef JLT_WITHOUT_LANES\n    .batches = {\n");
     for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
@@ -295,7 +271,7 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     ttc_text_format(text, "extern const jlt_descriptor jlt_kernels_%s_", field->model->name);
     ttc_emit_stem(text, field);
     ttc_text_add(text, ";\nextern const struct jlt_ball_table ");
-    add_ball_name(text, field);
+    ttc_emit_ball_name(text, field);
     ttc_text_add(text, ";\n");
     for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
         ttc_text_format(text, "extern const jlt_kernel_batch jlt_batch_%s_", field->model->name);
