@@ -17,10 +17,10 @@ static const struct {
     const char *command, *dealt;
     size_t least;
 } kinds[] = {
-    { "section", "grid", 256 },  { "fates", "sweep", 1 },   { "fates", "grid", 256 },     { "fates", NULL, 1 },
-    { "lyapunov", "grid", 256 }, { "lyapunov", NULL, 1 },   { "eigen", "sweep", 256 },    { "rod", "sweep", 256 },
-    { "orbits", NULL, 1 },       { "continue", NULL, 1 },   { "separation", NULL, 1 },    { "drift", NULL, 1 },
-    { "manifolds", NULL, 1 },    { "simulate", NULL, 1 },
+    { "section", "grid", 1024 },  { "fates", "sweep", 1 },   { "fates", "grid", 1024 },    { "fates", NULL, 1 },
+    { "lyapunov", "grid", 1024 }, { "lyapunov", NULL, 1 },   { "eigen", "sweep", 256 },    { "rod", "sweep", 256 },
+    { "orbits", NULL, 1 },        { "continue", NULL, 1 },   { "separation", NULL, 1 },    { "drift", NULL, 1 },
+    { "manifolds", NULL, 1 },     { "simulate", NULL, 1 },
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 

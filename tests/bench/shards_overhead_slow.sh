@@ -9,13 +9,13 @@ cd "$scratch" || exit 1
 cat > study.scene << 'END'
 levels = { E = 2.15; G = -0.56; };
 accuracy = { tolerance = 1e-10; };
-piece = 1000;
+piece = 600;
 compute = ( { what = "fates"; grid = "240x160"; returns = 100; } );
 END
 cat > rows.scene << 'END'
 levels = { E = 2.15; G = -0.56; };
 accuracy = { tolerance = 1e-6; };
-compute = ( { what = "section"; grid = "300x200"; returns = 100; batch = true; } );
+compute = ( { what = "section"; grid = "100x80"; returns = 100; } );
 END
 python3 - << 'END'
 import os, resource, subprocess, sys, time
@@ -32,7 +32,7 @@ for i in range(2):
     swept.append(cost("jellett", "sweep", "study.scene", f"--into=one{i}", "--shard=1/1"))
     halves.append(max(cost("jellett", "sweep", "study.scene", f"--into=two{i}", f"--shard={k}/2") for k in (1, 2)))
 more, share = min(swept) / min(bare) - 1, min(halves) / min(swept)
-pieces = 240 * 160 / 1000
+pieces = 240 * 160 / 600
 print(f"{min(bare):.2f} s by run, {min(swept):.2f} s by sweep ({100 * more:+.1f} %), of which one piece {min(swept) / pieces:.3f} s; the larger of two shards {share:.3f} of one")
 for i in (1, 2): cost("jellett", "sweep", "rows.scene", "--into=rows", f"--shard={i}/2")
 size = sum(os.path.getsize(os.path.join("rows", name)) for name in os.listdir("rows"))

@@ -68,6 +68,11 @@ if command -v slurmctld > /dev/null && command -v slurmd > /dev/null && command 
         [ "$(find steps -name '*-of-4.shard' | wc -l)" = 4 ] || fail "srun -n 4: $(ls steps)"
         jellett merge steps -o small.csv -o small.npy -o small.sqlite
         same srun small
+        if command -v mpirun > /dev/null; then # as many ranks as the job has tasks
+            sbatch --wait --ntasks="$(nproc)" -o job.log "$scenes/sweep-mpirun" small.scene job > log 2>&1 || { fail "mpirun in a job of Slurm:"; cat log job.log; }
+            [ "$(find job -name "*-of-$(nproc).shard" | wc -l)" = "$(nproc)" ] || fail "mpirun in a job of $(nproc) tasks: $(ls job)"
+            same "mpirun in a job of Slurm" small
+        fi
     else
         fail "Slurm is installed and does not start: $ready"
         tail -n 20 slurm/*.log slurm/*.out

@@ -112,6 +112,13 @@ expect 5 "" jellett sweep map.scene --into=own.tt
 expect 3 "no files" jellett merge cache
 expect 2 "no .csv" jellett merge map.1 -o rows.txt
 
+# Parts of a grid by hand.
+jellett fates --grid 5x4 --returns 3 2> log | rows > all
+jellett fates --grid 5x4@7:6 --returns 3 2> log | rows | diff -q - <(sed -n '1p; 9,14p' all) > log || fail "points 7 to 12 of a grid are others"
+expect 3 "beyond the last of 9" jellett fates --grid 3x3@5:5
+expect 2 "@FIRST:COUNT" jellett fates --grid 3x3@5
+expect 2 "leave out @0:4" jellett orbits --grid 4x4@0:4
+
 # Two processes, one shard.
 sed 's/returns = 3/returns = 100000000/; s/0.9999, 15/0.9999, 60/' map.scene > long.scene
 jellett sweep long.scene --into=long 2> first &
