@@ -45,12 +45,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "FOLDER|FILE...",
-    "Make one table of what the shards of a study have computed: the rows that its command would print, behind columns of what the study "
+    "Make one table of what the shards of a study have computed: the rows that its command would print, behind columns of what the "
+    "study "
     "runs over."
-    "\vRows are in the order of the study, with the same bytes however many shards there were and however often they were begun again. Every "
-    "record is checked. Where pieces are missing, or files are of different studies, or say different things of one piece, nothing is "
+    "\vRows are in the order of the study, with the same bytes however many shards there were and however often they were begun "
+    "again. Every "
+    "record is checked. Where pieces are missing, or files are of different studies, or say different things of one piece, nothing "
+    "is "
     "written, and the status is 1 or 3. Shards that are computing may be read at any time.\n\n"
-    "In SQLite, table rows has an index on every column that the study runs over and on every column of text, table pieces tells how each "
+    "In SQLite, table rows has an index on every column that the study runs over and on every column of text, table pieces tells "
+    "how each "
     "piece ended and what its command said, table provenance what the rows were computed by.\n\n"
     "  jellett merge study.shards > study.csv\n"
     "  jellett merge study.shards -o study.csv -o study.npy -o study.sqlite",
@@ -104,7 +108,8 @@ static jlt_exit open_gather(merge *self, const glob_t *files)
     if (st != JLT_OK) return jlt_command_exit(st);
     const size_t missing = jlt_gather_missing(self->gather, &first);
     if (missing == 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_FAILED, "%zu of %zu pieces are missing, the first of them number %zu: jellett sweep --resume computes them",
+    return jlt_command_fail(JLT_EXIT_FAILED, "%zu of %zu pieces are missing, the first of them number %zu: jellett sweep --resume "
+                                             "computes them",
                             missing, jlt_gather_pieces(self->gather), first);
 }
 
@@ -137,8 +142,8 @@ static jlt_exit begin_form(merge *self, const char *line)
     const size_t count = jlt_table_cut(names + self->over_count, COLUMNS_MAX, copy);
     st = count > COLUMNS_MAX ? JLT_ERR_ARG : jlt_table_form_open(&self->form, names, self->over_count + count);
     free(copy);
-    return st == JLT_OK ? JLT_EXIT_DONE : st == JLT_ERR_NOMEM ? jlt_command_no_memory()
-                                                              : jlt_command_fail(JLT_EXIT_INPUT, "a column is there twice, or there are too many");
+    if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "a column is there twice, or there are too many");
 }
 
 static jlt_exit bad_row(size_t piece) { return jlt_command_fail(JLT_EXIT_INPUT, "piece %zu has rows of another form", piece); }
@@ -199,7 +204,8 @@ static jlt_exit pass(merge *self, bool is_second)
         char over[JLT_STUDY_PLACE_MAX], *text;
         jlt_shard_record record;
         const jlt_status st = jlt_gather_piece(self->gather, &record, i);
-        if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "piece %zu cannot be read again: %s", i, jlt_status_text(st));
+        if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "piece %zu cannot be read again: %s", i,
+                                                  jlt_status_text(st));
         if (i % each == 0) self->base = 0;
         for (size_t k = 0; is_second && k < self->output_count; k++)
             if (!jlt_merged_piece(&self->outputs[k], &record)) return jlt_command_cannot_write(self->outputs[k].path);
@@ -226,8 +232,8 @@ static char *make_header(const merge *self)
     FILE *stream = open_memstream(&text, &size);
 
     if (stream == NULL) return NULL;
-    fprintf(stream, "# jellett " JLT_VERSION " merge, rows of: jellett %s %s", json_string_value(json_object_get(self->study, "command")),
-            json_string_value(json_object_get(self->study, "model")));
+    fprintf(stream, "# jellett " JLT_VERSION " merge, rows of: jellett %s %s",
+            json_string_value(json_object_get(self->study, "command")), json_string_value(json_object_get(self->study, "model")));
     json_object_foreach(json_object_get(self->study, "options"), name, value) {
         const char *said = json_string_value(value);
         fprintf(stream, " --%s%s%s", name, said != NULL ? "=" : "", said != NULL ? said : "");
@@ -268,7 +274,8 @@ static jlt_exit merge_files(merge *self, const glob_t *files)
     if (code == JLT_EXIT_DONE) code = write_all(self);
     if (code != JLT_EXIT_DONE) return code;
     if (self->failed > 0)
-        fprintf(stderr, "jellett: %zu of %zu pieces ended with another status than 0, the first of them number %zu: their rows tell, and table "
+        fprintf(stderr, "jellett: %zu of %zu pieces ended with another status than 0, the first of them number %zu: their rows "
+                        "tell, and table "
                 "pieces of SQLite\n", self->failed, jlt_gather_pieces(self->gather), self->first_failed);
     if (self->checked == 0) return JLT_EXIT_DONE;
     return jlt_command_fail(JLT_EXIT_FAILED, "the checks of %zu pieces failed", self->checked);

@@ -169,8 +169,8 @@ static jlt_exit run(int argc, char **argv)
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
     code = scene->over == NULL ? set_params(scene, &o)
-                               : jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: 'over' is of a study: type 'jellett sweep %s'", scene->file,
-                                                  scene->over_line, o.scene);
+                               : jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: 'over' is of a study: type 'jellett sweep %s'",
+                                                  scene->file, scene->over_line, o.scene);
     if (code == JLT_EXIT_DONE && o.into != NULL) code = fix_tables(scene);
     if (code == JLT_EXIT_DONE) code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);

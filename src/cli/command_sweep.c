@@ -30,9 +30,11 @@ enum { SHARD = 1000, RESUME, DRY };
 static const double WORTH_SECONDS = 0.25;
 
 static const struct argp_option option_table[] = {
-    { "into", 'C', "FOLDER", 0, "Where shards write their files; made where it is missing; default STUDY.shards in the current folder", 0 },
+    { "into", 'C', "FOLDER", 0, "Where shards write their files; made where it is missing; default STUDY.shards in the current "
+                                "folder", 0 },
     { "shard", SHARD, "I/N", 0,
-      "Compute the I-th of N shards alone, I from 1 to N; /N: whichever the environment says. Default: as the environment says, which Slurm, "
+      "Compute the I-th of N shards alone, I from 1 to N; /N: whichever the environment says. Default: as the environment says, "
+      "which Slurm, "
       "Open MPI, other MPIs by PMI and GNU parallel set; else 1/1", 0 },
     { "resume", RESUME, NULL, 0, "Go on where the shard's file ends; where there is none, begin", 0 },
     { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's", 0 },
@@ -61,16 +63,21 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "STUDY",
-    "Compute a study, or one shard of it, whose rows many processes share, on one machine or on many. A study is a scene with one command, "
+    "Compute a study, or one shard of it, whose rows many processes share, on one machine or on many. A study is a scene with one "
+    "command, "
     "whose grid of starts, or sweep, is dealt out in pieces; the scene's 'over' runs parameters and levels beside."
     "\v  over = { a3 = (0.1, 0.7, 13); E = (1, 4, 31); };\n"
     "  piece = 256;\n"
     "  compute = ( { what = \"fates\"; grid = \"60x40\"; } );\n\n"
-    "Every shard writes one file of its own, I-of-N.shard, adding a record when a piece is done. Processes do not wait for each other, and what "
-    "one has done stands whatever becomes of it or of others: --resume cuts a torn end and computes what is missing. Where the file is of "
-    "another study, or of other kernels, that is refused, with the difference. One process writes a file at a time. Each uses one thread "
+    "Every shard writes one file of its own, I-of-N.shard, adding a record when a piece is done. Processes do not wait for each "
+    "other, and what "
+    "one has done stands whatever becomes of it or of others: --resume cuts a torn end and computes what is missing. Where the "
+    "file is of "
+    "another study, or of other kernels, that is refused, with the difference. One process writes a file at a time. Each uses one "
+    "thread "
     "unless OMP_NUM_THREADS says otherwise. 'jellett merge' makes one table of all.\n\n"
-    "A piece is a start of the command: 'piece', points of its grid, is best so that it takes a second or so. Where the command's status is 1 "
+    "A piece is a start of the command: 'piece', points of its grid, is best so that it takes a second or so. Where the command's "
+    "status is 1 "
     "or 4 its rows are kept, and the study's status is that at the end.\n\n"
     "  jellett sweep tools/scenes/flips.scene\n"
     "  jellett sweep study.scene --shard 3/8 --resume\n"
@@ -105,7 +112,8 @@ static jlt_exit place(sweep *self)
     const char *dot = strrchr(name, '.');
     const int length = dot != NULL && dot > name ? (int)(dot - name) : (int)strlen(name);
 
-    if ((self->o->into != NULL ? (self->folder = strdup(self->o->into)) == NULL : asprintf(&self->folder, "%.*s.shards", length, name) < 0)
+    if ((self->o->into != NULL ? (self->folder = strdup(self->o->into)) == NULL
+                               : asprintf(&self->folder, "%.*s.shards", length, name) < 0)
         || asprintf(&self->path, "%s/%zu-of-%zu.shard", self->folder, self->rank.index, self->rank.count) < 0)
         return jlt_command_no_memory();
     if (!self->o->dry && mkdir(self->folder, 0777) != 0 && errno != EEXIST)
@@ -116,16 +124,19 @@ static jlt_exit place(sweep *self)
 static jlt_exit refuse_lock(const sweep *self, pid_t holder)
 {
     if (holder > 0)
-        return jlt_command_fail(JLT_EXIT_IO, "%s: process %ld computes this shard already: give each process a shard of its own", self->path, (long)holder);
+        return jlt_command_fail(JLT_EXIT_IO, "%s: process %ld computes this shard already: give each process a shard of its own",
+                                self->path, (long)holder);
     if (holder == 0)
-        return jlt_command_fail(JLT_EXIT_IO, "%s: another process computes this shard already: give each process a shard of its own", self->path);
+        return jlt_command_fail(JLT_EXIT_IO, "%s: another process computes this shard already: give each process a shard of its "
+                                             "own", self->path);
     return jlt_command_fail(JLT_EXIT_IO, "cannot write and lock '%s': %s", self->path, strerror(errno));
 }
 
 static jlt_exit cannot_write(const sweep *self, jlt_status st)
 {
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
-    return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (what was done before is there: --resume goes on)", self->path, strerror(errno));
+    return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (what was done before is there: --resume goes on)", self->path,
+                            strerror(errno));
 }
 
 /* A piece that is done, with this status. */
@@ -178,7 +189,7 @@ static jlt_exit open_file(sweep *self)
 
     if (st != JLT_OK) return refuse_lock(self, holder);
     st = jlt_shard_reader_open(&reader, &study, self->shard.descriptor);
-    if (st == JLT_ERR_ARG) code = jlt_command_fail(JLT_EXIT_INPUT, "'%s' is no shard of a study: choose another folder", self->path);
+    if (st == JLT_ERR_ARG) code = jlt_command_fail(JLT_EXIT_INPUT, "'%s' is no shard of a study", self->path);
     else if (st != JLT_OK) code = cannot_write(self, st);
     else if (study == NULL) {
         st = jlt_shard_begin(&self->shard, self->study.manifest);
@@ -193,7 +204,8 @@ static jlt_exit open_file(sweep *self)
         const off_t size = reader.size;
         code = take_done(self, &reader);
         if (code == JLT_EXIT_DONE && reader.at < size)
-            fprintf(stderr, "jellett: %s: the last %lld bytes are of no whole record, and are cut\n", self->path, (long long)(size - reader.at));
+            fprintf(stderr, "jellett: %s: the last %lld bytes are of no whole record, and are cut\n", self->path,
+                    (long long)(size - reader.at));
     }
     free(study);
     jlt_shard_reader_close(&reader);
@@ -219,11 +231,14 @@ static jlt_exit check_names(sweep *self, const char *rows)
         if ((self->names = strndup(rows, length)) == NULL) return jlt_command_no_memory();
         for (const char *at = self->names; *at != '\0'; at += strcspn(at, ","), at += *at == ',')
             for (size_t k = 0; k < self->study.over_count; k++)
-                if (strlen(self->study.over[k].name) == strcspn(at, ",") && strncmp(at, self->study.over[k].name, strcspn(at, ",")) == 0)
-                    return jlt_command_fail(JLT_EXIT_INPUT, "over: %s is a column of %s already", self->study.over[k].name, self->study.job->what);
+                if (strlen(self->study.over[k].name) == strcspn(at, ",")
+                    && strncmp(at, self->study.over[k].name, strcspn(at, ",")) == 0)
+                    return jlt_command_fail(JLT_EXIT_INPUT, "over: %s is a column of %s already", self->study.over[k].name,
+                                            self->study.job->what);
     }
     if (strlen(self->names) == length && strncmp(self->names, rows, length) == 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_INPUT, "pieces of the study have different columns, %s and %.*s", self->names, (int)length, rows);
+    return jlt_command_fail(JLT_EXIT_INPUT, "pieces of the study have different columns, %s and %.*s", self->names, (int)length,
+                            rows);
 }
 
 /* Whether the study goes on after this status: rows are there, or there is nothing at this point of what the study runs over. */
@@ -277,7 +292,8 @@ static void advise(const sweep *self, size_t done, double lasted)
     const double factor = WORTH_SECONDS * (double)done / lasted;
 
     if (done < 8 || factor < 5 || self->study.piece >= self->study.inner) return;
-    fprintf(stderr, "jellett: a piece took %.2g s, of which its start is about a millisecond: 'piece = %.0f;' in the study wastes less\n",
+    fprintf(stderr, "jellett: a piece took %.2g s, of which its start is about a millisecond: 'piece = %.0f;' in the study wastes "
+                    "less\n",
             lasted / (double)done, fmin((double)self->study.inner, ceil(factor * (double)self->study.piece)));
 }
 
@@ -300,7 +316,8 @@ static jlt_exit compute_all(sweep *self, bool *interrupted)
     if (jlt_shard_sync(&self->shard) != JLT_OK && code == JLT_EXIT_DONE) code = cannot_write(self, JLT_ERR_IO);
     jlt_worker_close(&self->worker);
     if (*interrupt != 0)
-        fprintf(stderr, "jellett: interrupted; %zu of the shard's %zu pieces are in %s, and --resume goes on\n", self->before + done - self->lost,
+        fprintf(stderr, "jellett: interrupted; %zu of the shard's %zu pieces are in %s, and --resume goes on\n",
+                self->before + done - self->lost,
                 self->own, self->path);
     else if (code == JLT_EXIT_DONE) {
         fprintf(stderr, "jellett: %s has its %zu pieces%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
@@ -315,7 +332,8 @@ static jlt_exit show_all(const sweep *self)
 {
     for (size_t i = 0; i < self->own; i++) {
         int argc = 0;
-        char **argv = jlt_study_arguments(&self->study, piece_at(self, i), &argc), *line = argv != NULL ? jlt_command_line(argc, argv) : NULL;
+        char **argv = jlt_study_arguments(&self->study, piece_at(self, i), &argc);
+        char *line = argv != NULL ? jlt_command_line(argc, argv) : NULL;
         jlt_job_free(argv, argc);
         if (line == NULL) return jlt_command_no_memory();
         printf("jellett %s\n", line);
@@ -337,8 +355,8 @@ static jlt_exit run_shard(sweep *self)
     if (code == JLT_EXIT_DONE) code = open_file(self);
     if (code != JLT_EXIT_DONE) return code;
     fprintf(stderr, "jellett: shard %zu/%zu%s%s%s: %zu of %zu pieces, %zu of them are there\n", self->rank.index, self->rank.count,
-            self->rank.engine[0] != '\0' ? " (" : "", self->rank.engine, self->rank.engine[0] != '\0' ? ")" : "", self->own, self->study.pieces,
-            self->before);
+            self->rank.engine[0] != '\0' ? " (" : "", self->rank.engine, self->rank.engine[0] != '\0' ? ")" : "", self->own,
+            self->study.pieces, self->before);
     code = compute_all(self, &interrupted);
     if (code == JLT_EXIT_DONE && !interrupted && self->lost > 0)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu pieces were ended by signals: --resume tries again", self->lost);

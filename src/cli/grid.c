@@ -186,7 +186,8 @@ jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, con
 jlt_exit jlt_grid_whole(const jlt_grid_axis *axes, const char *option)
 {
     if (axes[0].part == 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_USAGE, "%s: the whole grid is needed here: leave out @%zu:%zu", option, axes[0].first, axes[0].part);
+    return jlt_command_fail(JLT_EXIT_USAGE, "%s: the whole grid is needed here: leave out @%zu:%zu", option, axes[0].first,
+                            axes[0].part);
 }
 
 void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index)

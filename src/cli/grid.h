@@ -19,8 +19,8 @@ typedef struct {
 jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option);
 
 /** Axes separated by commas into axes[0 .. *count - 1], at most `room`; or COUNTxCOUNT, which sets the counts of the axes as
- *  they stand, where *count > 0. Where *count == room, no other names are known. Behind either, @FIRST:COUNT: so many of its points alone,
- *  from number FIRST (0 is the first) on. */
+ *  they stand, where *count > 0. Where *count == room, no other names are known. Behind either, @FIRST:COUNT: so many of its points
+ *  alone, from number FIRST (0 is the first) on. */
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option);
 
 /* Value number `index`, rounded once where both ends are typed numbers, so that 0.1:0.7:4 has 0.3: ends included, or for a periodic axis that spans its period the high end left out. */

@@ -13,7 +13,8 @@ bool jlt_merged_known(jlt_merged_kind *kind, const char *path)
     static const struct {
         const char *ending;
         jlt_merged_kind kind;
-    } known[] = { { ".csv", JLT_MERGED_CSV }, { ".npy", JLT_MERGED_NPY }, { ".sqlite", JLT_MERGED_SQLITE }, { ".db", JLT_MERGED_SQLITE } };
+    } known[] = { { ".csv", JLT_MERGED_CSV }, { ".npy", JLT_MERGED_NPY },
+                  { ".sqlite", JLT_MERGED_SQLITE }, { ".db", JLT_MERGED_SQLITE } };
     const char *dot = strrchr(path, '.');
 
     *kind = JLT_MERGED_CSV;
@@ -28,8 +29,10 @@ bool jlt_merged_known(jlt_merged_kind *kind, const char *path)
 
 static jlt_exit database_failed(const jlt_merged *self, char *message)
 {
-    const jlt_exit code = message == NULL ? jlt_command_no_memory() : jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s", self->path, message);
+    jlt_exit code = JLT_EXIT_IO;
 
+    if (message == NULL) code = jlt_command_no_memory();
+    else (void)jlt_command_fail(code, "cannot write '%s': %s", self->path, message);
     free(message);
     return code;
 }
@@ -55,7 +58,8 @@ static jlt_exit begin_file(jlt_merged *self)
     return jlt_command_no_memory();
 }
 
-jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study, const char *header)
+jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study,
+                         const char *header)
 {
     char *message = NULL;
     jlt_exit code;
@@ -74,8 +78,8 @@ jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_for
     case JLT_MERGED_SQLITE: break;
     }
     if (self->place.temporary == NULL) return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': SQLite writes files alone", path);
-    return jlt_database_create(&self->database, &message, self->place.temporary, form, over, study) == JLT_OK ? JLT_EXIT_DONE
-                                                                                                             : database_failed(self, message);
+    if (jlt_database_create(&self->database, &message, self->place.temporary, form, over, study) == JLT_OK) return JLT_EXIT_DONE;
+    return database_failed(self, message);
 }
 
 bool jlt_merged_piece(jlt_merged *self, const jlt_shard_record *record)

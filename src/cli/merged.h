@@ -1,4 +1,5 @@
-/** Files that a merged study is written to, each whole or not at all: CSV, a structured array of NumPy, or SQLite, by the name's ending. */
+/** Files that a merged study is written to, each whole or not at all: CSV, a structured array of NumPy, or SQLite, by the name's
+ *  ending. */
 #ifndef JLT_CLI_MERGED_H
 #define JLT_CLI_MERGED_H
 
@@ -22,9 +23,10 @@ typedef struct {
 /** By the ending of a path: .csv, .npy, .sqlite or .db; "-" is CSV. False: it has none of these. */
 bool jlt_merged_known(jlt_merged_kind *kind, const char *path);
 
-/** Begin a file, with what stands before its rows. The first `over` columns are those that the study runs over; header: comments of CSV.
- *  Says what is wrong; *self is discarded after, whatever is returned. */
-jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study, const char *header);
+/** Begin a file, with what stands before its rows. The first `over` columns are those that the study runs over; header: comments of
+ *  CSV. Says what is wrong; *self is discarded after, whatever is returned. */
+jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study,
+                         const char *header);
 
 /** A piece begins; one of its rows. False: it cannot be written. */
 bool jlt_merged_piece(jlt_merged *self, const jlt_shard_record *record);

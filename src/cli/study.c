@@ -10,9 +10,9 @@
 #include "report/json.h"
 #include "scene/tier.h"
 
-/* What a study may ask for: rows of commands that say the same whichever others are computed beside them. `dealt` is the option whose points
- * are dealt out, NULL where the command is run whole at each point that the study runs over; `least`, how many of these points are worth a
- * start of the command. The first that the scene gives is taken. */
+/* What a study may ask for: rows of commands that say the same whichever others are computed beside them. `dealt` is the option
+ * whose points are dealt out, NULL where the command is run whole at each point that the study runs over; `least`, how many of
+ * these points are worth a start of the command. The first that the scene gives is taken. */
 static const struct {
     const char *command, *dealt;
     size_t least;
@@ -24,7 +24,8 @@ static const struct {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* Pieces that a study is cut into where it does not say, and the grid is large enough: many more than ranks, so that uneven rows balance. */
+/* Pieces that a study is cut into where it does not say, and the grid is large enough: many more than ranks, so that uneven rows
+ * balance. */
 enum { PIECES_WANTED = 4096 };
 
 __attribute__((format(printf, 3, 4)))
@@ -88,7 +89,8 @@ static jlt_exit count_inner(jlt_study *self)
     self->inner = 1;
     if (self->dealt == self->job->count) return JLT_EXIT_DONE;
     if (strchr(option->value, '@') != NULL)
-        return refuse(self, option->line, "'%s' is a part of a grid, and a study is dealt out by itself: leave out '%s'", option->name, strchr(option->value, '@'));
+        return refuse(self, option->line, "'%s' is a part of a grid, and a study is dealt out by itself: leave out '%s'",
+                      option->name, strchr(option->value, '@'));
     if (strchr(option->value, '=') == NULL) { /* COUNTxCOUNT */
         count = 1;
         for (const char *c = option->value; *c != '\0'; c++) count += *c == 'x';
@@ -108,7 +110,8 @@ static jlt_exit count_pieces(jlt_study *self, size_t least)
     if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->outer, self->over, self->over_count, scene->over, "over");
     if (code == JLT_EXIT_DONE) code = count_inner(self);
     if (code != JLT_EXIT_DONE) return code;
-    if (__builtin_mul_overflow(self->outer, self->inner, &all)) return refuse(self, self->job->line, "there are more points than can be counted");
+    if (__builtin_mul_overflow(self->outer, self->inner, &all))
+        return refuse(self, self->job->line, "there are more points than can be counted");
     self->piece = scene->piece > 0 ? scene->piece : (all - 1) / PIECES_WANTED + 1;
     if (scene->piece == 0 && self->piece < least) self->piece = least;
     if (self->piece > self->inner) self->piece = self->inner;
@@ -146,8 +149,9 @@ static jlt_exit make_manifest(jlt_study *self)
     /* Kernels on vectors of four and of eight do the same operations; those on two do without the fused multiply-add. */
     whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
                       job->model != NULL ? job->model : model->model, "options", options, "over", self->scene->over, "points",
-                      (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces", (json_int_t)self->pieces, "version",
-                      JLT_VERSION, "kernels", kernels_of(model), "arithmetic", batch != NULL && batch->lanes > 2 ? "fused" : "plain");
+                      (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces", (json_int_t)self->pieces,
+                      "version", JLT_VERSION, "kernels", kernels_of(model), "arithmetic",
+                      batch != NULL && batch->lanes > 2 ? "fused" : "plain");
     self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
     json_decref(whole);
     return self->manifest != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
@@ -158,7 +162,8 @@ static jlt_exit set_params(const jlt_study *self, const jlt_assign_list *set)
     for (size_t i = 0; i < set->count; i++) {
         const jlt_status st = jlt_scene_set(self->scene, set->items[i].name, set->items[i].fraction);
         if (st == JLT_ERR_ARG)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", self->scene->file, set->items[i].name);
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", self->scene->file,
+                                    set->items[i].name);
         if (st != JLT_OK) return jlt_command_no_memory();
     }
     return JLT_EXIT_DONE;
@@ -180,7 +185,8 @@ jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list 
     if (code != JLT_EXIT_DONE) return code;
     out->job = &out->scene->jobs[0];
     out->command = jlt_command_find(out->job->what);
-    if (out->scene->count != 1) return refuse(out, out->scene->jobs[1].line, "a study is of one command: this is a second entry of 'compute'");
+    if (out->scene->count != 1)
+        return refuse(out, out->scene->jobs[1].line, "a study is of one command: this is a second entry of 'compute'");
     code = find_dealt(out, &least);
     if (code == JLT_EXIT_DONE) code = check_options(out);
     if (code == JLT_EXIT_DONE) code = count_pieces(out, least);
@@ -219,7 +225,7 @@ void jlt_study_values(char *text, const jlt_grid_axis *axes, size_t count, size_
     }
 }
 
-/* --set=NAME=VALUE,... of parameters, or --level=... of what is none, as the study has them at this point. Where there is none, "". */
+/* --set=NAME=VALUE,... of parameters, or --level=... of what is none, as the study has them at this point. "": there is none. */
 static char *assignments(const jlt_study *self, size_t outer, bool params)
 {
     double values[JLT_STUDY_OVER_MAX];
@@ -245,7 +251,8 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
 {
     size_t outer, first, count;
     int used = 0;
-    char **argv = jlt_job_arguments(self->job, NULL, &used), **grown = argv != NULL ? realloc(argv, ((size_t)used + 3) * sizeof *argv) : NULL;
+    char **argv = jlt_job_arguments(self->job, NULL, &used);
+    char **grown = argv != NULL ? realloc(argv, ((size_t)used + 3) * sizeof *argv) : NULL;
     bool whole = grown != NULL;
 
     points_of(&outer, &first, &count, self, piece);
@@ -282,8 +289,10 @@ void jlt_study_place(char *place, const jlt_study *self, size_t piece)
     jlt_grid_point(values, self->over, self->over_count, outer);
     place[0] = '\0';
     for (size_t k = 0; k < self->over_count && used < JLT_STUDY_PLACE_MAX; k++)
-        used += (size_t)snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->over[k].name, values[k]);
+        used += (size_t)snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->over[k].name,
+                                 values[k]);
     if (self->dealt < self->job->count && used < JLT_STUDY_PLACE_MAX)
-        snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%spoints %zu to %zu of the %s", used > 0 ? ", " : "", first, first + count - 1,
+        snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%spoints %zu to %zu of the %s", used > 0 ? ", " : "", first,
+                 first + count - 1,
                  self->job->options[self->dealt].name);
 }

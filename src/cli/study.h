@@ -1,5 +1,5 @@
-/** A study: a scene with one command, whose rows are dealt out in pieces. A piece is a command line: the scene's, with values for what the
- *  study runs over, and a part of the command's own grid. */
+/** A study: a scene with one command, whose rows are dealt out in pieces. A piece is a command line: the scene's, with values for
+ *  what the study runs over, and a part of the command's own grid. */
 #ifndef JLT_CLI_STUDY_H
 #define JLT_CLI_STUDY_H
 
@@ -31,8 +31,8 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc);
 /** Where it lies, for messages: "rho=24, points 64 to 127 of the grid". place: shape (JLT_STUDY_PLACE_MAX,). */
 void jlt_study_place(char *place, const jlt_study *self, size_t piece);
 
-/** Values of what a study runs over at one of its pieces, as text with commas between them and one behind each; shape (JLT_STUDY_PLACE_MAX,).
- *  axes: shape (count,). */
+/** Values of what a study runs over at one of its pieces, as text with commas between them and one behind each; shape
+ *  (JLT_STUDY_PLACE_MAX,). axes: shape (count,). */
 void jlt_study_values(char *text, const jlt_grid_axis *axes, size_t count, size_t point);
 
 #endif

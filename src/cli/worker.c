@@ -138,6 +138,7 @@ jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piec
         answer = WEXITSTATUS(ending);
     }
     *status = (jlt_exit)answer;
-    if (take(&self->rows, &self->rows_size, self->output) && take(&self->words, &self->words_size, self->error)) return JLT_EXIT_DONE;
+    if (take(&self->rows, &self->rows_size, self->output) && take(&self->words, &self->words_size, self->error))
+        return JLT_EXIT_DONE;
     return jlt_command_fail(JLT_EXIT_IO, "a file in memory cannot be read: %s", strerror(errno));
 }

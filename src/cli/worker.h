@@ -1,5 +1,5 @@
-/** Computes the pieces of a study one after the other in a process of its own, and takes what they write: whatever ends that process leaves
- *  this one alone, and it is begun again. */
+/** Computes the pieces of a study one after the other in a process of its own, and takes what they write: whatever ends that
+ *  process leaves this one alone, and it is begun again. */
 #ifndef JLT_CLI_WORKER_H
 #define JLT_CLI_WORKER_H
 
@@ -23,8 +23,8 @@ typedef struct {
 jlt_exit jlt_worker_open(jlt_worker *self, const jlt_study *study);
 void jlt_worker_close(jlt_worker *self);
 
-/** Compute a piece. Out: *status, of its command; *by, the signal that ended it, else 0, and then the status means nothing. Says what is
- *  wrong on this side. Cost: beside the command's own about 0.3 ms. */
+/** Compute a piece. Out: *status, of its command; *by, the signal that ended it, else 0, and then the status means nothing. Says
+ *  what is wrong on this side. Cost: beside the command's own about 0.3 ms. */
 jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece);
 
 #endif

@@ -68,7 +68,8 @@ static jlt_status prepare(jlt_database *self, char **message)
     if (fclose(stream) != 0) return JLT_ERR_NOMEM;
     st = told(self, message, sqlite3_prepare_v2(self->db, text, -1, &self->row, NULL));
     free(text);
-    return st != JLT_OK ? st : told(self, message, sqlite3_prepare_v2(self->db, "INSERT INTO pieces VALUES (?, ?, ?)", -1, &self->piece, NULL));
+    return st != JLT_OK ? st : told(self, message, sqlite3_prepare_v2(self->db, "INSERT INTO pieces VALUES (?, ?, ?)", -1,
+                                                                      &self->piece, NULL));
 }
 
 static jlt_status add_fact(const jlt_database *self, char **message, const char *name, const char *value)
@@ -105,7 +106,8 @@ static jlt_status add_provenance(const jlt_database *self, char **message, const
     return st;
 }
 
-jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form, size_t over, const char *study)
+jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form, size_t over,
+                               const char *study)
 {
     jlt_database *self = calloc(1, sizeof *self);
     jlt_status st = JLT_OK;
@@ -132,7 +134,8 @@ jlt_status jlt_database_piece(jlt_database *self, const jlt_shard_record *record
 {
     sqlite3_bind_int64(self->piece, 1, (sqlite3_int64)record->piece);
     sqlite3_bind_int(self->piece, 2, record->status);
-    sqlite3_bind_text64(self->piece, 3, record->words_size > 0 ? record->words : "", record->words_size, SQLITE_TRANSIENT, SQLITE_UTF8);
+    sqlite3_bind_text64(self->piece, 3, record->words_size > 0 ? record->words : "", record->words_size, SQLITE_TRANSIENT,
+                        SQLITE_UTF8);
     const jlt_status st = told(self, NULL, sqlite3_step(self->piece));
     sqlite3_reset(self->piece);
     return st;

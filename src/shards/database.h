@@ -1,6 +1,6 @@
-/** A merged study as one file of SQLite: `rows`, in the order of the study, with an index on every column that the study runs over and on
- *  every column of text; `pieces`, how each piece ended and what was said; `provenance`, what the rows were computed by. The file is in
- *  WAL mode, so that readers and one writer who adds tables to it do not wait for each other. */
+/** A merged study as one file of SQLite: `rows`, in the order of the study, with an index on every column that the study runs over
+ *  and on every column of text; `pieces`, how each piece ended and what was said; `provenance`, what the rows were computed by. The
+ *  file is in WAL mode, so that readers and one writer who adds tables to it do not wait for each other. */
 #ifndef JLT_SHARDS_DATABASE_H
 #define JLT_SHARDS_DATABASE_H
 
@@ -9,9 +9,10 @@
 
 typedef struct jlt_database jlt_database;
 
-/** path: an empty file, or none. The first `over` columns are those that the study runs over. message: what is wrong, for the caller to
- *  free(), else NULL. Errors: IO, NOMEM. The same calls give the same bytes by one version of SQLite. */
-JLT_CHECKED jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form, size_t over,
+/** path: an empty file, or none. The first `over` columns are those that the study runs over. message: what is wrong, for the
+ *  caller to free(), else NULL. Errors: IO, NOMEM. The same calls give the same bytes by one version of SQLite. */
+JLT_CHECKED jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form,
+                                           size_t over,
                                            const char *study);
 JLT_CHECKED jlt_status jlt_database_piece(jlt_database *self, const jlt_shard_record *record);
 JLT_CHECKED jlt_status jlt_database_row(jlt_database *self, char *const *fields);

@@ -12,7 +12,8 @@ static uint64_t mix(uint64_t z)
     return z ^ (z >> 31);
 }
 
-/* A permutation of the numbers of 2 * half bits: a Feistel network (Luby, Rackoff, SIAM J. Comput. 17, 1988), which needs no inverse of its hash. */
+/* A permutation of the numbers of 2 * half bits: a Feistel network (Luby, Rackoff, SIAM J. Comput. 17, 1988), which needs no
+ * inverse of its hash. */
 static uint64_t permuted(uint64_t x, unsigned half)
 {
     const uint64_t mask = ((uint64_t)1 << half) - 1;

@@ -6,10 +6,11 @@
 
 typedef struct jlt_gather jlt_gather;
 
-/** Look through all files, shape (count,), and check every record; files that are empty, or torn before their first record ends, have
- *  nothing. A piece that is there twice must be there with the same bytes. Out: *out, for jlt_gather_destroy; *message, what is wrong,
- *  whole lines, for the caller to free(), or NULL. Errors: IO, a file cannot be read; ARG, one is no shard's file, or of another study, or
- *  a piece is there in two versions; EMPTY, there is no study in any; NOMEM. Memory: 32 bytes a piece, and a descriptor a file.
+/** Look through all files, shape (count,), and check every record; files that are empty, or torn before their first record ends,
+ *  have nothing. A piece that is there twice must be there with the same bytes. Out: *out, for jlt_gather_destroy; *message, what
+ *  is wrong, whole lines, for the caller to free(), or NULL. Errors: IO, a file cannot be read; ARG, one is no shard's file, or of
+ *  another study, or a piece is there in two versions; EMPTY, there is no study in any; NOMEM. Memory: 32 bytes a piece, and a
+ *  descriptor a file.
  *  Cost: every byte is read once. */
 JLT_CHECKED jlt_status jlt_gather_open(jlt_gather **out, char **message, const char *const *paths, size_t count);
 void jlt_gather_destroy(jlt_gather *self); /* NULL is legal */

@@ -5,7 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/** A line for each key whose value differs, members of groups by GROUP.KEY: "  KEY: there VALUE, here VALUE". False: there is none. */
+/** A line for each key whose value differs, members of groups by GROUP.KEY: "  KEY: there VALUE, here VALUE".
+ *  False: there is none. */
 bool jlt_manifest_difference(FILE *stream, const char *there, const char *here);
 
 #endif

@@ -1,5 +1,5 @@
-/** A table as a structured array of NumPy, format 1.0 or 2.0 of NEP 1: numbers are '<f8', NaN where a field is empty, texts 'S' of the
- *  column's width. numpy.load reads it, and numpy.load(FILE, mmap_mode='r') without taking it into memory. */
+/** A table as a structured array of NumPy, format 1.0 or 2.0 of NEP 1: numbers are '<f8', NaN where a field is empty, texts 'S' of
+ *  the column's width. numpy.load reads it, and numpy.load(FILE, mmap_mode='r') without taking it into memory. */
 #ifndef JLT_SHARDS_NPY_H
 #define JLT_SHARDS_NPY_H
 

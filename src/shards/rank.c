@@ -68,11 +68,13 @@ static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t k
 
     *task = 0, *tasks = 1;
     if (!variable(&id, "SLURM_ARRAY_TASK_ID")) return JLT_OK;
-    const size_t low = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_MIN", 1), step = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_STEP", 1);
+    const size_t low = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_MIN", 1);
+    const size_t step = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_STEP", 1);
     *tasks = known > 0 ? known : variable_or("SLURM_ARRAY_TASK_COUNT", 0);
     *task = (id - low) / (step > 0 ? step : 1);
     if (id < low || *task >= *tasks || id != low + *task * step)
-        return complain(message, "task %zu of the Slurm array is none of %zu in a row: write --array=1-N, or give --shard I/N", id, *tasks);
+        return complain(message, "task %zu of the Slurm array is none of %zu in a row: write --array=1-N, or give --shard I/N", id,
+                        *tasks);
     return JLT_OK;
 }
 
@@ -82,10 +84,12 @@ static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
     size_t number = 0, count = 1, rank = 0, task = 0, tasks = 1, i = 0;
     jlt_status st = JLT_OK;
 
-    while (i < ENGINES && (!variable(&number, engines[i].index) || (engines[i].count != NULL && !variable(&count, engines[i].count)))) i++;
+    while (i < ENGINES
+           && (!variable(&number, engines[i].index) || (engines[i].count != NULL && !variable(&count, engines[i].count)))) i++;
     if (i < ENGINES && engines[i].count == NULL) {
         if (known == 0)
-            return complain(message, "%s does not say how many processes it starts: give --shard /N, or --shard I/N", engines[i].name);
+            return complain(message, "%s does not say how many processes it starts: give --shard /N, or --shard I/N",
+                            engines[i].name);
         count = known;
     } else if (i == ENGINES) {
         number = 0, count = 1;
@@ -93,9 +97,11 @@ static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
     if (i < ENGINES) rank = number - engines[i].first;
     JLT_TRY(find_task(&task, &tasks, message, i == ENGINES || count == 1 ? known : 0));
     if (i < ENGINES && engines[i].count == NULL) task = 0, tasks = 1;
-    if (rank >= count) return complain(message, "%s says that this is process %zu of %zu: give --shard I/N", engines[i].name, number, count);
+    if (rank >= count) return complain(message, "%s says that this is process %zu of %zu: give --shard I/N", engines[i].name,
+                                       number, count);
     *out = (jlt_rank){ .index = task * count + rank + 1, .count = tasks * count };
-    snprintf(out->engine, sizeof out->engine, "%s%s%s", tasks > 1 || (i == ENGINES && getenv("SLURM_ARRAY_TASK_ID") != NULL) ? "Slurm array" : "",
+    const bool in_array = tasks > 1 || (i == ENGINES && getenv("SLURM_ARRAY_TASK_ID") != NULL);
+    snprintf(out->engine, sizeof out->engine, "%s%s%s", in_array ? "Slurm array" : "",
              tasks > 1 && i < ENGINES ? ", " : "", i < ENGINES ? engines[i].name : "");
     if (known > 0 && out->engine[0] == '\0')
         return complain(message, "--shard /%zu: nothing in the environment says which of them: write I/%zu", known, known);
@@ -110,7 +116,8 @@ jlt_status jlt_rank_find(jlt_rank *out, char *message, const char *text)
     const char *slash = text != NULL ? strchr(text, '/') : NULL;
 
     if (text == NULL) return from_environment(out, message, 0);
-    if (slash == NULL || !whole(&count, slash + 1, slash + strlen(slash)) || count == 0 || (slash > text && !whole(&index, text, slash)))
+    if (slash == NULL || !whole(&count, slash + 1, slash + strlen(slash)) || count == 0
+        || (slash > text && !whole(&index, text, slash)))
         return complain(message, "--shard: '%s' is no shard (write I/N, as in 3/8)", text);
     if (slash == text) return from_environment(out, message, count);
     if (index == 0 || index > count) return complain(message, "--shard: '%s': shards are counted from 1 to %zu", text, count);

@@ -13,12 +13,13 @@ typedef struct {
     char engine[64];     /* who says so, for messages */
 } jlt_rank;
 
-/** `text`: "I/N"; "/N", number of N as the environment has it; NULL: all from the environment, 1/1 where nothing there says anything.
+/** `text`: "I/N"; "/N", number of N as the environment has it; NULL: all from the environment, 1/1 where nothing there says
+ *  anything.
  *
  *  Known are, in this order: Open MPI (OMPI_COMM_WORLD_RANK, _SIZE), MPICH and Slurm's PMI (PMI_RANK, PMI_SIZE), steps of srun
  *  (SLURM_PROCID, SLURM_STEP_NUM_TASKS), PMIx (PMIX_RANK) and GNU parallel (PARALLEL_SEQ), which do not say how many there are, so
- *  that "/N" is needed; and Slurm's arrays (SLURM_ARRAY_TASK_ID, _MIN, _STEP, _COUNT): where ranks run in the tasks of an array, the shards
- *  are all ranks of all tasks. With "/N" the numbers of an array are those of the shards.
+ *  that "/N" is needed; and Slurm's arrays (SLURM_ARRAY_TASK_ID, _MIN, _STEP, _COUNT): where ranks run in the tasks of an array,
+ *  the shards are all ranks of all tasks. With "/N" the numbers of an array are those of the shards.
  *  Out: on failure `message`, shape (JLT_RANK_TEXT_MAX,): what is wrong, without a full stop. Errors: ARG. */
 JLT_CHECKED jlt_status jlt_rank_find(jlt_rank *out, char *message, const char *text);
 

@@ -42,7 +42,8 @@ static unsigned long checksum(const char *line, size_t length, const char *data,
 }
 
 /* The record at this place. Out: `kind`, shape (6,); *next, where the one after it begins. Errors: EMPTY, there is no whole one. */
-static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, char kind[6], char key[JLT_SHARD_KEY], off_t *next, off_t at)
+static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, char kind[6], char key[JLT_SHARD_KEY], off_t *next,
+                              off_t at)
 {
     char line[LINE_MAX_BYTES + 1];
     const off_t left = self->size - at;
@@ -57,7 +58,8 @@ static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, 
     length = strcspn(line, "\n");
     if (line[length] != '\n') return JLT_ERR_EMPTY;
     line[length] = '\0';
-    if (sscanf(line, "%5s %zu %d %zu %zu %16s%n %8lx", kind, &record->piece, &record->status, &record->rows_size, &record->words_size, key,
+    if (sscanf(line, "%5s %zu %d %zu %zu %16s%n %8lx", kind, &record->piece, &record->status, &record->rows_size,
+               &record->words_size, key,
                &used, &sum) != 7)
         return JLT_ERR_EMPTY;
     const size_t room = (size_t)(left - (off_t)length - 1); /* bytes behind the line */
@@ -139,7 +141,10 @@ jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char *path)
     /* A lock of the process, which ends with it however it ends, and which NFS and Lustre pass on between machines. */
     if (fcntl(self->descriptor, F_SETLK, &lock) == 0) return JLT_OK;
     const int reason = errno;
-    if (reason == EACCES || reason == EAGAIN) *holder = fcntl(self->descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK ? lock.l_pid : 0;
+    if (reason == EACCES || reason == EAGAIN) {
+        const bool known = fcntl(self->descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+        *holder = known ? lock.l_pid : 0;
+    }
     jlt_shard_close(self);
     errno = reason;
     return JLT_ERR_IO;

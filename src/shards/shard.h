@@ -1,11 +1,15 @@
-/** The file of one shard: the study that it is of, and the pieces that are done, each a record with its length, a checksum and the study's
- *  key. A record is added at the end, and nothing is ever changed. What a crash leaves of the last one is cut when the file is opened again.
+/** The file of one shard: the study that it is of, and the pieces that are done, each a record with its length, a checksum and the
+ *  study's key. A record is added at the end, and nothing is ever changed. What a crash leaves of the last one is cut when the file
+ *  is opened again.
  *
- *      study 0 0 LENGTH 0 KEY CHECKSUM         a line, then so many bytes: the study in JSON; a newline
- *      piece NUMBER STATUS ROWS WORDS KEY CHECKSUM   a line, then so many bytes: a line of the columns' names with rows in CSV, and what the
- *                                              command said; a newline
+ *      study 0 0 LENGTH 0 KEY CHECKSUM
+ *      piece NUMBER STATUS ROWS WORDS KEY CHECKSUM
  *
- *  KEY is the first 16 digits of the SHA-256 of the study's JSON, CHECKSUM zlib's CRC-32 of the line up to it and of the bytes that follow. */
+ *  are the lines that records begin with. So many bytes follow, and a newline: of the first the study in JSON; of a piece a line of
+ *  the columns' names with rows in CSV, and what the command said.
+ *
+ *  KEY is the first 16 digits of the SHA-256 of the study's JSON, CHECKSUM zlib's CRC-32 of the line up to it and of the bytes that
+ *  follow. */
 #ifndef JLT_SHARDS_SHARD_H
 #define JLT_SHARDS_SHARD_H
 
@@ -36,13 +40,13 @@ typedef struct {
     char key[JLT_SHARD_KEY];
 } jlt_shard_reader;
 
-/** The descriptor stays the caller's. Out: *study, the study's JSON, for the caller to free(); NULL where the file is empty, or has no whole
- *  first record. Errors: ARG, this is no shard's file; NOMEM; IO. */
+/** The descriptor stays the caller's. Out: *study, the study's JSON, for the caller to free(); NULL where the file is empty, or has
+ *  no whole first record. Errors: ARG, this is no shard's file; NOMEM; IO. */
 JLT_CHECKED jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor);
 void jlt_shard_reader_close(jlt_shard_reader *self); /* legal when zeroed */
 
-/** The next record, which lives until the next call. Errors: EMPTY, there is no further whole one: the file ends at `at`, or is torn there;
- *  NOMEM; IO. */
+/** The next record, which lives until the next call. Errors: EMPTY, there is no further whole one: the file ends at `at`, or is
+ *  torn there; NOMEM; IO. */
 JLT_CHECKED jlt_status jlt_shard_reader_next(jlt_shard_reader *self, jlt_shard_record *record);
 
 /** Read the record at this place again. Errors: IO, it is not there any more; NOMEM. */
@@ -58,8 +62,8 @@ typedef struct {
 
 void jlt_shard_key(char key[JLT_SHARD_KEY], const char *study);
 
-/** Open or make the file, and lock it. Out: *holder, where another process has it: its number, 0 where that is not known; else -1, also
- *  after other failures. Errors: IO (errno says why; ENOLCK and the like where the file system knows no locks). */
+/** Open or make the file, and lock it. Out: *holder, where another process has it: its number, 0 where that is not known; else -1,
+ *  also after other failures. Errors: IO (errno says why; ENOLCK and the like where the file system knows no locks). */
 JLT_CHECKED jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char *path);
 
 /** Close, and give up the lock. Legal when the descriptor is -1. */

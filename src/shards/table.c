@@ -44,7 +44,8 @@ bool jlt_table_number(double *value, const char *field)
 
     *value = NAN;
     if (*field == '\0') return true;
-    if (strchr("-.0123456789", *field) == NULL || (field[0] == '-' && field[1] != '.' && (field[1] < '0' || field[1] > '9'))) return false;
+    if (strchr("-.0123456789", *field) == NULL) return false;
+    if (field[0] == '-' && field[1] != '.' && (field[1] < '0' || field[1] > '9')) return false;
     *value = strtod(field, &end);
     return *end == '\0';
 }
