@@ -39,7 +39,7 @@ static char *value_of(const char *name, const jlt_motion_options *options, const
 
 static jlt_exit put(json_t *object, const char *key, const char *name, char *text, const jlt_assign_list *spread)
 {
-    const char *radius = spread == NULL ? NULL : jlt_assign_fraction(spread, name);
+    const char *radius = jlt_assign_fraction(spread, name);
     int failed;
 
     if (text == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "%s has no exact value: give one", name);
@@ -60,7 +60,7 @@ static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor 
         char *text = value_of(surface->names[i], options, tables, 3);
         code = entry < d->param_count
                    ? put(params, d->params[entry].name, surface->names[i], text, spread)
-                   : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name, surface->names[i], text, NULL);
+                   : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name, surface->names[i], text, spread);
     }
     return code;
 }
@@ -72,7 +72,7 @@ static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
         code = put(params, d->params[i].name, d->params[i].name, value_of(d->params[i].name, options, &d->table, 1), spread);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++)
-        code = put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction), NULL);
+        code = put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction), spread);
     return code;
 }
 
@@ -94,15 +94,14 @@ static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_mo
     return json_object_set_new(given, "section", section) == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
-/* A spread that names no parameter would be lost. */
-static jlt_exit check_spread(const jlt_assign_list *spread, const jlt_descriptor *d)
+/* A spread that names neither a parameter nor a level would be lost. */
+static jlt_exit check_spread(const jlt_assign_list *spread, const json_t *params, const json_t *levels)
 {
-    size_t index;
-
     for (size_t i = 0; i < spread->count; i++) {
-        if (!jlt_descriptor_param(d, spread->items[i].name, &index))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: %s has no parameter '%s'", d->model, spread->items[i].name);
-        if (!(spread->items[i].value > 0)) return jlt_command_fail(JLT_EXIT_INPUT, "--spread: the radius of %s is a number > 0", spread->items[i].name);
+        const char *name = spread->items[i].name;
+        if (json_object_get(params, name) == NULL && json_object_get(levels, name) == NULL)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: there is neither a parameter nor a level '%s' here", name);
+        if (!(spread->items[i].value > 0)) return jlt_command_fail(JLT_EXIT_INPUT, "--spread: the radius of %s is a number > 0", name);
     }
     return JLT_EXIT_DONE;
 }
@@ -112,14 +111,14 @@ jlt_exit jlt_certify_given(json_t **given, const jlt_descriptor **of, const jlt_
 {
     const jlt_descriptor *d = jlt_descriptor_sibling(system->instance->descriptor, NULL, NULL, NULL);
     json_t *params = json_object(), *levels = json_object();
-    jlt_exit code = check_spread(spread, d);
+    jlt_exit code;
 
     *of = d;
     *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params, "levels", levels,
                        "digits", (int)digits);
     if (*given == NULL) return jlt_command_no_memory();
-    if (code == JLT_EXIT_DONE)
-        code = system->surface != NULL ? of_surface(params, levels, d, options, system->surface, spread) : of_plane(params, levels, d, options, spread);
+    code = system->surface != NULL ? of_surface(params, levels, d, options, system->surface, spread) : of_plane(params, levels, d, options, spread);
+    if (code == JLT_EXIT_DONE) code = check_spread(spread, params, levels);
     if (code == JLT_EXIT_DONE) code = put_section(*given, d, options, system);
     if (code != JLT_EXIT_DONE) {
         json_decref(*given);

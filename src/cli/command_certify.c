@@ -21,7 +21,7 @@ static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0, "Near a point of the orbit, as `jellett orbits` gives it", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
     { "radius", RADIUS, "R", 0, "Of the box, in units of the table's states; default 1e-10", 1 },
-    { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters have any value within this distance of theirs", 1 },
+    { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels have any value within this distance of theirs", 1 },
     { 0 },
 };
 

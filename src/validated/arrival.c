@@ -22,6 +22,19 @@ void jlt_arrival_clear(jlt_arrival *self)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
 
+/* Steps shorter than this part of the way, 2^-16, mean that enclosures grow faster than the set can be carried. */
+static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
+{
+    arf_t least;
+    bool enough;
+
+    arf_init(least);
+    arf_mul_2exp_si(least, instant, -16);
+    enough = arf_cmp(h, least) > 0 || arf_sgn(left) == 0;
+    arf_clear(least);
+    return enough;
+}
+
 static jlt_status carry(jlt_arrival *self, jlt_step *step, jlt_set *set, const arf_t instant)
 {
     jlt_status st = JLT_OK;
@@ -34,6 +47,8 @@ static jlt_status carry(jlt_arrival *self, jlt_step *step, jlt_set *set, const a
         arf_set(h, left);
         JLT_TRY(jlt_step_advance(step, set, h, self->expansion, self->least));
         arf_sub(left, left, h, ARF_PREC_EXACT, ARF_RND_DOWN);
+        st = gets_on(h, left, instant) ? JLT_OK : JLT_ERR_NO_PROGRESS;
+        if (st != JLT_OK) goto done;
     }
 done:
     arf_clear(left);

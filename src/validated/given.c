@@ -122,7 +122,8 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
         if (claim == NULL || claim->verdict != JLT_PROVED || claim->condition[0] != '\0')
             return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
-        if (!jlt_given_number(self->level_values + self->question.level_count, json_string_value(value), bits))
+        arb_ptr out = self->level_values + self->question.level_count;
+        if (!(json_is_object(value) ? jlt_given_ball(out, value, bits) : jlt_given_number(out, json_string_value(value), bits)))
             return refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }
@@ -212,6 +213,8 @@ jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, d
     const jlt_descriptor *d = self->question.descriptor;
     const unsigned digits = self->question.digits;
     json_t *names = json_array(), *box = json_object();
+    jlt_cycle_question middle = self->question; /* where parameters and levels are intervals, at their middles */
+    arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     char width[32];
     jlt_status st;
@@ -223,7 +226,12 @@ jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, d
         if (i != self->question.column) arb_set_d(self->box + k++, x[i]);
     arf_set_d(self->instant, T);
     self->kept_count = d->state_count - 1 - self->question.level_count;
-    JLT_TRY(jlt_cycle_create(&cycle, &self->question));
+    for (unsigned i = 0; i < d->param_count; i++) arb_get_mid_arb(params + i, self->params + i);
+    for (unsigned i = 0; i < self->question.level_count; i++) arb_get_mid_arb(levels + i, self->level_values + i);
+    middle.params = params;
+    middle.level_values = levels;
+    middle.free_count = 0;
+    JLT_TRY(jlt_cycle_create(&cycle, &middle));
     JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->box));
     JLT_TRY(jlt_cycle_refine(cycle, self->box, self->instant, self->kept));
     for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
@@ -236,6 +244,8 @@ jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, d
 done:
     arb_clear(time);
     jlt_cycle_destroy(cycle);
+    _arb_vec_clear(params, d->param_count + 1);
+    _arb_vec_clear(levels, JLT_FORMULAS_LEVELS_MAX);
     json_decref(names);
     json_decref(box);
     return st;

@@ -4,7 +4,7 @@
  *        "table": {"name": NAME, "sha256": DIGEST},
  *        "parameters": {NAME: NUMBER or {"middle": NUMBER, "radius": NUMBER}, ...},      all of the table
  *        "section": {"state": NAME, "value": NUMBER, "direction": 1 or -1},
- *        "levels": {INTEGRAL: NUMBER, ...},
+ *        "levels": {INTEGRAL: NUMBER or a ball likewise, ...},
  *        "coordinates": [NAME, ...],                                                     on the levels
  *        "box": {NAME: {"middle": NUMBER, "radius": NUMBER}, ...},                       states but the section's
  *        "instant": NUMBER, "digits": N }

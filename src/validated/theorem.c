@@ -32,12 +32,12 @@ static void write_named(FILE *out, const json_t *values, const char *between)
     }
 }
 
-static bool has_radius(const json_t *params)
+static bool has_radius(const json_t *values)
 {
     const char *name;
     json_t *value;
 
-    json_object_foreach((json_t *)(uintptr_t)params, name, value)
+    json_object_foreach((json_t *)(uintptr_t)values, name, value)
         if (json_is_object(value)) return true;
     return false;
 }
@@ -48,7 +48,7 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
 
     fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s) with ", d->model, d->title, d->sha256);
     write_named(out, json_object_get(given, "parameters"), ", ");
-    fputs(has_radius(json_object_get(given, "parameters")) ? "; what follows holds for each value of a parameter within its radius." : ".", out);
+    fputc('.', out);
     if (json_object_size(levels) > 0) {
         fputs(" Levels: ", out);
         write_named(out, levels, ", ");
@@ -57,6 +57,8 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
     fprintf(out, " Section: %s = %s, crossed %s.", json_string_value(json_object_get(section, "state")),
             json_string_value(json_object_get(section, "value")),
             json_integer_value(json_object_get(section, "direction")) > 0 ? "upwards" : "downwards");
+    if (has_radius(json_object_get(given, "parameters")) || has_radius(levels))
+        fputs(" What follows holds for each value that a parameter or level has within its radius, with balls that hold for all of them.", out);
 }
 
 static void write_orbit(FILE *out, const json_t *given, const json_t *shown)

@@ -66,11 +66,26 @@ head -c 1000 $certificate > "$scratch/half.json"
 expect 3 "$scratch/half.json" half.json
 expect 5 "$scratch/nowhere.json" 'cannot read'
 
+# The second program proves the same, and refuses the same.
+python3 tools/check_certificate.py $certificate > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
+got=0
+python3 tools/check_certificate.py "$scratch/box.json" > "$scratch/out" 2>&1 || got=$?
+[ $got -eq 1 ] || { echo "second program on another box: status $got"; cat "$scratch/out"; status=1; }
+
 # Nothing is written where nothing is proved: a saddle is no sink, and no orbit begins there.
-for kind in sink; do
-    got=0
-    jellett certify $kind lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12 -o "$scratch/none.json" 2> "$scratch/out" || got=$?
-    [ $got -eq 1 ] && grep -q 'not shown to attract' "$scratch/out" && [ ! -e "$scratch/none.json" ] || { echo "certify $kind: status $got"; cat "$scratch/out"; status=1; }
-done
+refuse() { # STATUS TEXT OPTION...
+    local got=0 want=$1 text=$2
+    shift 2
+    jellett certify "$@" -o "$scratch/none.json" > "$scratch/out" 2>&1 || got=$?
+    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/none.json" ] || { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
+}
+orbit=(lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12)
+refuse 1 'not shown to attract' sink "${orbit[@]}"
+refuse 1 'no orbit is shown to be there' cycle "${orbit[@]}" --radius 0.01
+refuse 4 'the proof could not be carried out' cycle "${orbit[@]}" --radius 1
+refuse 3 "neither a parameter nor a level 'a3'" cycle "${orbit[@]}" --spread a3=1e-9
+refuse 4 'finds no periodic orbit' cycle lorenz --section z=27 --start x=100,y=-100
+refuse 2 'no kind of certificate' saddle "${orbit[@]}"
+refuse 2 'say near which orbit' cycle lorenz --section z=27
 [ $status -ne 0 ] || echo "certificates are replayed, and false ones refused"
 exit $status
