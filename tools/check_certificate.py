@@ -3,10 +3,11 @@
 
     tools/check_certificate.py [--table FILE.tt] CERTIFICATE.json
 
-The table is read by a parser of its own, differentiated symbolically, and integrated by Taylor's method in interval arithmetic on integers
-(tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's box, and what it
-encloses must meet what the certificate says. Taken on trust: that the table's integrals and reversor are what it claims, which `ttc prove`
-shows. Served are tables without functions but roots, with numbers for parameters and levels, one level at most, and two coordinates.
+The table is read by a parser of its own, differentiated symbolically, and integrated by Taylor's method in interval arithmetic on
+integers (tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's box,
+and what it encloses must meet what the certificate says. Taken on trust: that the table's integrals and reversor are what it claims,
+which `ttc prove` shows. Served are tables without functions but roots, with numbers for parameters and levels, one level at most, and two
+coordinates.
 Exit status: 0 proved, 1 refused, 2 usage, 3 not a certificate that can be replayed here.
 """
 import hashlib
@@ -16,7 +17,8 @@ import sys
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
-from replay.balls import ONE, P, ball, exact, exponential, hull, inside, less, matadd, matmul, meet, plus, product, quotient, size, unit
+from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, matadd, matmul, meet, plus, product, quotient, size,
+                          unit)
 from replay.flow import Flow, Refused
 from replay.series import CLOCK, Program
 from replay.table import Table, Unserved
@@ -153,7 +155,8 @@ def main(arguments):
         print("%s: %s: cannot be replayed here" % (path, problem), file=sys.stderr)
         return 3
     print("%s: proved by a second program: det %s +- %.2g, trace %s +- %.2g, conditions above %s"
-          % (path, decimal(determinant[0]), determinant[1] / ONE, decimal(trace[0]), trace[1] / ONE, [float(decimal(a, 5)) for a in least]))
+          % (path, decimal(determinant[0]), determinant[1] / ONE, decimal(trace[0]), trace[1] / ONE,
+             [float(decimal(a, 5)) for a in least]))
     return 0
 
 

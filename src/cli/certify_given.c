@@ -49,8 +49,8 @@ static jlt_exit put(json_t *object, const char *key, const char *name, char *tex
     return failed == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
-static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_surface *surface,
-                           const jlt_assign_list *spread)
+static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options,
+                           const jlt_surface *surface, const jlt_assign_list *spread)
 {
     const char *const tables[] = { surface->asked->table, d->table, surface->section->table };
     jlt_exit code = JLT_EXIT_DONE;
@@ -60,19 +60,22 @@ static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor 
         char *text = value_of(surface->names[i], options, tables, 3);
         code = entry < d->param_count
                    ? put(params, d->params[entry].name, surface->names[i], text, spread)
-                   : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name, surface->names[i], text, spread);
+                   : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name,
+                         surface->names[i], text, spread);
     }
     return code;
 }
 
-static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_assign_list *spread)
+static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options,
+                         const jlt_assign_list *spread)
 {
     jlt_exit code = JLT_EXIT_DONE;
 
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
         code = put(params, d->params[i].name, d->params[i].name, value_of(d->params[i].name, options, &d->table, 1), spread);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++)
-        code = put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction), spread);
+        code = put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction),
+                   spread);
     return code;
 }
 
@@ -101,7 +104,8 @@ static jlt_exit check_spread(const jlt_assign_list *spread, const json_t *params
         const char *name = spread->items[i].name;
         if (json_object_get(params, name) == NULL && json_object_get(levels, name) == NULL)
             return jlt_command_fail(JLT_EXIT_INPUT, "--spread: there is neither a parameter nor a level '%s' here", name);
-        if (!(spread->items[i].value > 0)) return jlt_command_fail(JLT_EXIT_INPUT, "--spread: the radius of %s is a number > 0", name);
+        if (!(spread->items[i].value > 0))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: the radius of %s is a number > 0", name);
     }
     return JLT_EXIT_DONE;
 }
@@ -114,10 +118,11 @@ jlt_exit jlt_certify_given(json_t **given, const jlt_descriptor **of, const jlt_
     jlt_exit code;
 
     *of = d;
-    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params, "levels", levels,
-                       "digits", (int)digits);
+    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters",
+                       params, "levels", levels, "digits", (int)digits);
     if (*given == NULL) return jlt_command_no_memory();
-    code = system->surface != NULL ? of_surface(params, levels, d, options, system->surface, spread) : of_plane(params, levels, d, options, spread);
+    code = system->surface != NULL ? of_surface(params, levels, d, options, system->surface, spread)
+                                   : of_plane(params, levels, d, options, spread);
     if (code == JLT_EXIT_DONE) code = check_spread(spread, params, levels);
     if (code == JLT_EXIT_DONE) code = put_section(*given, d, options, system);
     if (code != JLT_EXIT_DONE) {

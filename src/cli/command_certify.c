@@ -41,7 +41,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_ARG:
         if (o->kind != NULL) return ARGP_ERR_UNKNOWN;
         o->kind = value;
-        if (strcmp(value, "sink") != 0 && strcmp(value, "cycle") != 0) argp_error(state, "'%s' is no kind of certificate: write sink or cycle", value);
+        if (strcmp(value, "sink") != 0 && strcmp(value, "cycle") != 0)
+            argp_error(state, "'%s' is no kind of certificate: write sink or cycle", value);
         return 0;
     case ARGP_KEY_END:
         if (o->kind == NULL) argp_error(state, "say what to certify: sink or cycle");
@@ -109,7 +110,8 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     if (code != JLT_EXIT_DONE) return code;
     if (!jlt_given_read(&question, *given, *d, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if ((st = jlt_given_make_box(&question, *given, x, T, o->radius)) != JLT_OK)
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits, jlt_status_text(st));
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
+                                jlt_status_text(st));
     jlt_given_clear(&question);
     return code;
 }
@@ -137,7 +139,8 @@ static jlt_exit run(int argc, char **argv)
     certificate = jlt_certificate_make(&report, o.kind, given, d);
     code = fail(&report);
     if (code != JLT_EXIT_DONE) goto done;
-    if (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF) code = jlt_command_no_memory();
+    if (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF)
+        code = jlt_command_no_memory();
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
 done:
     json_decref(certificate);

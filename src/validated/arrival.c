@@ -64,7 +64,8 @@ static void rate(arb_t out, const jlt_step *step, unsigned i)
 }
 
 /* y encloses all solutions from x over [-d, d], d about twice what the crossing needs; tau, its time. */
-static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_srcptr x, unsigned n, unsigned column, const arb_t level, int direction)
+static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_srcptr x, unsigned n, unsigned column, const arb_t level,
+                        int direction)
 {
     const slong bits = jlt_step_bits(step);
     jlt_status st = JLT_ERR_NO_CONVERGENCE;
@@ -121,8 +122,8 @@ done:
     return st;
 }
 
-/* Over the box y last evaluated, the derivatives of the crossing's state, shape (dim, dim), and of its time, shape (1, dim), in the state
- * before. */
+/* Over the box y last evaluated, the derivatives of the crossing's state, shape (dim, dim), and of its time, shape (1, dim), in the
+ * state before. */
 static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step, const arb_t tau, unsigned column)
 {
     const jlt_formulas *of = jlt_step_formulas(step);
@@ -198,8 +199,8 @@ static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
 }
 
 /* State and time of the middle's crossing, and what the derivatives make of the rest by the mean value theorem. */
-static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, const arb_mat_t local, const arb_mat_t delay, unsigned column,
-                       const arb_t level, int direction)
+static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, const arb_mat_t local, const arb_mat_t delay,
+                       unsigned column, const arb_t level, int direction)
 {
     const slong bits = jlt_step_bits(step), n = (slong)self->dim;
     arb_ptr middle = _arb_vec_init(n), y = _arb_vec_init(n);

@@ -74,7 +74,8 @@ static json_t *shown_by(const jlt_cycle_result *result, const jlt_given *given, 
     bool good = true;
 
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        if (i != given->question.column) good = good && set(orbit, d->states[i].name, jlt_certificate_ball(result->solution + k++, digits));
+        if (i != given->question.column)
+            good = good && set(orbit, d->states[i].name, jlt_certificate_ball(result->solution + k++, digits));
     for (unsigned i = 0; i < result->multipliers && result->multipliers <= 2; i++)
         good = good && json_array_append_new(multipliers,
                    json_pack("{s:o,s:o}", "re", jlt_certificate_ball(acb_realref(result->multiplier + i), digits), "im",
@@ -104,13 +105,16 @@ static jlt_certificate_report judge(const jlt_cycle_result *result, const char *
 {
     switch (result->verdict) {
     case JLT_CYCLE_PROVED: break;
-    case JLT_CYCLE_UNSHOWN: return say(JLT_CERTIFICATE_REFUSED, "Krawczyk's operator does not map the box into itself: no orbit is shown to be there (try "
-                                                                "another radius, or more digits)");
-    case JLT_CYCLE_OPEN: return say(JLT_CERTIFICATE_REFUSED, "the integrals do not determine the states left out, so that the orbit need not close");
+    case JLT_CYCLE_UNSHOWN:
+        return say(JLT_CERTIFICATE_REFUSED, "Krawczyk's operator does not map the box into itself: no orbit is shown to be there "
+                                            "(try another radius, or more digits)");
+    case JLT_CYCLE_OPEN:
+        return say(JLT_CERTIFICATE_REFUSED, "the integrals do not determine the states left out, so that the orbit need not close");
     default: return say(JLT_CERTIFICATE_FAILED, "the two determinants exclude each other, which is an error of this program");
     }
     if (strcmp(kind, "sink") == 0 && !result->sink)
-        return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but not shown to attract: its multipliers are not all proved to be inside the unit circle");
+        return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but not shown to attract: its multipliers are not all proved "
+                                            "to be inside the unit circle");
     return say(JLT_CERTIFICATE_GOOD, "");
 }
 
@@ -193,7 +197,8 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
     return certificate;
 }
 
-/* Everything said holds of everything recomputed: the same form, balls that contain balls, bounds below bounds, other text alike. */
+/* Everything said holds of everything recomputed: the same form, balls that contain balls, bounds below bounds, other text alike.
+ * */
 static bool covers(const json_t *said, const json_t *proved)
 {
     const char *name;
@@ -203,7 +208,8 @@ static bool covers(const json_t *said, const json_t *proved)
     if (json_typeof(said) != json_typeof(proved)) return false;
     if (json_is_array(said)) {
         good = json_array_size(said) == json_array_size(proved);
-        for (size_t i = 0; good && i < json_array_size(said); i++) good = covers(json_array_get(said, i), json_array_get(proved, i));
+        for (size_t i = 0; good && i < json_array_size(said); i++)
+            good = covers(json_array_get(said, i), json_array_get(proved, i));
         return good;
     }
     if (!json_is_object(said)) return json_equal(said, proved);
@@ -213,7 +219,8 @@ static bool covers(const json_t *said, const json_t *proved)
         arb_t outer, inner;
         arb_init(outer);
         arb_init(inner);
-        good = json_equal(said, proved) || (jlt_given_ball(outer, said, bits) && jlt_given_ball(inner, proved, bits) && arb_contains(outer, inner));
+        good = json_equal(said, proved)
+               || (jlt_given_ball(outer, said, bits) && jlt_given_ball(inner, proved, bits) && arb_contains(outer, inner));
         arb_clear(outer);
         arb_clear(inner);
         return good;
@@ -228,14 +235,17 @@ static bool covers(const json_t *said, const json_t *proved)
 void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, const jlt_descriptor *own)
 {
     const char *form = json_string_value(json_object_get(certificate, "certificate"));
-    const char *kind = json_string_value(json_object_get(certificate, "kind")), *digest = json_string_value(json_object_get(certificate, "digest"));
+    const char *kind = json_string_value(json_object_get(certificate, "kind"));
+    const char *digest = json_string_value(json_object_get(certificate, "digest"));
     const json_t *given = json_object_get(certificate, "given"), *said = json_object_get(certificate, "shown");
     const jlt_descriptor *d;
     json_t *proved = NULL, *words = NULL;
     char found[65];
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "it is no certificate of this program's form");
-    if (form == NULL || strcmp(form, format_name) != 0 || !is_kind(kind) || digest == NULL || !json_is_object(given) || !json_is_object(said)) return;
+    if (form == NULL || strcmp(form, format_name) != 0 || !is_kind(kind) || digest == NULL || !json_is_object(given)
+        || !json_is_object(said))
+        return;
     d = jlt_given_table(given, own, report->problem);
     if (d == NULL) return;
     *report = say(JLT_CERTIFICATE_REFUSED, "its digest is not that of its text: it was changed after it was made");
@@ -243,7 +253,8 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     proved = prove(report, kind, given, d);
     if (proved == NULL) return;
     words = jlt_theorem_words(kind, d, given, said);
-    if (!covers(said, proved)) *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
+    if (!covers(said, proved))
+        *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
         *report = say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say");
     json_decref(proved);

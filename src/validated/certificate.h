@@ -1,10 +1,12 @@
 /** Certificates: a theorem about a periodic orbit as a JSON object that can be replayed from itself alone.
  *
- *      {"certificate": "jellett 1", "kind": "cycle" or "sink", "theorem": [SENTENCE, ...], "given": {...}, "shown": {...}, "digest": SHA-256}
+ *      {"certificate": "jellett 1", "kind": "cycle" or "sink", "theorem": [SENTENCE, ...], "given": {...},
+ *       "shown": {...}, "digest": SHA-256}
  *
- *  `given` is described in given.h. `shown` is what was proved of it: the orbit's point, period, determinant, trace and multipliers as balls, bounds
- *  of the model's conditions along it, and the claims of the table that the theorem rests on. The digest is that of all the rest as
- *  compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind `sink`: it attracts, and a reversor has an image that repels. */
+ *  `given` is described in given.h. `shown` is what was proved of it: the orbit's point, period, determinant, trace and multipliers
+ *  as balls, bounds of the model's conditions along it, and the claims of the table that the theorem rests on. The digest is that
+ *  of all the rest as compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind `sink`: it attracts, and a
+ *  reversor has an image that repels. */
 #ifndef JLT_VALIDATED_CERTIFICATE_H
 #define JLT_VALIDATED_CERTIFICATE_H
 

@@ -14,7 +14,9 @@ jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *questio
     if (self == NULL) return st;
     self->question = question;
     st = JLT_ERR_ARG;
-    if (question->descriptor->state_count > JLT_CYCLE_STATES_MAX || question->descriptor->state_count < 2 + question->level_count) goto done;
+    if (question->descriptor->state_count > JLT_CYCLE_STATES_MAX
+        || question->descriptor->state_count < 2 + question->level_count)
+        goto done;
     JLT_TRY(jlt_formulas_create(&self->formulas, question->descriptor, question->free, question->free_count, question->levels,
                                 question->level_count));
     self->unknowns = self->formulas->states - 1;
@@ -119,7 +121,8 @@ static double size_of(const arb_mat_t column)
 jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arf_t instant, const unsigned *kept)
 {
     const slong n = (slong)self->unknowns, bits = jlt_step_bits(self->step);
-    const double enough = -2.6 * self->question->digits; /* the error of what comes out is about the square, that of the instant this */
+    /* the error of what comes out is about the square of the last correction, that of the instant the correction itself */
+    const double enough = -2.6 * self->question->digits;
     jlt_status st = JLT_ERR_NO_CONVERGENCE;
     double size = INFINITY;
     arb_mat_t G, DG, M, correction;
@@ -190,7 +193,8 @@ static void operator_clear(operator *self)
 }
 
 /* At the middle of the box; M is the inverse near it. *regular: there is one. */
-static jlt_status operator_init(operator *self, jlt_cycle *cycle, bool *regular, arb_srcptr box, const arf_t instant, const unsigned *kept)
+static jlt_status operator_init(operator *self, jlt_cycle *cycle, bool *regular, arb_srcptr box, const arf_t instant,
+                                const unsigned *kept)
 {
     const slong n = (slong)cycle->unknowns;
     arb_mat_t G;
@@ -211,7 +215,8 @@ static jlt_status operator_init(operator *self, jlt_cycle *cycle, bool *regular,
 }
 
 /* K(y), by one arrival from all of y, which the cycle keeps. */
-static jlt_status operator_apply(operator *self, jlt_cycle *cycle, arb_ptr K, arb_srcptr y, const arf_t instant, const unsigned *kept)
+static jlt_status operator_apply(operator *self, jlt_cycle *cycle, arb_ptr K, arb_srcptr y, const arf_t instant,
+                                 const unsigned *kept)
 {
     const slong n = self->n;
     arb_mat_t rest, away;

@@ -23,8 +23,8 @@ JLT_CHECKED jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const
 /** G, shape (unknowns, 1), where that arrival was from, whose states stand in y; and DG, shape (unknowns, unknowns). */
 void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y, const unsigned *kept);
 
-/** The derivative in the kept coordinates, D, shape (kept, kept), and whether the states left out come back to what they were: see the
- *  opening of cycle.h. False where that is not shown. */
+/** The derivative in the kept coordinates, D, shape (kept, kept), and whether the states left out come back to what they were: see
+ *  the opening of cycle.h. False where that is not shown. */
 bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const unsigned *kept);
 
 /** Gradients of the integrals at y, by unknowns: (level_count, unknowns); values, (level_count,), or NULL. */

@@ -8,7 +8,8 @@
 /* Derivative by a state, or by a free parameter, in the field's symbols. */
 static ttc_id partial(const jlt_formulas *self, ttc_field *field, ttc_id expression, unsigned column)
 {
-    const uint32_t by = column < self->states ? self->model->states[column] : self->model->params[self->free[column - self->states]];
+    const uint32_t by = column < self->states ? self->model->states[column]
+                                                : self->model->params[self->free[column - self->states]];
     const ttc_id slope = ttc_model_partial(self->model, expression, by);
 
     return slope == TTC_NONE ? TTC_NONE : ttc_field_specialise(field, slope);
@@ -55,7 +56,8 @@ static jlt_status make_levels(jlt_formulas *self, ttc_field *field, const char *
         if (!ttc_model_find_claim(self->model, levels[i], &claim) || self->model->claims[claim].kind != TTC_CLAIM_INTEGRAL)
             return JLT_ERR_UNSUPPORTED;
         ids[i] = ttc_field_specialise(field, self->model->claims[claim].expression);
-        for (unsigned k = 0; k < self->dim; k++) ids[m + i * self->dim + k] = partial(self, field, self->model->claims[claim].expression, k);
+        for (unsigned k = 0; k < self->dim; k++)
+            ids[m + i * self->dim + k] = partial(self, field, self->model->claims[claim].expression, k);
     }
     self->levels = lower(field, ids, m * (1 + self->dim));
     return self->levels == NULL ? JLT_ERR_NOMEM : JLT_OK;
@@ -76,7 +78,8 @@ jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *de
     st = JLT_ERR_UNSUPPORTED;
     self->descriptor = descriptor;
     self->model = ttc_model_parse(descriptor->table, strlen(descriptor->table), descriptor->model, diagnostics);
-    if (self->model == NULL || self->model->state_count != descriptor->state_count || self->model->param_count != descriptor->param_count
+    if (self->model == NULL || self->model->state_count != descriptor->state_count
+        || self->model->param_count != descriptor->param_count
         || ttc_field_create(&field, self->model, NULL, NULL, NULL) != TTC_FIELD_OK)
         goto done;
     self->states = descriptor->state_count;

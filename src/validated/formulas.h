@@ -2,8 +2,8 @@
  *  divergence, conditions under which the model holds, integrals with their gradients.
  *
  *  They are made from the text that the descriptor carries, by the passes that make kernels in balls, and interpreted over whatever
- *  arithmetic is wanted. A free parameter is one that may have any value of a ball: it becomes a state whose rate is 0, so that what depends
- *  on it stays correlated. */
+ *  arithmetic is wanted. A free parameter is one that may have any value of a ball: it becomes a state whose rate is 0, so that
+ *  what depends on it stays correlated. */
 #ifndef JLT_VALIDATED_FORMULAS_H
 #define JLT_VALIDATED_FORMULAS_H
 
@@ -26,11 +26,11 @@ typedef struct {
     ttc_program *levels;    /* integrals, (level_count,); their gradients, (level_count, dim) */
 } jlt_formulas;
 
-/** Out: *formulas, NULL on failure; destroy with jlt_formulas_destroy. In: free, shape (free_count,), indices of parameters; levels, shape
- *  (level_count,), names of integrals. Errors: ARG, more than there is room for; UNSUPPORTED, no such integral, or a table that does not
- *  read; NOMEM. */
-JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free, unsigned free_count,
-                                           const char *const *levels, unsigned level_count);
+/** Out: *formulas, NULL on failure; destroy with jlt_formulas_destroy. In: free, shape (free_count,), indices of parameters;
+ *  levels, shape (level_count,), names of integrals. Errors: ARG, more than there is room for; UNSUPPORTED, no such integral, or a
+ *  table that does not read; NOMEM. */
+JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free,
+                                           unsigned free_count, const char *const *levels, unsigned level_count);
 void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 
 /* Outputs of `variation`. */

@@ -53,7 +53,8 @@ bool jlt_given_ball(arb_t out, const json_t *ball, slong bits)
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const json_t *table = json_object_get(given, "table");
-    const char *name = json_string_value(json_object_get(table, "name")), *digest = json_string_value(json_object_get(table, "sha256"));
+    const char *name = json_string_value(json_object_get(table, "name"));
+    const char *digest = json_string_value(json_object_get(table, "sha256"));
 
     if (name == NULL || digest == NULL) {
         refuse(problem, "it names no table by name and sha256");
@@ -72,7 +73,8 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
 static bool allows(const jlt_quantity *param, const arb_t value)
 {
     return param->sign == JLT_ANY_SIGN || (param->sign == JLT_POSITIVE && arb_is_positive(value))
-           || (param->sign == JLT_NONNEGATIVE && arb_is_nonnegative(value)) || (param->sign == JLT_NONZERO && arb_is_nonzero(value));
+           || (param->sign == JLT_NONNEGATIVE && arb_is_nonnegative(value))
+           || (param->sign == JLT_NONZERO && arb_is_nonzero(value));
 }
 
 static bool read_params(jlt_given *self, const json_t *given, slong bits, char *problem)
@@ -80,15 +82,19 @@ static bool read_params(jlt_given *self, const json_t *given, slong bits, char *
     const jlt_descriptor *d = self->question.descriptor;
     const json_t *params = json_object_get(given, "parameters");
 
-    if (json_object_size(params) != d->param_count) return refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+    if (json_object_size(params) != d->param_count)
+        return refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
     for (unsigned i = 0; i < d->param_count; i++) {
         const json_t *value = json_object_get(params, d->params[i].name);
         const bool is_ball = json_is_object(value);
-        if (!(is_ball ? jlt_given_ball(self->params + i, value, bits) : jlt_given_number(self->params + i, json_string_value(value), bits)))
+        if (!(is_ball ? jlt_given_ball(self->params + i, value, bits)
+                      : jlt_given_number(self->params + i, json_string_value(value), bits)))
             return refuse(problem, "parameter %s: no number", d->params[i].name);
-        if (!allows(&d->params[i], self->params + i)) return refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
+        if (!allows(&d->params[i], self->params + i))
+            return refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
         if (!is_ball) continue;
-        if (self->question.free_count == JLT_FORMULAS_FREE_MAX) return refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
+        if (self->question.free_count == JLT_FORMULAS_FREE_MAX)
+            return refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
         self->question.free[self->question.free_count++] = i;
     }
     return true;
@@ -106,7 +112,8 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
     self->question.column = (unsigned)column;
     if (direction != 1 && direction != -1) return refuse(problem, "section: the direction is 1 or -1");
     self->question.direction = (int)direction;
-    return jlt_given_number(self->section, json_string_value(json_object_get(section, "value")), bits) || refuse(problem, "section: no value");
+    return jlt_given_number(self->section, json_string_value(json_object_get(section, "value")), bits)
+           || refuse(problem, "section: no value");
 }
 
 /* Levels of integrals that are proved, whatever the parameters. */
@@ -186,7 +193,8 @@ bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *
         return refuse(problem, "tables of 2 to %d states are served", JLT_CYCLE_STATES_MAX);
     self->question.digits = (unsigned)digits;
     const slong bits = jlt_step_accuracy_for(self->question.digits).bits;
-    return read_params(self, given, bits, problem) && read_section(self, given, bits, problem) && read_levels(self, given, bits, problem)
+    return read_params(self, given, bits, problem) && read_section(self, given, bits, problem)
+           && read_levels(self, given, bits, problem)
            && (descriptor->state_count >= 2 + self->question.level_count
                || refuse(problem, "levels: too many for %u states", descriptor->state_count));
 }
@@ -237,7 +245,8 @@ jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, d
     for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
         if (i != self->question.column)
-            json_object_set_new(box, d->states[i].name, json_pack("{s:o,s:s}", "middle", decimal(self->box + k++, digits), "radius", width));
+            json_object_set_new(box, d->states[i].name, json_pack("{s:o,s:s}", "middle", decimal(self->box + k++, digits),
+                                                                  "radius", width));
     arb_set_arf(time, self->instant);
     st = json_object_set(given, "coordinates", names) == 0 && json_object_set(given, "box", box) == 0
          && json_object_set_new(given, "instant", decimal(time, digits)) == 0 ? JLT_OK : JLT_ERR_NOMEM;

@@ -10,14 +10,14 @@
 
 typedef struct jlt_jets jlt_jets;
 
-/** Out: *jets, NULL on failure; destroy with jlt_jets_destroy. program, of `of`, is borrowed; its first outputs are rates of the states
- *  where `order` is more than 0. Errors: NOMEM; UNSUPPORTED, an operation that programs as written do not have. */
+/** Out: *jets, NULL on failure; destroy with jlt_jets_destroy. program, of `of`, is borrowed; its first outputs are rates of the
+ *  states where `order` is more than 0. Errors: NOMEM; UNSUPPORTED, an operation that programs as written do not have. */
 JLT_CHECKED jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order);
 void jlt_jets_destroy(jlt_jets *jets); /* legal on NULL */
 
-/** Coefficients at x, shape (dim,), with params, shape (params,): of states to `order`, of outputs below it; with order 0 those of outputs
- *  alone, to order 0. Where one has no finite enclosure, it and all that hang on it are not finite. Cost: order^2/2 products for
- *  each product of the program. Nothing is allocated. */
+/** Coefficients at x, shape (dim,), with params, shape (params,): of states to `order`, of outputs below it; with order 0 those of
+ *  outputs alone, to order 0. Where one has no finite enclosure, it and all that hang on it are not finite. Cost: order^2/2
+ *  products for each product of the program. Nothing is allocated. */
 void jlt_jets_run(jlt_jets *self, arb_srcptr x, arb_srcptr params, slong bits);
 
 /** Their series, lowest order first: of state i, order + 1 long; of output i, `order` long, at least 1. */

@@ -95,8 +95,8 @@ static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets)
                 arb_ptr next = entry(self, V, i, l) + k + 1;
                 arb_zero(next);
                 for (unsigned m = 0; m < n; m++)
-                    arb_dot(next, next, 0, jlt_jets_output(jets, jlt_formulas_slope(self->of, i, m)), 1, entry(self, V, m, l) + k, -1,
-                            (slong)k + 1, bits);
+                    arb_dot(next, next, 0, jlt_jets_output(jets, jlt_formulas_slope(self->of, i, m)), 1,
+                            entry(self, V, m, l) + k, -1, (slong)k + 1, bits);
                 arb_div_ui(next, next, k + 1, bits);
             }
 }
@@ -135,7 +135,8 @@ static double size_of(const jlt_step *self, unsigned order)
 static void choose_length(const jlt_step *self, arf_t h)
 {
     const double K = self->accuracy.order, goal = -(double)self->accuracy.tolerance;
-    const double length = fmin((goal - size_of(self, self->accuracy.order)) / K, (goal - size_of(self, self->accuracy.order - 1)) / (K - 1));
+    const double length = fmin((goal - size_of(self, self->accuracy.order)) / K,
+                               (goal - size_of(self, self->accuracy.order - 1)) / (K - 1));
     arf_t wanted;
 
     arf_init(wanted);

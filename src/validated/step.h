@@ -1,12 +1,14 @@
 /** One validated step of a flow with its variational equations.
  *
- *  The rough enclosure is of high order: with c_i the Taylor coefficients over the set X, and Z = sum_(i<K) [0,h]^i c_i(X) + [0,h]^K c_K(Y), Z
- *  within the interior of Y shows that solutions from X exist for all of [0,h] and stay in Z, as by Taylor's theorem none can reach
- *  the border of Y first (G. F. Corliss, R. Rihm, Validating an a priori enclosure using high-order Taylor series, 1996; Picard's iteration
- *  with inflation is K = 1). c_K(Y) h^K is then Lagrange's remainder. Of the derivative V' = Df V, V(0) = 1: |V - 1| <= e^(|Df(Y)| h) - 1 in
- *  the norm of the largest row sum is its rough enclosure W, and V_K(Y) W h^K its remainder.
+ *  The rough enclosure is of high order: with c_i the Taylor coefficients over the set X, and Z = sum_(i<K) [0,h]^i c_i(X) +
+ *  [0,h]^K c_K(Y), Z within the interior of Y shows that solutions from X exist for all of [0,h] and stay in Z, as by Taylor's
+ *  theorem none can reach the border of Y first (G. F. Corliss, R. Rihm, Validating an a priori enclosure using high-order Taylor
+ *  series, 1996; Picard's iteration with inflation is K = 1). c_K(Y) h^K is then Lagrange's remainder. Of the derivative V' = Df V,
+ *  V(0) = 1: |V - 1| <= e^(|Df(Y)| h) - 1 in the norm of the largest row sum is its rough enclosure W, and V_K(Y) W h^K its
+ *  remainder.
  *
- *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces. */
+ *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces.
+ *  */
 #ifndef JLT_VALIDATED_STEP_H
 #define JLT_VALIDATED_STEP_H
 
@@ -26,7 +28,8 @@ jlt_step_accuracy jlt_step_accuracy_for(unsigned digits);
 
 typedef struct jlt_step jlt_step;
 
-/** Out: *step, NULL on failure; destroy with jlt_step_destroy. In: params, shape (of->params,), copied. Errors: as jlt_jets_create. */
+/** Out: *step, NULL on failure; destroy with jlt_step_destroy. In: params, shape (of->params,), copied. Errors: as jlt_jets_create.
+ *  */
 JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_step_accuracy accuracy);
 void jlt_step_destroy(jlt_step *step); /* legal on NULL */
 

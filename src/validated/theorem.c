@@ -16,7 +16,8 @@ const jlt_reversor *jlt_theorem_reversor(const jlt_descriptor *descriptor)
 static void write_ball(FILE *out, const json_t *ball)
 {
     if (json_is_string(ball)) fputs(json_string_value(ball), out);
-    else fprintf(out, "%s +- %s", json_string_value(json_object_get(ball, "middle")), json_string_value(json_object_get(ball, "radius")));
+    else fprintf(out, "%s +- %s", json_string_value(json_object_get(ball, "middle")),
+                 json_string_value(json_object_get(ball, "radius")));
 }
 
 static void write_named(FILE *out, const json_t *values, const char *between)
@@ -58,7 +59,8 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
             json_string_value(json_object_get(section, "value")),
             json_integer_value(json_object_get(section, "direction")) > 0 ? "upwards" : "downwards");
     if (has_radius(json_object_get(given, "parameters")) || has_radius(levels))
-        fputs(" What follows holds for each value that a parameter or level has within its radius, with balls that hold for all of them.", out);
+        fputs(" What follows holds for each value that a parameter or level has within its radius, with "
+              "balls that hold for all of them.", out);
 }
 
 static void write_orbit(FILE *out, const json_t *given, const json_t *shown)
@@ -105,8 +107,8 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *s
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
         if (json_string_value(bound)[0] == '-')
             fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
-        else fprintf(out, "%sThe condition %s (%s) holds all along the orbit: its quantity is above %s.", first ? "" : " ", name, meaning,
-                     json_string_value(bound));
+        else fprintf(out, "%sThe condition %s (%s) holds all along the orbit: its quantity is above %s.",
+                     first ? "" : " ", name, meaning, json_string_value(bound));
         first = false;
     }
 }
@@ -123,7 +125,8 @@ static void write_image(FILE *out, const jlt_descriptor *d)
         fprintf(out, "%s%s -> -%s", first ? "" : ", ", d->states[i].name, d->states[i].name);
         first = false;
     }
-    fputs(", time reversed, is another periodic orbit, which has the inverse multipliers on the images of the levels: it repels.", out);
+    fputs(", time reversed, is another periodic orbit, which has the inverse multipliers on the images of the levels: "
+          "it repels.", out);
 }
 
 static bool add(json_t *words, FILE **out, char **text)
@@ -149,12 +152,14 @@ static void sentence(FILE *out, const subject *s, unsigned which)
     case 1: write_orbit(out, s->given, s->shown); break;
     case 2: write_multipliers(out, s->shown); break;
     case 3: write_conditions(out, s->descriptor, s->shown); break;
-    case 4: fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, what begins near it "
-                  "on its levels, and so do its continuations on all levels nearby.", out); break;
+    case 4:
+        fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, "
+              "what begins near it on its levels, and so do its continuations on all levels nearby.", out); break;
     case 5: write_image(out, s->descriptor); break;
-    default: fputs("Hence no measure that has a continuous positive density is invariant under this flow, nor one that has a density positive "
-                   "almost everywhere near the orbit and is finite there: a neighbourhood, made up of these basins, shrinks under the flow to the cycles "
-                   "alone, a set of measure zero.", out); break;
+    default:
+        fputs("Hence no measure that has a continuous positive density is invariant under this flow, nor one that has a density "
+              "positive almost everywhere near the orbit and is finite there: a neighbourhood, made up of these basins, shrinks "
+              "under the flow to the cycles alone, a set of measure zero.", out); break;
     }
 }
 

@@ -1,5 +1,5 @@
-/* Validated integration against references that share nothing with it: quadruple-precision returns of the map of (5.1), a published period,
- * differences of solutions, closed forms. A start is a ball that holds the reference's rounding. */
+/* Validated integration against references that share nothing with it: quadruple-precision returns of the map of (5.1), a published
+ * period, differences of solutions, closed forms. A start is a ball that holds the reference's rounding. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -87,8 +87,8 @@ static arb_ptr parameters(const jlt_descriptor *d, const char *const *names, con
     return out;
 }
 
-/* The first return, and the tenth, which the set reaches without being put in a box on the way. Errors grow by the condition of ten returns,
- * some 3e2, times the axes' own; remainders of 12 digits are below 2^-50. */
+/* The first return, and the tenth, which the set reaches without being put in a box on the way. Errors grow by the condition of ten
+ * returns, some 3e2, times the axes' own; remainders of 12 digits are below 2^-50. */
 static void ten_returns_contain_the_quadruple_reference_and_stay_thin(void **unused)
 {
     static const char *const names[] = { "m", "R", "g", "I1", "I3", "a3", "G" };
@@ -158,8 +158,8 @@ static void open_lorenz(lorenz *self, unsigned digits)
     self->params = parameters(self->d, names, values, 3);
     arb_init(self->section);
     arb_set_ui(self->section, 27);
-    self->question = (jlt_cycle_question){ .descriptor = self->d, .params = self->params, .column = 2, .section = self->section, .direction = 1,
-                                           .digits = digits };
+    self->question = (jlt_cycle_question){ .descriptor = self->d, .params = self->params, .column = 2, .section = self->section,
+                                           .direction = 1, .digits = digits };
 }
 
 static void close_lorenz(lorenz *self)
@@ -168,7 +168,8 @@ static void close_lorenz(lorenz *self)
     arb_clear(self->section);
 }
 
-/* Oracle: the period of Lorenz's orbit AB, D. Viswanath, Physica D 190 (2004) 115-128; and det = e^(div f T), div f = -(sigma + 1 + beta). */
+/* Oracle: the period of Lorenz's orbit AB, D. Viswanath, Physica D 190 (2004) 115-128; and det = e^(div f T), div f = -(sigma + 1 +
+ * beta). */
 static void orbit_ab_has_its_published_period(void **unused)
 {
     const unsigned kept[] = { 0, 1 };
@@ -218,8 +219,8 @@ static void orbit_ab_has_its_published_period(void **unused)
     _arb_vec_clear(box, 2);
 }
 
-/* Mean value: the difference of two arrivals from a box is in its derivative times the difference of the starts. The starts are corners, each
- * followed alone. Parameters that are intervals are columns as well. */
+/* Mean value: the difference of two arrivals from a box is in its derivative times the difference of the starts. The starts are
+ * corners, each followed alone. Parameters that are intervals are columns as well. */
 static void derivative_encloses_differences(void **unused)
 {
     const double middle[] = { -13.763, -19.578 }, side = 0x1p-30;

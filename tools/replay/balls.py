@@ -109,7 +109,8 @@ def norm(A):
 
 
 def axes_of(A, weights):
-    """Nearly orthogonal axes Q, the longest edge first, and an enclosure of their inverse: with Q^T Q = 1 + E, it is (1 + E)^-1 Q^T."""
+    """Nearly orthogonal axes Q, the longest edge first, and an enclosure of their inverse: with Q^T Q = 1 + E, it is
+    (1 + E)^-1 Q^T."""
     n = len(A)
     columns = [[A[i][j][0] for i in range(n)] for j in range(n)]
     order = sorted(range(n), key=lambda j: -sum(c * c for c in columns[j]) * weights[j] ** 2)

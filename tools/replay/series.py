@@ -7,7 +7,8 @@ CLOCK = 64  # times are multiples of 2^-CLOCK
 
 
 class Series:
-    """A growing power series of balls: middles, radii, and absolute values of middles, apart. That of a number ends with order 0."""
+    """A growing power series of balls: middles, radii, and absolute values of middles, apart. That of a number ends with
+    order 0."""
     __slots__ = ("m", "r", "a")
 
     def __init__(self):
@@ -65,7 +66,8 @@ class Program:
                 self.moving.add(node)
 
     def run(self, x, step, count):
-        """Series of states (count + 1 coefficients) and outputs (count), over the balls x, in units of the step; count 1 is values."""
+        """Series of states (count + 1 coefficients) and outputs (count), over the balls x, in units of the step;
+        count 1 is values."""
         nodes, states = self.table.graph.nodes, self.table.states
         series = {node: Series() for node in self.order}
         paths = {name: Series() for name in states}

@@ -8,9 +8,9 @@ class Unserved(Exception):
 
 
 
-KEYWORDS = ("model title source param state root angle let eq variant time eliminate default integral invariant measure reversor equilibria "
-            "trace charpoly obstructs matrix leftnull reduction embedding rate positive domain symmetry periodic exp log observe valid pole "
-            "section lift start turns tier equal").split()
+KEYWORDS = ("model title source param state root angle let eq variant time eliminate default integral invariant measure reversor "
+            "equilibria trace charpoly obstructs matrix leftnull reduction embedding rate positive domain symmetry periodic exp "
+            "log observe valid pole section lift start turns tier equal").split()
 
 
 class Graph:
@@ -76,7 +76,8 @@ class Graph:
             elif node[0] == "*":
                 out = self.add(self.times(self.partial(node[1], name), node[2]), self.times(node[1], self.partial(node[2], name)))
             elif node[0] == "/":
-                out = self.over(self.add(self.partial(node[1], name), self.minus(self.times(a, self.partial(node[2], name)))), node[2])
+                change = self.minus(self.times(a, self.partial(node[2], name)))
+                out = self.over(self.add(self.partial(node[1], name), change), node[2])
             else:
                 out = self.over(self.partial(node[1], name), self.times(self.number(2), a))
             self.partials[key] = out
