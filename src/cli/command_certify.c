@@ -46,6 +46,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (o->kind == NULL) argp_error(state, "say what to certify: sink or cycle");
+        if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         if (o->start == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
