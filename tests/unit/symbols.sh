@@ -47,7 +47,7 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
 }
 
 check_library "$JLT_BINARY_DIR/libjellett.a" src generated
-check_library "$JLT_BINARY_DIR/libjellett_exact.a" src/spectrum src/claims
+check_library "$JLT_BINARY_DIR/libjellett_exact.a" src/spectrum src/validated src/claims
 check_library "$JLT_BINARY_DIR/libjellett_shards.a" src/shards
 check_library "$JLT_BINARY_DIR/libttc_core.a" codegen
 while read -r object symbol; do

@@ -21,7 +21,8 @@ endforeach()
 # Headers keep their folders, so that #include "core/status.h" means the same here and there.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DESTINATION ${JLT_INSTALL_HEADERS}
         COMPONENT development
-        FILES_MATCHING PATTERN "*.h" PATTERN "spectrum" EXCLUDE PATTERN "claims" EXCLUDE PATTERN "shards" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN "spectrum" EXCLUDE PATTERN "validated" EXCLUDE PATTERN "claims" EXCLUDE
+        PATTERN "shards" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${JLT_INSTALL_DATA} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} COMPONENT programs
         FILES_MATCHING PATTERN "*.tt" PATTERN "*.scene" PATTERN "results" EXCLUDE)

@@ -1,0 +1,133 @@
+#include "cli/certify_given.h"
+
+#include "ball/ball.h"
+#include "core/digits.h"
+#include "ext/number.h"
+#include "kernel/descriptor.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The default that a table's text gives a parameter, "p/q"; NULL: none. For the caller to free(). */
+static char *default_of(const char *table, const char *name)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = diagnostics == NULL ? NULL : ttc_model_parse(table, strlen(table), "table", diagnostics);
+    ttc_ball *ball = model == NULL ? NULL : ttc_ball_create(model);
+    char *text = NULL;
+    uint32_t symbol;
+
+    if (ball != NULL && ttc_model_find_symbol(model, name, &symbol) && model->symbols[symbol].value != TTC_NONE)
+        text = ttc_ball_exact_text(ball, model->symbols[symbol].value);
+    ttc_ball_destroy(ball);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+    return text;
+}
+
+/* As typed, or the default of the first of these tables that has one. */
+static char *value_of(const char *name, const jlt_motion_options *options, const char *const *tables, unsigned count)
+{
+    const char *typed = jlt_assign_fraction(&options->level, name);
+    char *text = NULL;
+
+    if (typed == NULL) typed = jlt_assign_fraction(&options->common.set, name);
+    if (typed != NULL) return strdup(typed);
+    for (unsigned i = 0; text == NULL && i < count; i++) text = default_of(tables[i], name);
+    return text;
+}
+
+static jlt_exit put(json_t *object, const char *key, const char *name, char *text, const jlt_assign_list *spread)
+{
+    const char *radius = jlt_assign_fraction(spread, name);
+    int failed;
+
+    if (text == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "%s has no exact value: give one", name);
+    failed = radius == NULL ? json_object_set_new(object, key, json_string(text))
+                            : json_object_set_new(object, key, json_pack("{s:s,s:s}", "middle", text, "radius", radius));
+    free(text);
+    return failed == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
+}
+
+static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options,
+                           const jlt_surface *surface, const jlt_assign_list *spread)
+{
+    const char *const tables[] = { surface->asked->table, d->table, surface->section->table };
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < surface->count; i++) {
+        const unsigned entry = surface->entries[i];
+        char *text = value_of(surface->names[i], options, tables, 3);
+        code = entry < d->param_count
+                   ? put(params, d->params[entry].name, surface->names[i], text, spread)
+                   : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name,
+                         surface->names[i], text, spread);
+    }
+    return code;
+}
+
+static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options,
+                         const jlt_assign_list *spread)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
+        code = put(params, d->params[i].name, d->params[i].name, value_of(d->params[i].name, options, &d->table, 1), spread);
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++)
+        code = put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction),
+                   spread);
+    return code;
+}
+
+/* The value of the section's state: as typed behind '=', else the table's. */
+static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const char *typed = system->surface == NULL && options->section != NULL ? strchr(options->section, '=') : NULL;
+    char *text = NULL, shortest[JLT_DIGITS_SIZE];
+    json_t *section;
+
+    jlt_digits_shortest(shortest, system->surface != NULL ? system->surface->section->level : 0);
+    if (typed == NULL) typed = shortest - 1;
+    if (jlt_number_fraction(&text, typed + 1, strlen(typed + 1)) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--section: '%s' has no exact value", options->section);
+    section = json_pack("{s:s,s:s,s:i}", "state", d->states[chart->column].name, "value", text, "direction",
+                        options->flow.direction == JLT_FALLING ? -1 : 1);
+    free(text);
+    return json_object_set_new(given, "section", section) == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
+}
+
+/* A spread that names neither a parameter nor a level would be lost. */
+static jlt_exit check_spread(const jlt_assign_list *spread, const json_t *params, const json_t *levels)
+{
+    for (size_t i = 0; i < spread->count; i++) {
+        const char *name = spread->items[i].name;
+        if (json_object_get(params, name) == NULL && json_object_get(levels, name) == NULL)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: there is neither a parameter nor a level '%s' here", name);
+        if (!(spread->items[i].value > 0))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: the radius of %s is a number > 0", name);
+    }
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_certify_given(json_t **given, const jlt_descriptor **of, const jlt_motion_options *options, const jlt_system *system,
+                           const jlt_assign_list *spread, unsigned digits)
+{
+    const jlt_descriptor *d = jlt_descriptor_sibling(system->instance->descriptor, NULL, NULL, NULL);
+    json_t *params = json_object(), *levels = json_object();
+    jlt_exit code;
+
+    *of = d;
+    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters",
+                       params, "levels", levels, "digits", (int)digits);
+    if (*given == NULL) return jlt_command_no_memory();
+    code = system->surface != NULL ? of_surface(params, levels, d, options, system->surface, spread)
+                                   : of_plane(params, levels, d, options, spread);
+    if (code == JLT_EXIT_DONE) code = check_spread(spread, params, levels);
+    if (code == JLT_EXIT_DONE) code = put_section(*given, d, options, system);
+    if (code != JLT_EXIT_DONE) {
+        json_decref(*given);
+        *given = NULL;
+    }
+    return code;
+}

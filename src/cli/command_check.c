@@ -1,0 +1,86 @@
+#include "cli/common.h"
+#include "cli/table.h"
+#include "validated/certificate.h"
+
+#include <stdlib.h>
+
+typedef struct {
+    const char *model;
+    char **files;
+    size_t count;
+} options;
+
+static const struct argp_option option_table[] = {
+    { "model", 'm', "FILE.tt", 0, "The table that the certificates speak of, where it is not built in", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case 'm': o->model = value; return 0;
+    case ARGP_KEY_ARGS:
+        o->files = state->argv + state->next;
+        o->count = (size_t)(state->argc - state->next);
+        return 0;
+    case ARGP_KEY_NO_ARGS: argp_error(state, "name a certificate"); return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp parser = {
+    option_table, parse, "CERTIFICATE...",
+    "Replay certificates from their files alone: the proof is carried out again in ball arithmetic."
+    "\vExit status 1: a certificate does not prove what it says, or was changed after it was made. 3: it is none, or speaks of a "
+    "table that is not here.\n\n"
+    "  jellett check tools/certificates/sink.json",
+    NULL, NULL, NULL,
+};
+
+static jlt_exit check(const char *path, const jlt_descriptor *own)
+{
+    json_error_t error;
+    json_t *certificate = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    jlt_certificate_report report;
+    FILE *file;
+
+    if (certificate == NULL) {
+        file = fopen(path, "r");
+        if (file == NULL) return jlt_command_fail(JLT_EXIT_IO, "cannot read '%s'", path);
+        fclose(file);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s:%d: %s", path, error.line, error.text);
+    }
+    jlt_certificate_check(&report, certificate, own);
+    if (report.verdict == JLT_CERTIFICATE_GOOD) {
+        const json_t *words = json_object_get(certificate, "theorem");
+        printf("%s: proved\n", path);
+        for (size_t i = 0; i < json_array_size(words); i++) printf("  %s\n", json_string_value(json_array_get(words, i)));
+    }
+    json_decref(certificate);
+    switch (report.verdict) {
+    case JLT_CERTIFICATE_GOOD: return JLT_EXIT_DONE;
+    case JLT_CERTIFICATE_REFUSED: return jlt_command_fail(JLT_EXIT_FAILED, "%s: refused: %s", path, report.problem);
+    case JLT_CERTIFICATE_MALFORMED: return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s", path, report.problem);
+    default: return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: the proof could not be carried out: %s", path, report.problem);
+    }
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    const jlt_descriptor *own = NULL;
+    jlt_exit code = JLT_EXIT_DONE;
+    options o = { 0 };
+
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (o.model != NULL) code = jlt_table_open(&own, o.model, false);
+    if (code != JLT_EXIT_DONE) return code;
+    for (size_t i = 0; i < o.count; i++) {
+        const jlt_exit one = check(o.files[i], own);
+        if (one > code) code = one;
+    }
+    return code;
+}
+
+const jlt_command jlt_command_check = { "check", "CERTIFICATE... [OPTION...]", "Replay certificates", run, NULL };

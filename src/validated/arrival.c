@@ -1,0 +1,270 @@
+#include "validated/arrival.h"
+
+#include <stdlib.h>
+
+void jlt_arrival_init(jlt_arrival *self, unsigned dim)
+{
+    self->dim = dim;
+    self->x = _arb_vec_init((slong)dim);
+    arb_mat_init(self->slope, dim, dim);
+    arb_init(self->time);
+    arb_init(self->expansion);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_init(self->least + i);
+    self->steps = 0;
+}
+
+void jlt_arrival_clear(jlt_arrival *self)
+{
+    _arb_vec_clear(self->x, (slong)self->dim);
+    arb_mat_clear(self->slope);
+    arb_clear(self->time);
+    arb_clear(self->expansion);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
+}
+
+/* Steps shorter than this part of the way, 2^-16, mean that enclosures grow faster than the set can be carried. */
+static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
+{
+    arf_t least;
+    bool enough;
+
+    arf_init(least);
+    arf_mul_2exp_si(least, instant, -16);
+    enough = arf_cmp(h, least) > 0 || arf_sgn(left) == 0;
+    arf_clear(least);
+    return enough;
+}
+
+static jlt_status carry(jlt_arrival *self, jlt_step *step, jlt_set *set, const arf_t instant)
+{
+    jlt_status st = JLT_OK;
+    arf_t left, h;
+
+    arf_init(left);
+    arf_init(h);
+    arf_set(left, instant);
+    for (self->steps = 0; arf_sgn(left) > 0; self->steps++) {
+        arf_set(h, left);
+        JLT_TRY(jlt_step_advance(step, set, h, self->expansion, self->least));
+        arf_sub(left, left, h, ARF_PREC_EXACT, ARF_RND_DOWN);
+        st = gets_on(h, left, instant) ? JLT_OK : JLT_ERR_NO_PROGRESS;
+        if (st != JLT_OK) goto done;
+    }
+done:
+    arf_clear(left);
+    arf_clear(h);
+    return st;
+}
+
+/* Rate of component i at the box last evaluated; 0 of a free parameter. */
+static void rate(arb_t out, const jlt_step *step, unsigned i)
+{
+    if (i < jlt_step_formulas(step)->states) arb_set(out, jlt_step_output(step, i));
+    else arb_zero(out);
+}
+
+/* y encloses all solutions from x over [-d, d], d about twice what the crossing needs; tau, its time. */
+static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_srcptr x, unsigned n, unsigned column, const arb_t level,
+                        int direction)
+{
+    const slong bits = jlt_step_bits(step);
+    jlt_status st = JLT_ERR_NO_CONVERGENCE;
+    bool inside = false;
+    arb_t span, f, z;
+    mag_t size;
+
+    arb_init(span);
+    arb_init(f);
+    arb_init(z);
+    mag_init(size);
+    jlt_step_evaluate(step, x);
+    rate(f, step, column);
+    arb_sub(tau, level, x + column, bits);
+    arb_div(tau, tau, f, bits);
+    arb_get_mag(size, tau);
+    mag_mul_2exp_si(size, size, 1);
+    arb_zero(span);
+    arb_add_error_mag(span, size);
+    for (unsigned i = 0; i < n; i++) {
+        rate(f, step, i);
+        arb_mul(f, f, span, bits);
+        arb_mul_2exp_si(f, f, 1);
+        arb_add(y + i, x + i, f, bits);
+        mag_mul_2exp_si(size, arb_radref(y + i), -20);
+        mag_add(arb_radref(y + i), arb_radref(y + i), size);
+    }
+    for (unsigned attempt = 0; attempt < 4 && !inside; attempt++) {
+        jlt_step_evaluate(step, y);
+        inside = jlt_step_holds(step, y);
+        for (unsigned i = 0; inside && i < jlt_step_formulas(step)->states; i++) {
+            rate(f, step, i);
+            arb_mul(z, f, span, bits);
+            arb_add(z, z, x + i, bits);
+            if (arb_is_finite(z) && arb_contains_interior(y + i, z)) continue;
+            inside = false;
+            if (arb_is_finite(z)) {
+                arb_union(y + i, y + i, z, bits);
+                mag_mul_2exp_si(arb_radref(y + i), arb_radref(y + i), 1);
+            }
+        }
+    }
+    if (!inside) goto done;
+    rate(f, step, column);
+    if (direction > 0 ? !arb_is_positive(f) : !arb_is_negative(f)) goto done;
+    arb_sub(tau, level, x + column, bits);
+    arb_div(tau, tau, f, bits);
+    if (arb_contains(span, tau)) st = JLT_OK;
+done:
+    arb_clear(span);
+    arb_clear(f);
+    arb_clear(z);
+    mag_clear(size);
+    return st;
+}
+
+/* Over the box y last evaluated, the derivatives of the crossing's state, shape (dim, dim), and of its time, shape (1, dim), in the
+ * state before. */
+static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step, const arb_t tau, unsigned column)
+{
+    const jlt_formulas *of = jlt_step_formulas(step);
+    const slong n = (slong)of->dim, bits = jlt_step_bits(step);
+    arb_mat_t flow, slope, near_one;
+    arb_t value;
+    mag_t norm, row, bound;
+
+    arb_mat_init(flow, n, n);
+    arb_mat_init(slope, n, n);
+    arb_mat_init(near_one, n, n);
+    arb_init(value);
+    mag_init(norm);
+    mag_init(row);
+    mag_init(bound);
+    for (unsigned i = 0; i < of->states; i++) {
+        mag_zero(row);
+        for (unsigned k = 0; k < of->dim; k++) {
+            arb_set(arb_mat_entry(slope, i, k), jlt_step_output(step, jlt_formulas_slope(of, i, k)));
+            arb_get_mag(bound, arb_mat_entry(slope, i, k));
+            mag_add(row, row, bound);
+        }
+        mag_max(norm, norm, row);
+    }
+    /* V(tau) - 1 = tau Df V, with |V - 1| <= e^(norm |tau|) - 1 */
+    arb_get_mag(bound, tau);
+    mag_mul(norm, norm, bound);
+    mag_expm1(norm, norm);
+    for (slong i = 0; i < n; i++)
+        for (slong k = 0; k < n; k++) {
+            arb_set_si(arb_mat_entry(near_one, i, k), i == k);
+            arb_add_error_mag(arb_mat_entry(near_one, i, k), norm);
+        }
+    arb_mat_mul(flow, slope, near_one, bits);
+    arb_mat_scalar_mul_arb(flow, flow, tau, bits);
+    arb_mat_one(near_one);
+    arb_mat_add(flow, flow, near_one, bits);
+    for (slong k = 0; k < n; k++) {
+        arb_div(arb_mat_entry(delay, 0, k), arb_mat_entry(flow, column, k), jlt_step_output(step, column), bits);
+        arb_neg(arb_mat_entry(delay, 0, k), arb_mat_entry(delay, 0, k));
+        for (unsigned i = 0; i < of->dim; i++) {
+            arb_ptr out = arb_mat_entry(local, i, k);
+            rate(value, step, i);
+            arb_set(out, arb_mat_entry(flow, i, k));
+            if (i == column) arb_zero(out);
+            else arb_addmul(out, value, arb_mat_entry(delay, 0, k), bits);
+        }
+    }
+    arb_mat_clear(flow);
+    arb_mat_clear(slope);
+    arb_mat_clear(near_one);
+    arb_clear(value);
+    mag_clear(norm);
+    mag_clear(row);
+    mag_clear(bound);
+}
+
+/* What the set is around its middle, C r0 + Q r, mapped. out += slope*that, shape (rows of slope, 1). */
+static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
+{
+    arb_mat_t product, column;
+
+    arb_mat_init(product, arb_mat_nrows(slope), set->dim);
+    arb_mat_init(column, arb_mat_nrows(slope), 1);
+    arb_mat_mul(product, slope, set->C, set->bits);
+    arb_mat_mul(column, product, set->r0, set->bits);
+    arb_mat_add(out, out, column, set->bits);
+    arb_mat_mul(product, slope, set->Q, set->bits);
+    arb_mat_mul(column, product, set->r, set->bits);
+    arb_mat_add(out, out, column, set->bits);
+    arb_mat_clear(product);
+    arb_mat_clear(column);
+}
+
+/* State and time of the middle's crossing, and what the derivatives make of the rest by the mean value theorem. */
+static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, const arb_mat_t local, const arb_mat_t delay,
+                       unsigned column, const arb_t level, int direction)
+{
+    const slong bits = jlt_step_bits(step), n = (slong)self->dim;
+    arb_ptr middle = _arb_vec_init(n), y = _arb_vec_init(n);
+    arb_mat_t state, time;
+    jlt_status st;
+
+    arb_mat_init(state, n, 1);
+    arb_mat_init(time, 1, 1);
+    for (slong i = 0; i < n; i++) arb_set(middle + i, arb_mat_entry(set->x, i, 0));
+    JLT_TRY(cross(step, y, arb_mat_entry(time, 0, 0), middle, self->dim, column, level, direction));
+    for (unsigned i = 0; i < self->dim; i++) {
+        arb_ptr out = arb_mat_entry(state, i, 0);
+        rate(out, step, i);
+        arb_mul(out, out, arb_mat_entry(time, 0, 0), bits);
+        arb_add(out, out, middle + i, bits);
+    }
+    add_rest(state, local, set);
+    add_rest(time, delay, set);
+    for (slong i = 0; i < n; i++) arb_set(self->x + i, arb_mat_entry(state, i, 0));
+    arb_set(self->x + column, level);
+    arb_add(self->time, self->time, arb_mat_entry(time, 0, 0), bits);
+done:
+    arb_mat_clear(state);
+    arb_mat_clear(time);
+    _arb_vec_clear(middle, n);
+    _arb_vec_clear(y, n);
+    return st;
+}
+
+jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr start, unsigned column, const arb_t level,
+                               const arf_t instant, int direction)
+{
+    const slong bits = jlt_step_bits(step), n = (slong)self->dim;
+    arb_ptr hull = _arb_vec_init(n), y = _arb_vec_init(n);
+    jlt_status st = JLT_ERR_ARG;
+    arb_mat_t V, local, delay;
+    arb_t tau;
+    jlt_set set;
+
+    jlt_set_init(&set, start, self->dim, bits);
+    arb_mat_init(V, n, n);
+    arb_mat_init(local, n, n);
+    arb_mat_init(delay, 1, n);
+    arb_init(tau);
+    arb_zero(self->expansion);
+    if (jlt_step_formulas(step)->valid_count > JLT_ARRIVAL_VALIDS_MAX) goto done;
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
+    JLT_TRY(carry(self, step, &set, instant));
+    jlt_set_hull(hull, &set);
+    jlt_set_slope(V, &set);
+    JLT_TRY(cross(step, y, tau, hull, self->dim, column, level, direction));
+    jlt_step_conditions(step, self->least);
+    arb_addmul(self->expansion, tau, jlt_step_output(step, jlt_formulas_divergence(jlt_step_formulas(step))), bits);
+    differentiate(local, delay, step, tau, column);
+    arb_mat_mul(self->slope, local, V, bits);
+    arb_set_arf(self->time, instant);
+    st = land(self, step, &set, local, delay, column, level, direction);
+done:
+    jlt_set_clear(&set);
+    arb_mat_clear(V);
+    arb_mat_clear(local);
+    arb_mat_clear(delay);
+    arb_clear(tau);
+    _arb_vec_clear(hull, n);
+    _arb_vec_clear(y, n);
+    return st;
+}

@@ -1,0 +1,77 @@
+/** Periodic orbits proved: existence and uniqueness in a box on a section, period, and multipliers on the levels of integrals.
+ *
+ *  Unknowns y are the states but the section's. With P the arrival on the section, F integrals of the motion, c their levels, y =
+ *  (q, w) with as many w as there are levels, the equations are G(y) = (P_q(y) - q, F(y) - c) = 0. Krawczyk's operator
+ *      K = y0 - M G(y0) + (1 - M DG(Y)) (Y - y0),  y0 the middle of Y, M near DG(y0)^-1,
+ *  within the interior of Y shows that G has exactly one zero in Y, and that it lies in K (R. Krawczyk 1969; W. Tucker, Validated
+ *  Numerics, 2011). There F(q, P_w) = F(P) = F(q, w): where dF/dw is regular over the hull of both, P_w = w, so that the orbit
+ *  closes.
+ *
+ *  On the levels dw = -F_w^-1 F_q dq, which gives the derivative D of the map in q. Its determinant is also
+ *      det D = exp(integral of div f over the orbit),
+ *  for the flux of volume through the section is the same at both ends: div has none of the dependencies of a matrix of intervals,
+ *  and is far tighter. Both must overlap.
+ *
+ *  Parameters that are intervals are states of rate 0: what is shown then holds for each of their values. */
+#ifndef JLT_VALIDATED_CYCLE_H
+#define JLT_VALIDATED_CYCLE_H
+
+#include "validated/arrival.h"
+
+enum { JLT_CYCLE_STATES_MAX = 32 };
+
+typedef struct {
+    const jlt_descriptor *descriptor; /* general field, in its own time */
+    arb_srcptr params;                /* (params,) */
+    unsigned free_count, free[JLT_FORMULAS_FREE_MAX]; /* those that have more than one value */
+    unsigned column;
+    arb_srcptr section;               /* the value that state has */
+    int direction;                    /* sign of its rate there */
+    unsigned level_count;
+    const char *const *levels;        /* (level_count,), integrals */
+    arb_srcptr level_values;
+    unsigned digits;                  /* decimals that count */
+} jlt_cycle_question;
+
+typedef enum {
+    JLT_CYCLE_PROVED,
+    JLT_CYCLE_UNSHOWN,  /* Krawczyk's operator leaves the box: no orbit there, or too little precision */
+    JLT_CYCLE_OPEN,     /* the integrals do not tell the states left out apart */
+    JLT_CYCLE_CONTRADICTED /* the two determinants exclude each other: an error of this program */
+} jlt_cycle_verdict;
+
+typedef struct {
+    jlt_cycle_verdict verdict;
+    unsigned unknowns, multipliers; /* the first of both counts states but the section's, the second coordinates on the levels */
+    arb_ptr solution;               /* (unknowns,): encloses the zero */
+    arb_t period, trace, determinant, matrix_determinant; /* determinant: by the divergence */
+    acb_struct multiplier[2];       /* where there are one or two */
+    arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* the model's conditions along the orbit, bounds from below */
+    bool sink;                      /* proved: all multipliers are inside the unit circle */
+    unsigned steps;
+} jlt_cycle_result;
+
+typedef struct jlt_cycle jlt_cycle;
+
+/** Out: *cycle, NULL on failure; destroy with jlt_cycle_destroy. The question is borrowed. Errors: ARG, more states or levels than
+ *  there is room for; as jlt_formulas_create. */
+JLT_CHECKED jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *question);
+void jlt_cycle_destroy(jlt_cycle *cycle); /* legal on NULL */
+
+/** The states that the levels leave: kept, shape (states - 1 - level_count,), indices of states in their order, chosen so that the
+ *  others follow from the integrals best at the point y, shape (states - 1,). Errors: DOMAIN, where the integrals' gradients depend
+ *  on each other. */
+JLT_CHECKED jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y);
+
+/** Newton's method, at middles: a guess, in which nothing is rigorous, made better. In and out: y, shape (states - 1,), and
+ *  instant, when the orbit is near the section again. Errors: as jlt_arrival_compute; NO_CONVERGENCE. */
+JLT_CHECKED jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arf_t instant, const unsigned *kept);
+
+void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of); /* ends with jlt_cycle_result_clear */
+void jlt_cycle_result_clear(jlt_cycle_result *result);
+
+/** The proof. In: box, shape (states - 1,); instant > 0, exact; kept, as above. Errors: as jlt_arrival_compute. */
+JLT_CHECKED jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, const arf_t instant,
+                                       const unsigned *kept);
+
+#endif

@@ -1,0 +1,133 @@
+#include "validated/cycle_map.h"
+
+unsigned jlt_cycle_map_state(const jlt_cycle *self, unsigned i)
+{
+    return i < self->question->column ? i : i + 1;
+}
+
+static void place(jlt_cycle *self, arb_srcptr y)
+{
+    const jlt_cycle_question *q = self->question;
+
+    for (unsigned i = 0; i < self->unknowns; i++) arb_set(self->state + jlt_cycle_map_state(self, i), y + i);
+    arb_set(self->state + q->column, q->section);
+    for (unsigned i = 0; i < q->free_count; i++) arb_set(self->state + self->formulas->states + i, q->params + q->free[i]);
+}
+
+jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant)
+{
+    const jlt_cycle_question *q = self->question;
+
+    place(self, y);
+    return jlt_arrival_compute(&self->arrival, self->step, self->state, q->column, q->section, instant, q->direction);
+}
+
+void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr values, arb_srcptr y)
+{
+    const unsigned m = self->question->level_count;
+
+    place(self, y);
+    jlt_jets_run(self->levels, self->state, self->question->params, jlt_step_bits(self->step));
+    for (unsigned j = 0; j < m; j++) {
+        if (values != NULL) arb_set(values + j, jlt_jets_output(self->levels, j));
+        for (unsigned i = 0; i < self->unknowns; i++)
+            arb_set(arb_mat_entry(gradients, j, i),
+                    jlt_jets_output(self->levels, m + j * self->formulas->dim + jlt_cycle_map_state(self, i)));
+    }
+}
+
+void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y, const unsigned *kept)
+{
+    const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
+    const slong bits = jlt_step_bits(self->step);
+    arb_ptr values = _arb_vec_init(m + 1);
+    arb_mat_t gradients;
+
+    arb_mat_init(gradients, m, n);
+    jlt_cycle_map_gradients(self, gradients, values, y);
+    for (unsigned i = 0; i < k; i++) {
+        arb_sub(arb_mat_entry(G, i, 0), self->arrival.x + kept[i], self->state + kept[i], bits);
+        for (unsigned l = 0; l < n; l++) {
+            arb_ptr out = arb_mat_entry(DG, i, l);
+            arb_set(out, arb_mat_entry(self->arrival.slope, kept[i], jlt_cycle_map_state(self, l)));
+            if (jlt_cycle_map_state(self, l) == kept[i]) arb_sub_ui(out, out, 1, bits);
+        }
+    }
+    for (unsigned j = 0; j < m; j++) {
+        arb_sub(arb_mat_entry(G, k + j, 0), values + j, self->question->level_values + j, bits);
+        for (unsigned l = 0; l < n; l++) arb_set(arb_mat_entry(DG, k + j, l), arb_mat_entry(gradients, j, l));
+    }
+    arb_mat_clear(gradients);
+    _arb_vec_clear(values, m + 1);
+}
+
+static bool is_kept(const jlt_cycle *self, unsigned state, const unsigned *kept)
+{
+    for (unsigned i = 0; i < self->unknowns - self->question->level_count; i++)
+        if (kept[i] == state) return true;
+    return false;
+}
+
+/* -F_w^-1 F_q, (levels, kept), over the box y; false where F_w may be singular. */
+static bool solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const unsigned *kept)
+{
+    const unsigned m = self->question->level_count, n = self->unknowns;
+    const slong bits = jlt_step_bits(self->step);
+    arb_mat_t gradients, by_left, by_kept, inverse;
+    bool regular;
+
+    arb_mat_init(gradients, m, n);
+    arb_mat_init(by_left, m, m);
+    arb_mat_init(inverse, m, m);
+    arb_mat_init(by_kept, m, n - m);
+    jlt_cycle_map_gradients(self, gradients, NULL, y);
+    for (unsigned j = 0; j < m; j++) {
+        unsigned left = 0, held = 0;
+        for (unsigned i = 0; i < n; i++) {
+            const bool keeps = is_kept(self, jlt_cycle_map_state(self, i), kept);
+            arb_set(keeps ? arb_mat_entry(by_kept, j, held) : arb_mat_entry(by_left, j, left), arb_mat_entry(gradients, j, i));
+            if (keeps) held++;
+            else left++;
+        }
+    }
+    regular = m == 0 || arb_mat_inv(inverse, by_left, bits);
+    arb_mat_mul(slope, inverse, by_kept, bits);
+    arb_mat_neg(slope, slope);
+    arb_mat_clear(gradients);
+    arb_mat_clear(by_left);
+    arb_mat_clear(inverse);
+    arb_mat_clear(by_kept);
+    return regular;
+}
+
+bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const unsigned *kept)
+{
+    const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
+    const slong bits = jlt_step_bits(self->step);
+    arb_ptr hull = _arb_vec_init(n);
+    arb_mat_t slope;
+    bool regular;
+
+    arb_mat_init(slope, m, k);
+    for (unsigned i = 0; i < n; i++) {
+        const unsigned state = jlt_cycle_map_state(self, i);
+        arb_set(hull + i, y + i);
+        if (!is_kept(self, state, kept)) arb_union(hull + i, y + i, self->arrival.x + state, bits);
+    }
+    regular = solve_levels(self, slope, hull, kept);
+    for (unsigned i = 0; regular && i < k; i++)
+        for (unsigned l = 0; l < k; l++) {
+            arb_ptr out = arb_mat_entry(D, i, l);
+            unsigned left = 0;
+            arb_set(out, arb_mat_entry(self->arrival.slope, kept[i], kept[l]));
+            for (unsigned u = 0; u < n; u++) {
+                const unsigned state = jlt_cycle_map_state(self, u);
+                if (is_kept(self, state, kept)) continue;
+                arb_addmul(out, arb_mat_entry(self->arrival.slope, kept[i], state), arb_mat_entry(slope, left, l), bits);
+                left++;
+            }
+        }
+    arb_mat_clear(slope);
+    _arb_vec_clear(hull, n);
+    return regular;
+}

@@ -1,0 +1,128 @@
+#include "validated/formulas.h"
+
+#include "optimize/lower.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Derivative by a state, or by a free parameter, in the field's symbols. */
+static ttc_id partial(const jlt_formulas *self, ttc_field *field, ttc_id expression, unsigned column)
+{
+    const uint32_t by = column < self->states ? self->model->states[column]
+                                                : self->model->params[self->free[column - self->states]];
+    const ttc_id slope = ttc_model_partial(self->model, expression, by);
+
+    return slope == TTC_NONE ? TTC_NONE : ttc_field_specialise(field, slope);
+}
+
+static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (ids[i] == TTC_NONE) return NULL;
+    return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
+}
+
+static ttc_program *make_variation(const jlt_formulas *self, ttc_field *field)
+{
+    const unsigned n = self->states, count = n + n * self->dim + 1 + self->valid_count;
+    ttc_id *ids = calloc(count, sizeof *ids), *divergence = NULL;
+    ttc_program *program = NULL;
+
+    if (ids == NULL) return NULL;
+    memcpy(ids, field->rhs, n * sizeof *ids);
+    divergence = &ids[jlt_formulas_divergence(self)];
+    *divergence = ttc_integer(field->graph, 0);
+    for (unsigned i = 0; i < n; i++) {
+        for (unsigned k = 0; k < self->dim; k++)
+            ids[jlt_formulas_slope(self, i, k)] = partial(self, field, ttc_model_field(self->model, i), k);
+        if (*divergence != TTC_NONE && ids[jlt_formulas_slope(self, i, i)] != TTC_NONE)
+            *divergence = ttc_add(field->graph, *divergence, ids[jlt_formulas_slope(self, i, i)]);
+    }
+    for (unsigned i = 0; i < self->valid_count; i++)
+        ids[jlt_formulas_valid(self, i)] = ttc_field_specialise(field, self->model->validities[i].expression);
+    program = lower(field, ids, count);
+    free(ids);
+    return program;
+}
+
+static jlt_status make_levels(jlt_formulas *self, ttc_field *field, const char *const *levels)
+{
+    ttc_id ids[JLT_FORMULAS_LEVELS_MAX * (1 + 256)];
+    const unsigned m = self->level_count;
+
+    if (self->dim > 256) return JLT_ERR_ARG;
+    for (unsigned i = 0; i < m; i++) {
+        uint32_t claim;
+        if (!ttc_model_find_claim(self->model, levels[i], &claim) || self->model->claims[claim].kind != TTC_CLAIM_INTEGRAL)
+            return JLT_ERR_UNSUPPORTED;
+        ids[i] = ttc_field_specialise(field, self->model->claims[claim].expression);
+        for (unsigned k = 0; k < self->dim; k++)
+            ids[m + i * self->dim + k] = partial(self, field, self->model->claims[claim].expression, k);
+    }
+    self->levels = lower(field, ids, m * (1 + self->dim));
+    return self->levels == NULL ? JLT_ERR_NOMEM : JLT_OK;
+}
+
+jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free, unsigned free_count,
+                               const char *const *levels, unsigned level_count)
+{
+    jlt_formulas *self = calloc(1, sizeof *self);
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_field *field = NULL;
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *formulas = NULL;
+    if (self == NULL || diagnostics == NULL) goto done;
+    st = JLT_ERR_ARG;
+    if (free_count > JLT_FORMULAS_FREE_MAX || level_count > JLT_FORMULAS_LEVELS_MAX) goto done;
+    st = JLT_ERR_UNSUPPORTED;
+    self->descriptor = descriptor;
+    self->model = ttc_model_parse(descriptor->table, strlen(descriptor->table), descriptor->model, diagnostics);
+    if (self->model == NULL || self->model->state_count != descriptor->state_count
+        || self->model->param_count != descriptor->param_count
+        || ttc_field_create(&field, self->model, NULL, NULL, NULL) != TTC_FIELD_OK)
+        goto done;
+    self->states = descriptor->state_count;
+    self->params = descriptor->param_count;
+    self->free_count = free_count;
+    for (unsigned i = 0; i < free_count; i++) self->free[i] = free[i];
+    self->dim = self->states + free_count;
+    self->valid_count = (unsigned)self->model->validity_count;
+    self->level_count = level_count;
+    self->motion = lower(field, field->rhs, self->states);
+    self->variation = make_variation(self, field);
+    st = self->motion == NULL || self->variation == NULL ? JLT_ERR_NOMEM : make_levels(self, field, levels);
+    if (st != JLT_OK) goto done;
+    *formulas = self;
+    self = NULL; /* ownership moved to the caller */
+done:
+    ttc_field_destroy(field);
+    ttc_diagnostics_destroy(diagnostics);
+    jlt_formulas_destroy(self);
+    return st;
+}
+
+void jlt_formulas_destroy(jlt_formulas *formulas)
+{
+    if (formulas == NULL) return;
+    ttc_program_destroy(formulas->motion);
+    ttc_program_destroy(formulas->variation);
+    ttc_program_destroy(formulas->levels);
+    ttc_model_destroy(formulas->model);
+    free(formulas);
+}
+
+unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column)
+{
+    return self->states + row * self->dim + column;
+}
+
+unsigned jlt_formulas_divergence(const jlt_formulas *self)
+{
+    return self->states * (1 + self->dim);
+}
+
+unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index)
+{
+    return self->states * (1 + self->dim) + 1 + index;
+}

@@ -1,0 +1,41 @@
+/** What a validated integration evaluates of a table, as the compiler's straight-line programs: the field, its derivatives, the
+ *  divergence, conditions under which the model holds, integrals with their gradients.
+ *
+ *  They are made from the text that the descriptor carries, by the passes that make kernels in balls, and interpreted over whatever
+ *  arithmetic is wanted. A free parameter is one that may have any value of a ball: it becomes a state whose rate is 0, so that
+ *  what depends on it stays correlated. */
+#ifndef JLT_VALIDATED_FORMULAS_H
+#define JLT_VALIDATED_FORMULAS_H
+
+#include "core/status.h"
+#include "kernel_abi.h"
+#include "optimize/program.h"
+#include "read/model.h"
+
+enum { JLT_FORMULAS_FREE_MAX = 8, JLT_FORMULAS_LEVELS_MAX = 8 };
+
+typedef struct {
+    const jlt_descriptor *descriptor; /* general field, in its own time */
+    ttc_model *model;
+    unsigned states, params;
+    unsigned free_count, free[JLT_FORMULAS_FREE_MAX]; /* parameters that are states as well, behind the states */
+    unsigned dim;                                     /* states + free_count */
+    unsigned valid_count, level_count;
+    ttc_program *motion;    /* f, (states,) */
+    ttc_program *variation; /* f, (states,); df/d(x, free), (states, dim); div f, (1,); valids, (valid_count,) */
+    ttc_program *levels;    /* integrals, (level_count,); their gradients, (level_count, dim) */
+} jlt_formulas;
+
+/** Out: *formulas, NULL on failure; destroy with jlt_formulas_destroy. In: free, shape (free_count,), indices of parameters;
+ *  levels, shape (level_count,), names of integrals. Errors: ARG, more than there is room for; UNSUPPORTED, no such integral, or a
+ *  table that does not read; NOMEM. */
+JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free,
+                                           unsigned free_count, const char *const *levels, unsigned level_count);
+void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
+
+/* Outputs of `variation`. */
+unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column);
+unsigned jlt_formulas_divergence(const jlt_formulas *self);
+unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);
+
+#endif

@@ -1,0 +1,272 @@
+#include "validated/given.h"
+
+#include "kernel/descriptor.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static bool refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(problem, JLT_GIVEN_PROBLEM_MAX, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool jlt_given_number(arb_t out, const char *text, slong bits)
+{
+    bool good = text != NULL && text[0] != '\0' && text[strspn(text, "0123456789+-./eE")] == '\0';
+
+    if (good && strchr(text, '/') != NULL) {
+        fmpq_t fraction;
+        fmpq_init(fraction);
+        good = fmpq_set_str(fraction, text, 10) == 0 && !fmpz_is_zero(fmpq_denref(fraction));
+        if (good) fmpq_canonicalise(fraction);
+        if (good) arb_set_fmpq(out, fraction, bits);
+        fmpq_clear(fraction);
+    } else if (good) {
+        good = strlen(text) < 4096 && arb_set_str(out, text, bits) == 0;
+    }
+    return good && arb_is_finite(out);
+}
+
+bool jlt_given_ball(arb_t out, const json_t *ball, slong bits)
+{
+    arb_t radius;
+    bool good;
+
+    arb_init(radius);
+    good = jlt_given_number(radius, json_string_value(json_object_get(ball, "radius")), bits)
+           && jlt_given_number(out, json_string_value(json_object_get(ball, "middle")), bits) && !arb_is_negative(radius);
+    if (good) arb_add_error(out, radius);
+    arb_clear(radius);
+    return good;
+}
+
+const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    const json_t *table = json_object_get(given, "table");
+    const char *name = json_string_value(json_object_get(table, "name"));
+    const char *digest = json_string_value(json_object_get(table, "sha256"));
+
+    if (name == NULL || digest == NULL) {
+        refuse(problem, "it names no table by name and sha256");
+        return NULL;
+    }
+    for (size_t i = 0; i <= jlt_descriptor_count(); i++) {
+        const jlt_descriptor *d = i == 0 ? own : jlt_descriptor_at(i - 1);
+        if (d != NULL && d->variant[0] == '\0' && d->time[0] == '\0' && d->elimination[0] == '\0' && strcmp(d->model, name) == 0
+            && strcmp(d->sha256, digest) == 0)
+            return d;
+    }
+    refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
+    return NULL;
+}
+
+static bool allows(const jlt_quantity *param, const arb_t value)
+{
+    return param->sign == JLT_ANY_SIGN || (param->sign == JLT_POSITIVE && arb_is_positive(value))
+           || (param->sign == JLT_NONNEGATIVE && arb_is_nonnegative(value))
+           || (param->sign == JLT_NONZERO && arb_is_nonzero(value));
+}
+
+static bool read_params(jlt_given *self, const json_t *given, slong bits, char *problem)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+    const json_t *params = json_object_get(given, "parameters");
+
+    if (json_object_size(params) != d->param_count)
+        return refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+    for (unsigned i = 0; i < d->param_count; i++) {
+        const json_t *value = json_object_get(params, d->params[i].name);
+        const bool is_ball = json_is_object(value);
+        if (!(is_ball ? jlt_given_ball(self->params + i, value, bits)
+                      : jlt_given_number(self->params + i, json_string_value(value), bits)))
+            return refuse(problem, "parameter %s: no number", d->params[i].name);
+        if (!allows(&d->params[i], self->params + i))
+            return refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
+        if (!is_ball) continue;
+        if (self->question.free_count == JLT_FORMULAS_FREE_MAX)
+            return refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
+        self->question.free[self->question.free_count++] = i;
+    }
+    return true;
+}
+
+static bool read_section(jlt_given *self, const json_t *given, slong bits, char *problem)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+    const json_t *section = json_object_get(given, "section");
+    const char *state = json_string_value(json_object_get(section, "state"));
+    const json_int_t direction = json_integer_value(json_object_get(section, "direction"));
+    size_t column;
+
+    if (state == NULL || !jlt_descriptor_state(d, state, &column)) return refuse(problem, "section: no such state");
+    self->question.column = (unsigned)column;
+    if (direction != 1 && direction != -1) return refuse(problem, "section: the direction is 1 or -1");
+    self->question.direction = (int)direction;
+    return jlt_given_number(self->section, json_string_value(json_object_get(section, "value")), bits)
+           || refuse(problem, "section: no value");
+}
+
+/* Levels of integrals that are proved, whatever the parameters. */
+static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *problem)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+    const json_t *levels = json_object_get(given, "levels");
+    const char *name;
+    json_t *value;
+
+    if (json_object_size(levels) > JLT_FORMULAS_LEVELS_MAX) return refuse(problem, "levels: more than %d", JLT_FORMULAS_LEVELS_MAX);
+    json_object_foreach((json_t *)(uintptr_t)levels, name, value) {
+        const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
+        if (claim == NULL || claim->verdict != JLT_PROVED || claim->condition[0] != '\0')
+            return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
+        arb_ptr out = self->level_values + self->question.level_count;
+        if (!(json_is_object(value) ? jlt_given_ball(out, value, bits) : jlt_given_number(out, json_string_value(value), bits)))
+            return refuse(problem, "levels: %s has no value", name);
+        self->levels[self->question.level_count++] = claim->name;
+    }
+    return true;
+}
+
+static bool read_coordinates(jlt_given *self, const json_t *given, char *problem)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+    const json_t *names = json_object_get(given, "coordinates");
+
+    self->kept_count = d->state_count - 1 - self->question.level_count;
+    if (json_array_size(names) != self->kept_count) return refuse(problem, "coordinates: %u on these levels", self->kept_count);
+    for (unsigned i = 0; i < self->kept_count; i++) {
+        const char *name = json_string_value(json_array_get(names, i));
+        size_t state;
+        if (name == NULL || !jlt_descriptor_state(d, name, &state) || state == self->question.column
+            || (i > 0 && (unsigned)state <= self->kept[i - 1]))
+            return refuse(problem, "coordinates: states but the section's, in the order of the table");
+        self->kept[i] = (unsigned)state;
+    }
+    return true;
+}
+
+static bool read_box(jlt_given *self, const json_t *given, slong bits, char *problem)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+    const json_t *box = json_object_get(given, "box");
+    arb_t instant;
+    bool good;
+
+    for (unsigned i = 0, k = 0; i < d->state_count; i++) {
+        if (i == self->question.column) continue;
+        if (!jlt_given_ball(self->box + k++, json_object_get(box, d->states[i].name), bits))
+            return refuse(problem, "box: %s has no middle and radius", d->states[i].name);
+    }
+    arb_init(instant);
+    good = jlt_given_number(instant, json_string_value(json_object_get(given, "instant")), bits) && arb_is_positive(instant);
+    arf_set(self->instant, arb_midref(instant));
+    arb_clear(instant);
+    return good || refuse(problem, "instant: a time > 0");
+}
+
+bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    const json_int_t digits = json_integer_value(json_object_get(given, "digits"));
+
+    *self = (jlt_given){ .question = { .descriptor = descriptor } };
+    self->params = _arb_vec_init(descriptor->param_count + 1);
+    self->box = _arb_vec_init(descriptor->state_count);
+    self->level_values = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
+    arb_init(self->section);
+    arf_init(self->instant);
+    self->question.params = self->params;
+    self->question.section = self->section;
+    self->question.levels = self->levels;
+    self->question.level_values = self->level_values;
+    if (digits < 5 || digits > JLT_GIVEN_DIGITS_MAX) return refuse(problem, "digits: between 5 and %d", JLT_GIVEN_DIGITS_MAX);
+    if (descriptor->state_count > JLT_CYCLE_STATES_MAX || descriptor->state_count < 2)
+        return refuse(problem, "tables of 2 to %d states are served", JLT_CYCLE_STATES_MAX);
+    self->question.digits = (unsigned)digits;
+    const slong bits = jlt_step_accuracy_for(self->question.digits).bits;
+    return read_params(self, given, bits, problem) && read_section(self, given, bits, problem)
+           && read_levels(self, given, bits, problem)
+           && (descriptor->state_count >= 2 + self->question.level_count
+               || refuse(problem, "levels: too many for %u states", descriptor->state_count));
+}
+
+bool jlt_given_read_box(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    const slong bits = jlt_step_accuracy_for(self->question.digits).bits;
+
+    return read_coordinates(self, given, problem) && read_box(self, given, bits, problem);
+}
+
+/* A number's middle as a decimal. */
+static json_t *decimal(const arb_t value, unsigned digits)
+{
+    char *text = arb_get_str(value, (slong)digits, ARB_STR_NO_RADIUS);
+    json_t *out = json_string(text);
+
+    flint_free(text);
+    return out;
+}
+
+jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, double T, double radius)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+    const unsigned digits = self->question.digits;
+    json_t *names = json_array(), *box = json_object();
+    jlt_cycle_question middle = self->question; /* where parameters and levels are intervals, at their middles */
+    arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
+    jlt_cycle *cycle = NULL;
+    char width[32];
+    jlt_status st;
+    arb_t time;
+
+    arb_init(time);
+    snprintf(width, sizeof width, "%.3g", radius);
+    for (unsigned i = 0, k = 0; i < d->state_count; i++)
+        if (i != self->question.column) arb_set_d(self->box + k++, x[i]);
+    arf_set_d(self->instant, T);
+    self->kept_count = d->state_count - 1 - self->question.level_count;
+    for (unsigned i = 0; i < d->param_count; i++) arb_get_mid_arb(params + i, self->params + i);
+    for (unsigned i = 0; i < self->question.level_count; i++) arb_get_mid_arb(levels + i, self->level_values + i);
+    middle.params = params;
+    middle.level_values = levels;
+    middle.free_count = 0;
+    JLT_TRY(jlt_cycle_create(&cycle, &middle));
+    JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->box));
+    JLT_TRY(jlt_cycle_refine(cycle, self->box, self->instant, self->kept));
+    for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
+    for (unsigned i = 0, k = 0; i < d->state_count; i++)
+        if (i != self->question.column)
+            json_object_set_new(box, d->states[i].name, json_pack("{s:o,s:s}", "middle", decimal(self->box + k++, digits),
+                                                                  "radius", width));
+    arb_set_arf(time, self->instant);
+    st = json_object_set(given, "coordinates", names) == 0 && json_object_set(given, "box", box) == 0
+         && json_object_set_new(given, "instant", decimal(time, digits)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+done:
+    arb_clear(time);
+    jlt_cycle_destroy(cycle);
+    _arb_vec_clear(params, d->param_count + 1);
+    _arb_vec_clear(levels, JLT_FORMULAS_LEVELS_MAX);
+    json_decref(names);
+    json_decref(box);
+    return st;
+}
+
+void jlt_given_clear(jlt_given *self)
+{
+    const jlt_descriptor *d = self->question.descriptor;
+
+    _arb_vec_clear(self->params, d->param_count + 1);
+    _arb_vec_clear(self->box, d->state_count);
+    _arb_vec_clear(self->level_values, JLT_FORMULAS_LEVELS_MAX);
+    arb_clear(self->section);
+    arf_clear(self->instant);
+}

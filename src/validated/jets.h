@@ -1,0 +1,27 @@
+/** Taylor coefficients in balls, order by order, of a straight-line program along the solution of its own equation.
+ *
+ *  The recurrences are those of the emitted jets (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating
+ *  Derivatives, 2nd ed., 2008, ch. 13); here a coefficient is a ball that encloses it for every start in the balls given. */
+#ifndef JLT_VALIDATED_JETS_H
+#define JLT_VALIDATED_JETS_H
+
+#include "validated/balls.h"
+#include "validated/formulas.h"
+
+typedef struct jlt_jets jlt_jets;
+
+/** Out: *jets, NULL on failure; destroy with jlt_jets_destroy. program, of `of`, is borrowed; its first outputs are rates of the
+ *  states where `order` is more than 0. Errors: NOMEM; UNSUPPORTED, an operation that programs as written do not have. */
+JLT_CHECKED jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order);
+void jlt_jets_destroy(jlt_jets *jets); /* legal on NULL */
+
+/** Coefficients at x, shape (dim,), with params, shape (params,): of states to `order`, of outputs below it; with order 0 those of
+ *  outputs alone, to order 0. Where one has no finite enclosure, it and all that hang on it are not finite. Cost: order^2/2
+ *  products for each product of the program. Nothing is allocated. */
+void jlt_jets_run(jlt_jets *self, arb_srcptr x, arb_srcptr params, slong bits);
+
+/** Their series, lowest order first: of state i, order + 1 long; of output i, `order` long, at least 1. */
+arb_srcptr jlt_jets_state(const jlt_jets *self, unsigned i);
+arb_srcptr jlt_jets_output(const jlt_jets *self, unsigned i);
+
+#endif

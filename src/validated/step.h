@@ -1,0 +1,55 @@
+/** One validated step of a flow with its variational equations.
+ *
+ *  The rough enclosure is of high order: with c_i the Taylor coefficients over the set X, and Z = sum_(i<K) [0,h]^i c_i(X) +
+ *  [0,h]^K c_K(Y), Z within the interior of Y shows that solutions from X exist for all of [0,h] and stay in Z, as by Taylor's
+ *  theorem none can reach the border of Y first (G. F. Corliss, R. Rihm, Validating an a priori enclosure using high-order Taylor
+ *  series, 1996; Picard's iteration with inflation is K = 1). c_K(Y) h^K is then Lagrange's remainder. Of the derivative V' = Df V,
+ *  V(0) = 1: |V - 1| <= e^(|Df(Y)| h) - 1 in the norm of the largest row sum is its rough enclosure W, and V_K(Y) W h^K its
+ *  remainder.
+ *
+ *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces.
+ *  */
+#ifndef JLT_VALIDATED_STEP_H
+#define JLT_VALIDATED_STEP_H
+
+#include "validated/jets.h"
+#include "validated/set.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    unsigned order; /* >= 4 */
+    slong bits;
+    slong tolerance; /* remainders of a step are to be near 2^-tolerance */
+} jlt_step_accuracy;
+
+/** The accuracy for so many decimal digits of the result. */
+jlt_step_accuracy jlt_step_accuracy_for(unsigned digits);
+
+typedef struct jlt_step jlt_step;
+
+/** Out: *step, NULL on failure; destroy with jlt_step_destroy. In: params, shape (of->params,), copied. Errors: as jlt_jets_create.
+ *  */
+JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_step_accuracy accuracy);
+void jlt_step_destroy(jlt_step *step); /* legal on NULL */
+
+/** Move the set by *h at most. In and out: *h, an exact positive number, the step's length; expansion, to which the integral of the
+ *  divergence is added; least, shape (of->valid_count,), lower bounds of the conditions so far. Errors: NO_PROGRESS, no step
+ *  that was tried can be validated; DOMAIN, the set may leave the open intervals of the table's states. */
+JLT_CHECKED jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansion, arf_struct *least);
+
+/** Field, its derivative, divergence and conditions over a box, by the program `variation`; borrowed until the next call. In: x,
+ *  shape (dim,). */
+arb_srcptr jlt_step_output(const jlt_step *self, unsigned index);
+void jlt_step_evaluate(jlt_step *self, arb_srcptr x);
+
+/** Whether a box lies in the open intervals of the table's states. */
+bool jlt_step_holds(const jlt_step *self, arb_srcptr x);
+
+/* Lower bounds of the conditions at the box last evaluated. */
+void jlt_step_conditions(const jlt_step *self, arf_struct *least);
+
+const jlt_formulas *jlt_step_formulas(const jlt_step *self);
+slong jlt_step_bits(const jlt_step *self);
+
+#endif

@@ -1,0 +1,15 @@
+/** What a certificate says in words. */
+#ifndef JLT_VALIDATED_THEOREM_H
+#define JLT_VALIDATED_THEOREM_H
+
+#include "validated/given.h"
+
+/** Sentences of the theorem, an array of strings; a new reference, NULL when memory is out. In: kind, "cycle" or "sink"; given and
+ *  shown, as in certificates. */
+json_t *jlt_theorem_words(const char *kind, const jlt_descriptor *descriptor, const json_t *given, const json_t *shown);
+
+/** The proved reversor by which images of orbits repel where these attract: it changes signs of states and no more, without a
+ *  condition. NULL: the table has none. */
+const jlt_reversor *jlt_theorem_reversor(const jlt_descriptor *descriptor);
+
+#endif

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Certificates replay from their files, and one that says something else is refused: a changed digit, with its digest made good or not, another
+# table, another hash, another theorem. Digests are made by Python here, and by jansson and the project's own SHA-256 there.
+set -euo pipefail
+cd "$JLT_SOURCE_DIR"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+certificate=tools/certificates/lorenz_ab.json
+
+expect() { # STATUS FILE TEXT
+    local got=0
+    jellett check "$2" > "$scratch/out" 2>&1 || got=$?
+    if [ $got -ne "$1" ] || ! grep -qF -- "$3" "$scratch/out"; then
+        echo "$2: status $got, wanted $1 and '$3':"
+        cat "$scratch/out"
+        status=1
+    fi
+}
+
+expect 0 $certificate proved
+
+# NAME STATEMENT [digest]: a copy changed by a statement of Python on c, with a digest of its own where asked.
+change() {
+    python3 - "$certificate" "$scratch/$1.json" "$2" "${3:-}" << 'END'
+import hashlib, json, sys
+source, target, statement, mend = sys.argv[1:]
+c = json.load(open(source))
+exec(statement)
+if mend:
+    c.pop("digest")
+    c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+json.dump(c, open(target, "w"), indent=1)
+END
+}
+
+change same 'pass' digest
+expect 0 "$scratch/same.json" proved
+change digit 'c["shown"]["period"]["middle"] = "1.5586522107161747277"'
+expect 1 "$scratch/digit.json" 'its digest is not that of its text'
+change period 'c["shown"]["period"]["middle"] = "1.5586522107161747277"' digest
+expect 1 "$scratch/period.json" 'does not follow'
+change radius 'c["shown"]["trace"]["radius"] = "1e-40"' digest
+expect 1 "$scratch/radius.json" 'does not follow'
+change theorem 'c["theorem"][1] = c["theorem"][1].replace("exactly one", "no")' digest
+expect 1 "$scratch/theorem.json" 'its theorem is not what its numbers say'
+change box 'c["given"]["box"]["x"]["middle"] = "-13.763610"' digest
+expect 1 "$scratch/box.json" 'no orbit is shown to be there'
+change parameter 'c["given"]["parameters"]["rho"] = "28001/1000"' digest
+expect 1 "$scratch/parameter.json" 'no orbit is shown to be there'
+change sink 'c["kind"] = "sink"' digest
+expect 1 "$scratch/sink.json" 'not shown to attract'
+change hash 'c["given"]["table"]["sha256"] = "0" * 64' digest
+expect 3 "$scratch/hash.json" 'no table lorenz with SHA-256 000'
+change table 'c["given"]["table"]["name"] = "roessler"' digest
+expect 3 "$scratch/table.json" 'no table roessler'
+change level 'c["given"]["levels"]["E"] = "1"' digest
+expect 3 "$scratch/level.json" 'no integral of lorenz'
+change number 'c["given"]["parameters"]["rho"] = "nan"' digest
+expect 3 "$scratch/number.json" 'parameter rho: no number'
+change instant 'c["given"]["instant"] = "-1"' digest
+expect 3 "$scratch/instant.json" 'instant: a time > 0'
+change form 'del c["given"]' digest
+expect 3 "$scratch/form.json" 'no certificate'
+head -c 1000 $certificate > "$scratch/half.json"
+expect 3 "$scratch/half.json" half.json
+expect 5 "$scratch/nowhere.json" 'cannot read'
+
+# The second program proves the same, and refuses the same.
+python3 tools/check_certificate.py $certificate > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
+got=0
+python3 tools/check_certificate.py "$scratch/box.json" > "$scratch/out" 2>&1 || got=$?
+[ $got -eq 1 ] || { echo "second program on another box: status $got"; cat "$scratch/out"; status=1; }
+
+# Nothing is written where nothing is proved: a saddle is no sink, and no orbit begins there.
+refuse() { # STATUS TEXT OPTION...
+    local got=0 want=$1 text=$2
+    shift 2
+    jellett certify "$@" -o "$scratch/none.json" > "$scratch/out" 2>&1 || got=$?
+    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/none.json" ] || { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
+}
+orbit=(lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12)
+refuse 1 'not shown to attract' sink "${orbit[@]}"
+refuse 1 'no orbit is shown to be there' cycle "${orbit[@]}" --radius 0.01
+refuse 4 'the proof could not be carried out' cycle "${orbit[@]}" --radius 1
+refuse 3 "neither a parameter nor a level 'a3'" cycle "${orbit[@]}" --spread a3=1e-9
+refuse 4 'finds no periodic orbit' cycle lorenz --section z=27 --start x=100,y=-100
+refuse 2 'no kind of certificate' saddle "${orbit[@]}"
+refuse 2 'has no picture' cycle "${orbit[@]}" --plot "$scratch/none.svg"
+refuse 2 'say near which orbit' cycle lorenz --section z=27
+[ $status -ne 0 ] || echo "certificates are replayed, and false ones refused"
+exit $status
