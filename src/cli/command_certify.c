@@ -129,7 +129,6 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
-    o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = 1;
