@@ -51,7 +51,7 @@ done
 
 expect 'jellett sec' section
 expect 'jellett -' --help --version
-expect 'ttc ' check prove show generate build cost
+expect 'ttc ' check prove show generate build cost discover
 expect 'ttc prove --ch' --challenge
 expect 'ttc show --format ' text latex dot
 expect 'ttc generate --effort=' --effort={quick,full}
