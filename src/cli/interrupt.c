@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { SECONDS = 1, FILES = 8 };
+enum { SECONDS = 1, SECONDS_TO_DRAW = 10, FILES = 8 };
 
 /* A handler can reach nothing but globals. Threads that the libraries start have signals delivered to them as well, so that what
  * one handler changes is read and written atomically. */
@@ -140,6 +140,11 @@ const volatile sig_atomic_t *jlt_interrupt_install(void)
 {
     polled = 1;
     return &raised;
+}
+
+void jlt_interrupt_draw(void)
+{
+    if (raised != 0 && child == 0) alarm(SECONDS_TO_DRAW);
 }
 
 void jlt_interrupt_obey(void)

@@ -1,6 +1,6 @@
 /** Signals INT, TERM and HUP ask a command to finish the row it is at. A command that does not look at that request, or does
- *  not finish within a second, is ended, and a signal more than a second after the first ends it at once. No temporary file
- *  stays behind. */
+ *  not finish within a second (jlt_interrupt_draw gives it longer), is ended, and a signal more than a second after the first ends
+ *  it at once. No temporary file stays behind. */
 #ifndef JLT_CLI_INTERRUPT_H
 #define JLT_CLI_INTERRUPT_H
 
@@ -15,6 +15,10 @@ void jlt_interrupt_begin(void);
 /** From now on the command looks at the flag that this returns, which is raised for good by the first signal, and saves what it
  *  has. Until then a signal ends the program at once. */
 const volatile sig_atomic_t *jlt_interrupt_install(void);
+
+/** The rows are saved, and a picture of them is drawn: where the flag was raised, the command has ten seconds from now, unless
+ *  another signal comes. */
+void jlt_interrupt_draw(void);
 
 /** When the flag was raised: end the program by that signal, as whoever sent it expects. Otherwise nothing. */
 void jlt_interrupt_obey(void);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/grid.h"
+#include "cli/interrupt.h"
 #include "ext/number.h"
 #include "report/picture.h"
 #include "report/symbol.h"
@@ -177,6 +178,7 @@ static void close_both(jlt_plot *self)
 
 jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common)
 {
+    jlt_interrupt_draw();
     *self = (jlt_plot){ .common = common, .look = &common->look };
     if (jlt_command_open(&self->script) == JLT_OK && jlt_command_open(&self->title) == JLT_OK) {
         self->stream = self->script.stream;
