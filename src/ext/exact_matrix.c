@@ -101,9 +101,10 @@ static void expand(jlt_surd *coefficients, const jlt_surd *h, size_t n, const jl
     jlt_surd_init(&factor);
     fmpq_one(p[0].coordinates);
     for (size_t m = 1; m <= n; m++) {
+        const jlt_surd *const before = p + (m - 1) * (n + 1);
         jlt_surd *const row = p + m * (n + 1);
-        for (size_t k = 0; k < m; k++) jlt_surd_set(&row[k + 1], &row[k - (n + 1)]);
-        for (size_t k = 0; k < m; k++) take(&row[k], &h[(m - 1) * n + m - 1], &row[k - (n + 1)], field);
+        for (size_t k = 0; k < m; k++) jlt_surd_set(&row[k + 1], &before[k]);
+        for (size_t k = 0; k < m; k++) take(&row[k], &h[(m - 1) * n + m - 1], &before[k], field);
         jlt_surd_clear(&between);
         jlt_surd_init(&between);
         fmpq_one(between.coordinates);
