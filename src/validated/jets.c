@@ -1,6 +1,7 @@
 #include "validated/jets.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 struct jlt_jets {
@@ -18,20 +19,23 @@ struct jlt_jets {
 
 static arb_ptr at(const jlt_jets *self, size_t value) { return self->values + (self->of->dim + value) * self->length; }
 
-/* Where the series of a value is: states have theirs, and so have free parameters. */
-static arb_ptr series_of(const jlt_jets *self, ttc_value value)
+/* Which state a value is, free parameters behind the states; SIZE_MAX: it is none. */
+static size_t state_of(const jlt_jets *self, ttc_value value)
 {
     const ttc_instruction *i = ttc_program_at(self->program, value);
 
-    if (i->op == TTC_OP_INPUT) return self->values + i->index * self->length;
+    if (i->op == TTC_OP_INPUT) return i->index;
     for (unsigned k = 0; i->op == TTC_OP_PARAMETER && k < self->of->free_count; k++)
-        if (self->of->free[k] == i->index) return self->values + (self->of->states + k) * self->length;
-    return at(self, value);
+        if (self->of->free[k] == i->index) return self->of->states + k;
+    return SIZE_MAX;
 }
 
-static bool is_state(const jlt_jets *self, ttc_value value)
+/* Where the series of a value is. */
+static arb_ptr series_of(const jlt_jets *self, ttc_value value)
 {
-    return series_of(self, value) != at(self, value);
+    const size_t state = state_of(self, value);
+
+    return state != SIZE_MAX ? self->values + state * self->length : at(self, value);
 }
 
 static jlt_status look_through(jlt_jets *self)
@@ -42,7 +46,7 @@ static jlt_status look_through(jlt_jets *self)
         const ttc_instruction *i = ttc_program_at(self->program, (ttc_value)v);
         const ttc_value operands[] = { i->a, i->b, i->c };
         if (i->op == TTC_OP_FMA || i->op == TTC_OP_FMS || i->op == TTC_OP_FNMA) return JLT_ERR_UNSUPPORTED;
-        self->series[v] = is_state(self, (ttc_value)v);
+        self->series[v] = state_of(self, (ttc_value)v) != SIZE_MAX;
         for (unsigned k = 0; k < ttc_op_arity(i->op); k++) self->series[v] |= self->series[operands[k]];
         if (i->op == TTC_OP_COSINE || i->op == TTC_OP_SINE) self->partner[v] = self->size + partners++;
     }
@@ -140,7 +144,7 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, unsigned k,
 
     switch (i->op) {
     case TTC_OP_INPUT: break;
-    case TTC_OP_PARAMETER: if (!is_state(self, value)) arb_set(r, params + i->index); break;
+    case TTC_OP_PARAMETER: if (state_of(self, value) == SIZE_MAX) arb_set(r, params + i->index); break;
     case TTC_OP_CONSTANT: arb_set_fmpq(r, i->constant, bits); break;
     case TTC_OP_PI: arb_const_pi(r, bits); break;
     case TTC_OP_NEGATE: arb_neg(r + k, a + k); break;
