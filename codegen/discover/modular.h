@@ -9,6 +9,9 @@
 #include <stdint.h>
 
 #include <flint/nmod_vec.h>
+#if __has_include(<flint/nmod.h>) /* FLINT 3 */
+#include <flint/nmod.h>
+#endif
 
 /* The largest prime below 2^62. */
 #define TTC_PRIME ((ulong)4611686018427387847)
