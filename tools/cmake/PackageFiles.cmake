@@ -4,7 +4,8 @@ foreach(component ${CPACK_COMPONENTS_ALL})
   set(tree ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
   set(doc ${tree}/doc/${CPACK_DEBIAN_${COMPONENT}_PACKAGE_NAME})
   file(MAKE_DIRECTORY ${doc})
-  file(COPY ${CMAKE_CURRENT_LIST_DIR}/../debian/copyright ${CMAKE_CURRENT_LIST_DIR}/../debian/changelog DESTINATION ${doc})
+  file(COPY ${CMAKE_CURRENT_LIST_DIR}/../debian/copyright ${CMAKE_CURRENT_LIST_DIR}/../debian/changelog DESTINATION ${doc}
+       FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
   file(REMOVE ${doc}/LICENSE) # the copyright file says where it is
   file(GLOB texts ${tree}/man/man1/*.1)
   execute_process(COMMAND gzip -9n ${doc}/changelog ${texts} COMMAND_ERROR_IS_FATAL ANY)
