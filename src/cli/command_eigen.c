@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST, THREADS };
+enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST };
 
 static const struct argp_option option_table[] = {
     { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
@@ -12,7 +12,6 @@ static const struct argp_option option_table[] = {
     { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
     { "digits", KEY_DIGITS, "N", 0, "Numbers with N digits (1 to 1000), all of them right; not with --sweep or --csv", 1 },
     { "fast", KEY_FAST, NULL, 0, "Doubles alone, with bounds on their errors; verdicts are not proved", 1 },
-    { "threads", THREADS, "N", 0, "Of a sweep: work on so many threads; default: all processors, or as many as OMP_NUM_THREADS says", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
     { 0 },
@@ -34,7 +33,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (code == JLT_EXIT_DONE) r->question.digits = (long)digits;
         break;
     case KEY_FAST: r->question.fast = true; break;
-    case THREADS: jlt_common_count(&r->threads, value, 1, 1024, "--threads"); break;
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
     case ARGP_KEY_END:
@@ -164,7 +162,7 @@ static jlt_exit prepare(jlt_eigen_request *r)
 
 static jlt_exit run(int argc, char **argv)
 {
-    jlt_eigen_request request = { .threads = jlt_common_processors() };
+    jlt_eigen_request request = { .points = 0 };
     jlt_exit code;
 
     jlt_common_begin(&request.common, argc, argv);

@@ -17,7 +17,6 @@ typedef struct {
 typedef struct {
     jlt_common common;
     bool json, csv;
-    size_t threads; /* of a sweep */
     jlt_assign_list at;
     jlt_grid_axis axes[JLT_EIGEN_AXES_MAX];
     jlt_eigen_target targets[JLT_EIGEN_AXES_MAX]; /* of the axes */
