@@ -53,6 +53,7 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     jlt_chart_difference(jlt_map_flow(map)->chart, difference, above.q, below.q);
     memcpy(out->slope, image.slope, sizeof out->slope);
     out->scale = 1;
+    out->noise = fmax(1e-10, jlt_map_flow(map)->tolerance);
     for (i = 0; i < d; i++) {
         for (j = 0; j < d; j++) {
             out->jacobian[i * (d + 1) + j] = image.slope[i * d + j] - (i == j);
@@ -113,8 +114,8 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
         JLT_TRY(jlt_continuation_step_evaluate(self, at, u));
         for (i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
         if (iterations != NULL) *iterations = k;
-        /* On to rounding: until the residual is that, or falls no more. */
-        if (residual < 1e-15 * at->scale || (residual < 1e-10 * at->scale && residual > last / 8)) return JLT_OK;
+        /* On to rounding: until the residual is that, or falls no more and is what the map's own error may be. */
+        if (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8)) return JLT_OK;
         last = residual;
         border(matrix, at, tangent, d);
         leave_out(self, matrix);

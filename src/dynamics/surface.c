@@ -111,19 +111,20 @@ static void arrange(double *out, const jlt_surface *surface, const double *value
     for (unsigned i = 0; i < surface->count; i++) out[surface->entries[i]] = values[i];
 }
 
-/* The largest rate of a state at points of the section. */
+/* The largest rate of a state at points of the section: that of the largest size of each. */
 static double fastest(const jlt_chart_section *chart, const jlt_units *units)
 {
-    const size_t all = jlt_chart_section_points(chart, 8), some = all < 1024 ? all : 1024;
-    double rate = 0;
+    const size_t all = jlt_chart_section_points(chart, 8), some = all < 256 ? all : 256;
+    double largest[JLT_CHART_STATES_MAX] = { 0 };
 
     for (size_t i = 0; i < some; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
         jlt_chart_section_point(chart, q, i * 2654435761u % all, 8);
         if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
-        rate = fmax(rate, jlt_units_rate(units, x, chart->table->states, chart->base.states, 0));
+        for (unsigned k = 0; k < chart->base.states; k++)
+            if (isfinite(x[k])) largest[k] = fmax(largest[k], fabs(x[k]));
     }
-    return rate;
+    return jlt_units_rate(units, largest, chart->table->states, chart->base.states, 0);
 }
 
 /* Units in which the first positive mass and length are in [1, 2), and half the square of the largest rate in [1, 4); those of the

@@ -5,6 +5,7 @@ set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+data=$(cd "$(dirname "$0")" && pwd)/data
 cd "$scratch"
 failures=0
 fail() { printf '%s\n' "$*"; failures=$((failures + 1)); }
@@ -84,6 +85,26 @@ TABLE
 jellett continue ./turning.tt --section phi=0 --along p=0:7 --set p=0.1 --start theta=0.1 --step 0.1 -o rows.csv 2> log || fail "turning: status $?"
 awk -F, '/^0,/ { off = $5 - $2 + ($2 > 3.141592653589793 ? 6.283185307179586 : 0); if (off*off > 1e-20) bad++; last = $2 }
          END { exit bad > 0 || last < 7 - 1e-12 || last > 7 + 1e-12 }' rows.csv || fail "turning: $(grep '^0,' rows.csv | cut -d, -f2,5 | tr '\n' ' ')"
+
+# Where orbits double, and periods and multipliers at the end of the range, at every tolerance against quadruple precision. Periods err by
+# the tolerance at most, what depends on derivatives by a hundred times that; doublings are located to 1e-10 of arc.
+held() { # END DOUBLING ARGUMENT...: rows of cycles.csv; DOUBLING may be empty
+    local end=$1 doubling=$2 tolerance
+    shift 2
+    for tolerance in 1e-4 1e-6 1e-9 1e-12; do
+        jellett continue "$@" --tol $tolerance -o rows.csv 2> log || fail "$end, $tolerance: status $?: $(cat log)"
+        awk -F, -v end="$end" -v doubling="$doubling" -v tolerance=$tolerance '
+            function off(a, b) { return a > b ? a - b : b - a }
+            NR == FNR { if ($1 == end) { T = $3; mu = $4 } if ($1 == doubling) at = $2; next }
+            /^0,/ { last = $7; largest = $10 } /^0,.*period doubling/ { found = $2 }
+            END { exit !(off(last, T) < tolerance + 1e-13 && off(largest, mu) < 100*tolerance + 1e-10 &&
+                  (doubling == "" || off(found, at) < 10*tolerance + 1e-10)) }' "$data/cycles.csv" rows.csv ||
+            fail "$end, $tolerance: $(grep -e doubling rows.csv) $(tail -1 rows.csv)"
+    done
+}
+held roessler_c roessler_doubling roessler --section y=0 --set c=2 --along c=2:3.5 --start x=3.753,z=1.354
+held lorenz_rho '' lorenz --section z=20 --set rho=22 --along rho=16:22 --decreasing --start x=10.29,y=13.36
+held top_E top_doubling --along E=1.9:2.15 --decreasing
 
 # From the upper end of the range there is one way to go, and from it no row is outside.
 jellett continue --along E=2.1:2.15 -o rows.csv 2> /dev/null
