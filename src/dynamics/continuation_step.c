@@ -51,7 +51,7 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     JLT_TRY(self->family->map_at(self->family->context, &map, u[d] * self->options.scale));
     jlt_chart_difference(jlt_map_flow(map)->chart, out->f, image.q, u);
     jlt_chart_difference(jlt_map_flow(map)->chart, difference, above.q, below.q);
-    memcpy(out->slope, image.slope, sizeof out->slope);
+    memcpy(out->slope, image.slope, sizeof *out->slope * d * d);
     out->scale = 1;
     out->noise = fmax(1e-10, jlt_map_flow(map)->tolerance);
     for (i = 0; i < d; i++) {
@@ -166,7 +166,7 @@ static void test_functions(double test[4], const jlt_continuation_equation *at, 
     unsigned i;
 
     test[0] = tangent[d];
-    memcpy(shifted, at->slope, sizeof shifted);
+    memcpy(shifted, at->slope, sizeof *shifted * d * d);
     for (i = 0; i < d; i++) shifted[i * d + i] += 1;
     test[1] = jlt_linear_determinant(shifted, d);
     test[2] = border(matrix, at, tangent, d);

@@ -53,8 +53,10 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
-    self = calloc(1, sizeof *self);
+    self = malloc(sizeof *self); /* room for sections of many coordinates, not touched where there are few */
     if (self == NULL) return JLT_ERR_NOMEM;
+    self->orbit = NULL;
+    self->section = NULL;
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;

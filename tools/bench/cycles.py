@@ -120,6 +120,7 @@ def with_auto(folder, branch, mesh, repeats):
 def main():
     jellett, folder, repeats = sys.argv[1], sys.argv[2], int(sys.argv[3]) if len(sys.argv) > 3 else 15
     known = references()
+    print("# " + timed([jellett, "--version"], 1)[0].strip())
     print("question,program,method,form,threads,tolerance,error,us_per_answer,us_least,us_largest,failed")
 
     def tell(branch, program, method, tolerance, answers):

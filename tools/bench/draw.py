@@ -245,6 +245,21 @@ set ylabel 'time per derivative [µs]'"""
          work_panels(rows, "error", groups, 0.5, ("us_per_derivative", "us_least", "us_largest")))
 
 
+def cycles(results, kind):
+    rows = read(f"{results}/cycles.csv")
+    if not rows:
+        return
+    groups = [(question, lambda row, question=question: row["question"] == question) for question in dict.fromkeys(row["question"] for row in rows)]
+    settings = AXES + """
+set xrange [1:1e-16]
+set yrange [3000:1000000]
+set xlabel 'error, relative or of 1'
+set ylabel 'time of the process [µs]'"""
+    panels = [(panel, colours, "") for group in groups for panel, colours, _ in
+              work_panels([row for row in rows if row["question"] == group[0]], "error", [group], 0.5, ("us_per_answer", "us_least", "us_largest"))]
+    draw_panels(f"{results}/cycles", kind, (1900, 1000), "2,4", "Periodic orbits followed in a parameter: jellett and AUTO-07p", settings, panels)
+
+
 def spread_panels(rows, time, least):
     """A panel for each kind of points: error (median, with least and largest as bars) against time."""
     colours = {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(dict.fromkeys(row["method"] for row in rows))}
@@ -314,6 +329,7 @@ def main():
     times(results, kind)
     drift(results, kind)
     slope(results, kind)
+    cycles(results, kind)
     spreads(results, kind, "jacobian", "Jacobian of (3.2) at 256 points, against ball arithmetic", "ns_per_jacobian", "ns per Jacobian",
             "1e-17:100", "3:3000", "1,2", (1300, 560), {"generic": "generic points", "near_pole": "near a pole: 1 - γ_3 from 10^{-10} to 10^{-2}"})
     spreads(results, kind, "eigenvalues", "Eigenvalues at fixed points (4.4), the matrix being given", "ns_per_matrix", "ns per matrix",
