@@ -68,7 +68,7 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     }
 done:
     jlt_command_discard(&output);
-    for (size_t k = 0; rows != NULL && k < count; k++) {
+    for (size_t k = 0; k < computed; k++) {
         free(rows[k].params);
         free(rows[k].x);
     }
