@@ -26,6 +26,7 @@ static bool segments_cross(const jlt_chart *chart, double *a, double *b, const d
 typedef struct {
     jlt_homoclinic best;
     double sigma[2]; /* of the next trial, on the unstable and on the stable branch */
+    double enough;   /* no trial follows one whose residual is not above this */
     bool goes_on;
     jlt_status status; /* of what was looked at last */
 } refinement;
@@ -44,11 +45,10 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
     double gap[2];
 
     jlt_chart_difference(chart, gap, q[1], q[0]);
-    if (!(hypot(gap[0], gap[1]) < best->residual)) {
-        self->goes_on = false;
-        return;
-    }
-    best->residual = hypot(gap[0], gap[1]);
+    const double residual = hypot(gap[0], gap[1]);
+    self->goes_on = residual < best->residual && residual > self->enough;
+    if (!(residual < best->residual)) return;
+    best->residual = residual;
     best->sigma_unstable = self->sigma[0];
     best->sigma_stable = self->sigma[1];
     memcpy(best->q, q[0], sizeof best->q);
@@ -125,30 +125,58 @@ done:
     return st;
 }
 
-/* The same crossings by other maps, from branches whose seeds are so many times as large: sigma moves by the logarithm. Errors become the
- * largest change of each angle so far, NaN where one cannot be found again. */
+/* What sigma of a branch is less by on another one that differs in its seed: by the logarithm, as far as the branch is straight, and by
+ * terms of the size of the seed, which are the same everywhere on it. They are found where few returns lead to. */
+static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
+{
+    const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
+    const double straight = log(other->seed / branch->seed) / log(branch->lambda), sigma = 4 + fabs(straight);
+    double q[2], tangent[2], at[2], along[2], gap[2];
+    jlt_status status, st;
+
+    *shift = straight;
+    if (other->seed == branch->seed) return JLT_OK;
+    JLT_TRY(jlt_branch_points(branch, maps, &status, q, tangent, &sigma, 1));
+    for (int round = 0; round < 2 && status == JLT_OK; round++) {
+        const double there = sigma - *shift;
+        JLT_TRY(jlt_branch_points(other, maps, &status, at, along, &there, 1));
+        if (status != JLT_OK) break;
+        jlt_chart_difference(chart, gap, q, at);
+        *shift -= (gap[0] * along[0] + gap[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+    }
+done:
+    return st;
+}
+
+/* The same crossings by other maps, from branches whose seeds are so many times as large. Errors become the largest change of each angle so
+ * far, NaN where one cannot be found again. Coarse maps may leave ten times the residual. */
 static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, double seeds,
                                refinement *room)
 {
     jlt_branch u = *branches[0], s = *branches[1];
     const jlt_branch *const others[] = { &u, &s };
+    double shift[2];
+    jlt_status st = JLT_OK;
 
     u.seed *= seeds;
     s.seed *= seeds;
+    for (unsigned k = 0; k < 2; k++) JLT_TRY(shift_of(&shift[k], branches[k], others[k], maps));
     for (size_t i = 0; i < count; i++) {
         jlt_homoclinic other = points[i];
-        other.sigma_unstable -= log(seeds) / log(u.lambda);
-        other.sigma_stable -= log(seeds) / log(s.lambda);
+        other.sigma_unstable -= shift[0];
+        other.sigma_stable -= shift[1];
         begin_refinement(&room[i], &other);
+        room[i].enough = 10 * points[i].residual;
         if (!(other.sigma_unstable < 0) && !(other.sigma_stable < 0)) continue;
         room[i].goes_on = false;
         room[i].status = JLT_ERR_ARG;
     }
-    const jlt_status st = refine(room, count, others, maps, 8);
+    JLT_TRY(refine(room, count, others, maps, 8));
     for (size_t i = 0; st == JLT_OK && i < count; i++) {
         const double change = room[i].status == JLT_OK ? fabs(remainder(room[i].best.angle - points[i].angle, pi)) : NAN;
         if (isnan(change) || change > points[i].angle_error) points[i].angle_error = change;
     }
+done:
     return st;
 }
 
