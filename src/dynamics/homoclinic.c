@@ -27,6 +27,7 @@ typedef struct {
     jlt_homoclinic best;
     double sigma[2]; /* of the next trial, on the unstable and on the stable branch */
     double enough;   /* no trial follows one whose residual is not above this */
+    bool has_twin;   /* its mirror image is another crossing of the same branches */
     bool goes_on;
     jlt_status status; /* of what was looked at last */
 } refinement;
@@ -130,26 +131,24 @@ done:
 static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
-    const double straight = log(other->seed / branch->seed) / log(branch->lambda), sigma = 4 + fabs(straight);
+    const double straight = log(other->seed / branch->seed) / log(branch->lambda), sigma = 4 + fabs(straight), there = sigma - straight;
     double q[2], tangent[2], at[2], along[2], gap[2];
     jlt_status status, st;
 
     *shift = straight;
     if (other->seed == branch->seed) return JLT_OK;
     JLT_TRY(jlt_branch_points(branch, maps, &status, q, tangent, &sigma, 1));
-    for (int round = 0; round < 2 && status == JLT_OK; round++) {
-        const double there = sigma - *shift;
-        JLT_TRY(jlt_branch_points(other, maps, &status, at, along, &there, 1));
-        if (status != JLT_OK) break;
-        jlt_chart_difference(chart, gap, q, at);
-        *shift -= (gap[0] * along[0] + gap[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-    }
+    if (status != JLT_OK) goto done;
+    JLT_TRY(jlt_branch_points(other, maps, &status, at, along, &there, 1));
+    if (status != JLT_OK) goto done;
+    jlt_chart_difference(chart, gap, q, at);
+    *shift -= (gap[0] * along[0] + gap[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
 done:
     return st;
 }
 
 /* The same crossings by other maps, from branches whose seeds are so many times as large. Errors become the largest change of each angle so
- * far, NaN where one cannot be found again. Coarse maps may leave ten times the residual. */
+ * far, NaN where one cannot be found again. Newton's method ends at three times the residuals that the points have. */
 static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, double seeds,
                                refinement *room)
 {
@@ -166,7 +165,7 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
         other.sigma_unstable -= shift[0];
         other.sigma_stable -= shift[1];
         begin_refinement(&room[i], &other);
-        room[i].enough = 10 * points[i].residual;
+        room[i].enough = 3 * points[i].residual;
         if (!(other.sigma_unstable < 0) && !(other.sigma_stable < 0)) continue;
         room[i].goes_on = false;
         room[i].status = JLT_ERR_ARG;
@@ -253,16 +252,17 @@ static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_
     return along < 1e-7 || (along < 1 && jlt_chart_distance(chart, a->q, b->q) < blur(a) + blur(b));
 }
 
-/* Where sides of the polygons meet: the list, for free(). */
+/* Where sides of the polygons meet: the list, for free(). Where one polygon is the mirror image of the other, sides i and j meet where
+ * j and i do: without those with i < j. */
 static jlt_status find_candidates(refinement **out, size_t *count, const jlt_manifold *unstable, const jlt_manifold *stable,
-                                  const jlt_chart *chart)
+                                  bool mirrored, const jlt_chart *chart)
 {
     refinement *list = NULL;
     size_t room = 0;
 
     *count = 0;
     for (size_t i = 0; i + 1 < unstable->count; i++)
-        for (size_t j = 0; j + 1 < stable->count; j++) {
+        for (size_t j = 0; j + 1 < stable->count && !(mirrored && j > i); j++) {
             jlt_homoclinic point = { .lobe = NAN };
             double a, b;
             if (!segments_cross(chart, &a, &b, unstable->points + 2 * i, unstable->points + 2 * i + 2,
@@ -278,10 +278,23 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
                 }
                 list = grown;
             }
-            begin_refinement(&list[(*count)++], &point);
+            begin_refinement(&list[*count], &point);
+            list[(*count)++].has_twin = mirrored && i != j;
         }
     *out = list;
     return JLT_OK;
+}
+
+/* The image under the reversor, which takes the unstable branch to the stable one and back: lines change places as it changes the sense in
+ * which angles are counted. */
+static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *chart)
+{
+    jlt_homoclinic image = *point;
+
+    jlt_chart_mirror(chart, image.q, point->q);
+    image.sigma_unstable = point->sigma_stable;
+    image.sigma_stable = point->sigma_unstable;
+    return image;
 }
 
 /* Leaves out what is no crossing as far as errors tell, and what is one of those before; *touching counts the former. */
@@ -300,39 +313,65 @@ static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touch
     return kept;
 }
 
+/* Sorted, with lobes; points go to *out, for free(), unless there are none. */
+static void finish(jlt_homoclinic **out, size_t *out_count, jlt_homoclinic *points, size_t count, const jlt_manifold *unstable,
+                   const jlt_manifold *stable, const jlt_chart *chart)
+{
+    if (count > 1) qsort(points, count, sizeof *points, compare);
+    measure_lobes(points, count, unstable, stable, chart);
+    *out_count = count;
+    *out = count > 0 ? points : NULL;
+    if (count == 0) free(points);
+}
+
 jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
-                               const jlt_branch *unstable_branch, const jlt_manifold *stable,
-                               const jlt_branch *stable_branch, jlt_map_batch *fine, jlt_map_batch *coarse)
+                               const jlt_branch *unstable_branch, const jlt_manifold *stable, const jlt_branch *stable_branch,
+                               bool mirrored, jlt_map_batch *fine, jlt_map_batch *coarse)
 {
     const jlt_chart *chart = jlt_map_batch_flow(fine)->chart;
     const jlt_branch *const branches[] = { unstable_branch, stable_branch };
     refinement *list = NULL;
     jlt_homoclinic *found = NULL;
+    bool *has_twin = NULL;
     size_t candidates = 0, kept = 0, apart = 0;
     jlt_status st = JLT_OK;
 
     *points = NULL;
     *count = 0;
     if (touching != NULL) *touching = 0;
-    JLT_TRY(find_candidates(&list, &candidates, unstable, stable, chart));
+    JLT_TRY(find_candidates(&list, &candidates, unstable, stable, mirrored, chart));
     if (candidates == 0) goto done;
-    found = calloc(candidates, sizeof *found);
-    st = found != NULL ? refine(list, candidates, branches, fine, 12) : JLT_ERR_NOMEM;
+    found = calloc(2 * candidates, sizeof *found);
+    has_twin = calloc(candidates, sizeof *has_twin);
+    st = found != NULL && has_twin != NULL ? refine(list, candidates, branches, fine, 12) : JLT_ERR_NOMEM;
     if (st != JLT_OK) goto done;
-    for (size_t i = 0; i < candidates; i++)
-        if (list[i].status == JLT_OK && list[i].best.residual <= 1e-8) found[kept++] = list[i].best;
+    for (size_t i = 0; i < candidates; i++) {
+        if (list[i].status != JLT_OK || list[i].best.residual > 1e-8) continue;
+        has_twin[kept] = list[i].has_twin;
+        found[kept++] = list[i].best;
+    }
     JLT_TRY(angle_errors(found, kept, branches, fine, coarse));
+    for (size_t i = 0, alone = kept; i < alone; i++)
+        if (has_twin[i]) found[kept++] = image_of(&found[i], chart);
     kept = keep_crossings(found, kept, &apart, chart);
     if (touching != NULL) *touching = apart;
-    if (kept > 1) qsort(found, kept, sizeof *found, compare);
-    measure_lobes(found, kept, unstable, stable, chart);
-    *count = kept;
-    if (kept > 0) {
-        *points = found;
-        found = NULL; /* ownership moved to the caller */
-    }
+    finish(points, count, found, kept, unstable, stable, chart);
+    found = NULL; /* ownership moved to the caller */
 done:
     free(list);
     free(found);
+    free(has_twin);
     return st;
+}
+
+jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
+                                  const jlt_manifold *unstable, const jlt_manifold *stable, const jlt_chart *chart)
+{
+    jlt_homoclinic *images = calloc(count + 1, sizeof *images);
+
+    *out = NULL;
+    if (images == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++) images[i] = image_of(&points[i], chart);
+    finish(out, &count, images, count, unstable, stable, chart);
+    return JLT_OK;
 }

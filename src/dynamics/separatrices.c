@@ -12,7 +12,7 @@ void jlt_separatrices_clear(jlt_separatrices *self)
 
 /* The unstable branch whose mirror image stable branch k is: where the saddle lies on the reversor's line. JLT_SEPARATRICES:
  * none. */
-static int mirror_of(const jlt_separatrices *self, int k)
+static int original_of(const jlt_separatrices *self, int k)
 {
     const jlt_chart *chart = self->chart;
     double q[2], v[2];
@@ -24,6 +24,17 @@ static int mirror_of(const jlt_separatrices *self, int k)
         if (hypot(v[0] - self->branch[k].v[0], v[1] - self->branch[k].v[1]) < 1e-6) return i;
     }
     return JLT_SEPARATRICES;
+}
+
+/* Make stable branch k the image to the last digit. */
+static void reflect_branch(jlt_separatrices *self, int k)
+{
+    const jlt_branch *original = &self->branch[self->original[k]];
+    jlt_branch *branch = &self->branch[k];
+
+    jlt_chart_mirror(self->chart, branch->q, original->q);
+    for (int c = 0; c < 2; c++) branch->v[c] = self->chart->mirror[c] * original->v[c];
+    branch->lambda = original->lambda;
 }
 
 /* One branch, on a map of its own. */
@@ -42,13 +53,14 @@ done:
 jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
                                  const jlt_manifold_options *options, unsigned threads)
 {
-    int image[JLT_SEPARATRICES], failure = JLT_OK;
+    int failure = JLT_OK;
     jlt_status st = JLT_OK;
 
     self->chart = jlt_map_flow(map)->chart;
     for (int k = 0; k < JLT_SEPARATRICES; k++) {
         JLT_TRY(jlt_branch_init(&self->branch[k], map, saddle, 0, k >= 2, k % 2 == 0 ? 1 : -1, seed));
-        image[k] = mirror_of(self, k);
+        self->original[k] = original_of(self, k);
+        if (self->original[k] < JLT_SEPARATRICES) reflect_branch(self, k);
     }
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads((int)threads) schedule(dynamic, 1) reduction(max : failure)
@@ -56,14 +68,33 @@ jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt
     (void)threads;
 #endif
     for (int k = 0; k < JLT_SEPARATRICES; k++) {
-        const int failed = image[k] < JLT_SEPARATRICES ? (int)JLT_OK : (int)grow(&self->curve[k], &self->branch[k], options);
+        const int failed = self->original[k] < JLT_SEPARATRICES ? (int)JLT_OK : (int)grow(&self->curve[k], &self->branch[k], options);
         if (failed > failure) failure = failed;
     }
     st = (jlt_status)failure;
     for (int k = 0; k < JLT_SEPARATRICES && st == JLT_OK; k++)
-        if (image[k] < JLT_SEPARATRICES) st = jlt_manifold_reflect(&self->curve[k], &self->curve[image[k]], self->chart);
+        if (self->original[k] < JLT_SEPARATRICES)
+            st = jlt_manifold_reflect(&self->curve[k], &self->curve[self->original[k]], self->chart);
 done:
     return st;
+}
+
+/* Where unstable branch u and stable branch 2 + s cross; from where those cross that they are images of, if that is known. */
+static jlt_status cross(jlt_separatrices *self, int u, int s, jlt_map_batch *const maps[2])
+{
+    const int unstable_of_s = self->original[2 + s];
+    const bool mirrored = unstable_of_s == u;
+    jlt_homoclinic **out = &self->crossings[u][s];
+
+    for (int i = 0; unstable_of_s < u && i < 2; i++) { /* of the pair (unstable_of_s, i) */
+        if (self->original[2 + i] != u) continue;
+        self->count[u][s] = self->count[unstable_of_s][i];
+        self->touching[u][s] = self->touching[unstable_of_s][i];
+        return jlt_homoclinic_reflect(out, self->crossings[unstable_of_s][i], self->count[u][s], &self->curve[u], &self->curve[2 + s],
+                                      self->chart);
+    }
+    return jlt_homoclinic_find(out, &self->count[u][s], &self->touching[u][s], &self->curve[u], &self->branch[u], &self->curve[2 + s],
+                               &self->branch[2 + s], mirrored, maps[0], maps[1]);
 }
 
 jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads)
@@ -78,8 +109,7 @@ jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch
     JLT_TRY(jlt_map_batch_create(&maps[1], &coarse, kernels, NULL, threads));
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
-            JLT_TRY(jlt_homoclinic_find(&self->crossings[u][s], &self->count[u][s], &self->touching[u][s], &self->curve[u],
-                                        &self->branch[u], &self->curve[2 + s], &self->branch[2 + s], maps[0], maps[1]));
+            JLT_TRY(cross(self, u, s, maps));
 done:
     for (int k = 0; k < 2; k++) jlt_map_batch_destroy(maps[k]);
     return st;

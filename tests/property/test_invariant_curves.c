@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "dynamics/fates.h"
-#include "dynamics/homoclinic.h"
+#include "dynamics/separatrices.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/separation.h"
 #include "witness/top_section.h"
@@ -119,7 +119,7 @@ static void separatrices_cross_transversally(void **unused)
         assert_ok(jlt_branch_init(&branches[stable], map, &saddle, 0, stable, 1, 1e-4));
         assert_ok(jlt_manifold_grow(&curves[stable], &branches[stable], &options));
     }
-    assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], fine, coarse));
+    assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], false, fine, coarse));
     for (size_t i = 0; i < count; i++) {
         assert_true(points[i].residual < 1e-8);
         transverse += fabs(points[i].angle) > 0.1 && points[i].angle_error < 1e-4;
@@ -129,6 +129,52 @@ static void separatrices_cross_transversally(void **unused)
     assert_true(transverse >= 2);
     free(points);
     for (int k = 0; k < 2; k++) jlt_manifold_clear(&curves[k]);
+    jlt_map_destroy(map);
+    jlt_map_batch_destroy(coarse);
+    jlt_map_batch_destroy(fine);
+    jlt_system_destroy(system);
+    jlt_system_destroy(rough);
+}
+
+/* Crossings of Figure 3b, of which half are taken for images under the reversor, against all of them refined: each is there, with its
+ * angle to within the sum of error bars and, of a point that differs by rounding times the conditioning of 30 returns, its parameters. */
+static void images_of_crossings_are_crossings(void **unused)
+{
+    const jlt_manifold_options options = { .length_max = 0.7 };
+    jlt_system *system = top(1e-13), *rough = top(1e-12);
+    jlt_separatrices all = { .chart = NULL };
+    jlt_map_batch *fine, *coarse;
+    jlt_map *map;
+    size_t compared = 0;
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    assert_ok(jlt_map_batch_create(&fine, &system->flow, system->field.batch, NULL, 2));
+    assert_ok(jlt_map_batch_create(&coarse, &rough->flow, rough->field.batch, NULL, 2));
+    const jlt_periodic saddle = saddle_of(map);
+    assert_ok(jlt_separatrices_grow(&all, map, &saddle, 1e-4, &options, 2));
+    assert_ok(jlt_separatrices_cross(&all, system->field.batch, 2));
+    for (int u = 0; u < 2; u++)
+        for (int s = 0; s < 2; s++) {
+            jlt_homoclinic *points;
+            size_t count, touching;
+            assert_true(all.original[2 + s] < 2);
+            assert_ok(jlt_homoclinic_find(&points, &count, &touching, &all.curve[u], &all.branch[u], &all.curve[2 + s],
+                                          &all.branch[2 + s], false, fine, coarse));
+            assert_int_equal(count, all.count[u][s]);
+            assert_int_equal(touching, all.touching[u][s]);
+            for (size_t i = 0; i < count; i++, compared++) {
+                const jlt_homoclinic *a = &points[i], *b = &all.crossings[u][s][i];
+                assert_near(a->angle, b->angle, a->angle_error + b->angle_error);
+                assert_near(a->sigma_unstable, b->sigma_unstable, 1e-7);
+                assert_near(a->sigma_stable, b->sigma_stable, 1e-7);
+                assert_true(jlt_chart_distance(all.chart, a->q, b->q) < 1e-8);
+                if (i + 1 < count) assert_near(a->lobe, b->lobe, 1e-8);
+            }
+            free(points);
+        }
+    assert_true(compared >= 20);
+    jlt_separatrices_clear(&all);
     jlt_map_destroy(map);
     jlt_map_batch_destroy(coarse);
     jlt_map_batch_destroy(fine);
@@ -330,6 +376,7 @@ int main(void)
         cmocka_unit_test(branches_are_invariant),
         cmocka_unit_test(stable_branch_mirrors_the_unstable_one),
         cmocka_unit_test(separatrices_cross_transversally),
+        cmocka_unit_test(images_of_crossings_are_crossings),
         cmocka_unit_test(bifurcations_lie_where_multipliers_say),
         cmocka_unit_test(exponents_of_the_lorenz_attractor),
         cmocka_unit_test(exponents_of_a_periodic_orbit_are_its_multipliers),

@@ -60,7 +60,7 @@ static crossing cross(int place, double tolerance, const char *method, double se
         piece(&curve[s], &branch[s], (s == 0 ? places[place].unstable : places[place].stable) - shift, points[s], sigmas[s],
               lengths[s]);
     }
-    assert_ok(jlt_homoclinic_find(&found, &c.count, NULL, &curve[0], &branch[0], &curve[1], &branch[1], maps[0], maps[1]));
+    assert_ok(jlt_homoclinic_find(&found, &c.count, NULL, &curve[0], &branch[0], &curve[1], &branch[1], false, maps[0], maps[1]));
     if (c.count > 0) c.point = found[0];
     free(found);
     for (int k = 0; k < 2; k++) jlt_map_batch_destroy(maps[k]);
