@@ -78,25 +78,29 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent
     return JLT_OK;
 }
 
-jlt_status jlt_branch_points(const jlt_branch *self, jlt_map_batch *maps, jlt_status *status, double *q, double *tangent,
+jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q, double *tangent,
                              const double *sigma, size_t count)
 {
     size_t *returns = calloc(count + 1, sizeof *returns);
+    int *directions = calloc(count + 1, sizeof *directions);
     jlt_map_images room = { 0 };
     double start[2], rate;
-    jlt_status st = returns != NULL ? jlt_map_batch_images(&room, 2, count + 1) : JLT_ERR_NOMEM;
+    jlt_status st = returns != NULL && directions != NULL ? jlt_map_batch_images(&room, 2, count + 1) : JLT_ERR_NOMEM;
 
-    for (size_t i = 0; st == JLT_OK && i < count; i++)
-        returns[i] = is_parameter(sigma[i]) ? begin(self, room.q + 2 * i, &rate, sigma[i]) * self->returns : 0;
-    if (st == JLT_OK) st = jlt_map_batch_apply_each(maps, &room, room.q, count, returns, self->time_direction);
+    for (size_t i = 0; st == JLT_OK && i < count; i++) {
+        returns[i] = is_parameter(sigma[i]) ? begin(branches[i], room.q + 2 * i, &rate, sigma[i]) * branches[i]->returns : 0;
+        directions[i] = branches[i]->time_direction;
+    }
+    if (st == JLT_OK) st = jlt_map_batch_apply_each(maps, &room, room.q, count, returns, directions);
     for (size_t i = 0; st == JLT_OK && i < count; i++) {
         status[i] = is_parameter(sigma[i]) ? room.status[i] : JLT_ERR_ARG;
         if (status[i] != JLT_OK) continue;
-        (void)begin(self, start, &rate, sigma[i]);
+        (void)begin(branches[i], start, &rate, sigma[i]);
         memcpy(q + 2 * i, room.q + 2 * i, sizeof start);
-        turn(tangent + 2 * i, self, rate, room.slope + 4 * i);
+        turn(tangent + 2 * i, branches[i], rate, room.slope + 4 * i);
     }
     jlt_map_batch_images_clear(&room);
     free(returns);
+    free(directions);
     return st;
 }

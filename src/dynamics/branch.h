@@ -32,9 +32,9 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
  *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 
-/** Many points and tangents at once, by another map of the same section: sigma, status, shape (count,), what jlt_branch_point would return
- *  for each; q, tangent, shape (count, 2), untouched where that is not OK. Errors: as jlt_map_batch_apply. */
-JLT_CHECKED jlt_status jlt_branch_points(const jlt_branch *self, jlt_map_batch *maps, jlt_status *status, double *q, double *tangent,
-                                         const double *sigma, size_t count);
+/** Many points and tangents at once, by another map of the same section, of several branches: branches, sigma, status, shape (count,), what
+ *  jlt_branch_point would return for each; q, tangent, shape (count, 2), untouched where that is not OK. Errors: as jlt_map_batch_apply. */
+JLT_CHECKED jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q,
+                                         double *tangent, const double *sigma, size_t count);
 
 #endif

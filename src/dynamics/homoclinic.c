@@ -65,14 +65,16 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
 
 /* Room for the trials of so many crossings. */
 typedef struct {
-    size_t *index;      /* (count,): whose they are */
-    jlt_status *status; /* (2, count), as follows: on the unstable branch, on the stable one */
-    double *sigma, *q, *tangent; /* q and tangent: (2, count, 2) */
+    size_t *index;               /* (count,): whose they are */
+    const jlt_branch **branches; /* (2 count,), as follows: those on unstable branches, then those on stable ones */
+    jlt_status *status;
+    double *sigma, *q, *tangent; /* q and tangent: (2 count, 2) */
 } trials;
 
 static void clear_trials(trials *self)
 {
     free(self->index);
+    free(self->branches);
     free(self->status);
     free(self->sigma);
 }
@@ -80,10 +82,10 @@ static void clear_trials(trials *self)
 static jlt_status make_trials(trials *self, size_t count)
 {
     *self = (trials){ .index = calloc(count + 1, sizeof *self->index), .status = calloc(2 * count + 1, sizeof *self->status),
-                      .sigma = calloc(10 * count + 1, sizeof *self->sigma) };
+                      .branches = calloc(2 * count + 1, sizeof(jlt_branch *)), .sigma = calloc(10 * count + 1, sizeof *self->sigma) };
     self->q = self->sigma + 2 * count;
     self->tangent = self->q + 4 * count;
-    if (self->index != NULL && self->status != NULL && self->sigma != NULL) return JLT_OK;
+    if (self->index != NULL && self->branches != NULL && self->status != NULL && self->sigma != NULL) return JLT_OK;
     clear_trials(self);
     return JLT_ERR_NOMEM;
 }
@@ -98,23 +100,22 @@ static jlt_status refine(refinement *list, size_t count, const jlt_branch *const
     if (st != JLT_OK) return st;
     for (int iteration = 0; iteration < iterations; iteration++) {
         size_t going = 0;
-        for (size_t i = 0; i < count; i++) {
-            if (!list[i].goes_on) continue;
-            for (unsigned k = 0; k < 2; k++) t.sigma[k * count + going] = list[i].sigma[k];
-            t.index[going++] = i;
-        }
+        for (size_t i = 0; i < count; i++)
+            if (list[i].goes_on) t.index[going++] = i;
         if (going == 0) break;
-        for (unsigned k = 0; k < 2; k++)
-            JLT_TRY(jlt_branch_points(branches[k], maps, t.status + k * count, t.q + 2 * k * count, t.tangent + 2 * k * count,
-                                      t.sigma + k * count, going));
+        for (size_t i = 0; i < 2 * going; i++) {
+            t.branches[i] = branches[i / going];
+            t.sigma[i] = list[t.index[i % going]].sigma[i / going];
+        }
+        JLT_TRY(jlt_branch_points(t.branches, maps, t.status, t.q, t.tangent, t.sigma, 2 * going));
         for (size_t i = 0; i < going; i++) {
             refinement *at = &list[t.index[i]];
             double q[2][2], tangent[2][2];
-            at->status = t.status[i] != JLT_OK ? t.status[i] : t.status[count + i];
+            at->status = t.status[i] != JLT_OK ? t.status[i] : t.status[going + i];
             at->goes_on = at->status == JLT_OK;
             for (unsigned k = 0; k < 2 && at->goes_on; k++) {
-                memcpy(q[k], t.q + 2 * (k * count + i), sizeof q[k]);
-                memcpy(tangent[k], t.tangent + 2 * (k * count + i), sizeof tangent[k]);
+                memcpy(q[k], t.q + 2 * (k * going + i), sizeof q[k]);
+                memcpy(tangent[k], t.tangent + 2 * (k * going + i), sizeof tangent[k]);
             }
             if (at->goes_on) take_step(at, chart, (const double(*)[2])q, (const double(*)[2])tangent);
         }
@@ -131,20 +132,19 @@ done:
 static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
-    const double straight = log(other->seed / branch->seed) / log(branch->lambda), sigma = 4 + fabs(straight), there = sigma - straight;
-    double q[2], tangent[2], at[2], along[2], gap[2];
-    jlt_status status, st;
+    const jlt_branch *const both[] = { branch, other };
+    const double straight = log(other->seed / branch->seed) / log(branch->lambda), sigma = 4 + fabs(straight);
+    double q[2][2], tangent[2][2], gap[2];
+    const double *along = tangent[1];
+    jlt_status status[2];
 
     *shift = straight;
     if (other->seed == branch->seed) return JLT_OK;
-    JLT_TRY(jlt_branch_points(branch, maps, &status, q, tangent, &sigma, 1));
-    if (status != JLT_OK) goto done;
-    JLT_TRY(jlt_branch_points(other, maps, &status, at, along, &there, 1));
-    if (status != JLT_OK) goto done;
-    jlt_chart_difference(chart, gap, q, at);
+    const jlt_status st = jlt_branch_points(both, maps, status, q[0], tangent[0], (double[]){ sigma, sigma - straight }, 2);
+    if (st != JLT_OK || status[0] != JLT_OK || status[1] != JLT_OK) return st;
+    jlt_chart_difference(chart, gap, q[0], q[1]);
     *shift -= (gap[0] * along[0] + gap[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* The same crossings by other maps, from branches whose seeds are so many times as large. Errors become the largest change of each angle so

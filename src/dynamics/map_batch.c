@@ -19,9 +19,10 @@ enum { BLOCK = 256 };
 typedef struct {
     const jlt_map_batch *batch;
     const jlt_map_images *out;
-    int time_direction;
-    const size_t *each; /* returns of every point; NULL: `returns` */
+    const int *directions; /* of time, of every point; NULL: `direction` */
+    const size_t *each;    /* returns of every point; NULL: `returns` */
     size_t returns;
+    int direction;         /* what is being computed */
     jlt_map *alone;  /* for orbits that go on by themselves */
     size_t *point;   /* in each lane, shape (BLOCK,) as those that follow */
     double *starts;  /* (BLOCK, columns) */
@@ -182,7 +183,7 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
 static void go_on(const worker *self, size_t lane)
 {
     double *varied = self->starts + lane * self->batch->columns, t = 0;
-    const jlt_status st = jlt_map_resume(self->alone, varied, &t, self->time_direction);
+    const jlt_status st = jlt_map_resume(self->alone, varied, &t, self->direction);
 
     self->out->status[self->point[lane]] = st;
     if (st == JLT_OK) arrive(self, lane, varied, varied[self->batch->columns - 1] + t);
@@ -196,16 +197,17 @@ static void go_alone(const worker *self, size_t point)
     jlt_image image;
 
     if (out->status[point] != JLT_OK) return;
-    out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->time_direction);
+    out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->direction);
     if (out->status[point] != JLT_OK) return;
     memcpy(out->q + point * d, image.q, d * sizeof *image.q);
     add(out, point, d, image.slope, image.T, image.expansion, image.determinant, image.defect);
 }
 
-/* Whether a point has made all its returns. */
-static bool is_done(const worker *self, size_t point, size_t number)
+/* Whether a point goes the way that is being computed, and has not made all its returns. */
+static bool is_due(const worker *self, size_t point, size_t number)
 {
-    return number >= (self->each != NULL ? self->each[point] : self->returns);
+    if (self->directions != NULL && self->directions[point] != self->direction) return false;
+    return number < (self->each != NULL ? self->each[point] : self->returns);
 }
 
 /* What orbits of points first .. first + count - 1 begin as; those without a state have their status. */
@@ -217,7 +219,7 @@ static size_t lift(const worker *self, size_t first, size_t count, size_t number
 
     for (size_t i = first; i < first + count; i++) {
         double *start = self->starts + lanes * columns;
-        if (out->status[i] != JLT_OK || is_done(self, i, number)) continue;
+        if (out->status[i] != JLT_OK || !is_due(self, i, number)) continue;
         out->status[i] = jlt_map_return_start(start, &self->flux[lanes], &self->batch->flow, out->q + i * d);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
@@ -232,9 +234,9 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
 {
     jlt_batch_map map = self->batch->map;
 
-    map.backwards = self->time_direction < 0;
+    map.backwards = self->direction < 0;
     for (size_t i = first; map.kernels == NULL && i < first + count; i++)
-        if (!is_done(self, i, number)) go_alone(self, i);
+        if (is_due(self, i, number)) go_alone(self, i);
     if (map.kernels == NULL) return JLT_OK;
     const size_t lanes = lift(self, first, count, number);
     if (lanes == 0) return JLT_OK;
@@ -244,31 +246,45 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
     return st;
 }
 
-/* Blocks of points, until *next has passed the last. */
-static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
+/* All returns of a block that go one way. */
+static jlt_status follow(worker *self, size_t first, size_t count, int direction)
 {
     jlt_status st = JLT_OK;
 
+    self->direction = direction;
+    for (size_t number = 0; number < self->returns && st == JLT_OK; number++) st = one_return(self, first, count, number);
+    return st;
+}
+
+/* Blocks of points, until *next has passed the last. */
+static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
+{
+    const int only = self->direction;
+    jlt_status st = JLT_OK;
+
     for (;;) {
-        const size_t first = __atomic_fetch_add(next, block, __ATOMIC_RELAXED);
+        const size_t first = __atomic_fetch_add(next, block, __ATOMIC_RELAXED), size = count - first < block ? count - first : block;
         if (first >= count || st != JLT_OK) return st;
-        for (size_t number = 0; number < self->returns && st == JLT_OK; number++)
-            st = one_return(self, first, count - first < block ? count - first : block, number);
+        for (int way = 1; way >= -1 && st == JLT_OK; way -= 2)
+            if (self->directions != NULL || way == only) st = follow(self, first, size, way);
     }
 }
 
 const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self) { return &self->flow; }
 
-/* returns: the most of any point. */
+/* returns: the most of any point; direction, unless directions tell. */
 static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns, const size_t *each,
-                        int time_direction)
+                        int direction, const int *directions)
 {
     const unsigned d = self->flow.chart->dim;
     const size_t share = (count + self->threads - 1) / self->threads, block = share < BLOCK ? share : BLOCK;
     size_t next = 0;
     int failure = JLT_OK;
 
-    if (time_direction != 1 && time_direction != -1) return JLT_ERR_ARG;
+    for (size_t i = 0; i < count; i++) {
+        const int way = directions != NULL ? directions[i] : direction;
+        if (way != 1 && way != -1) return JLT_ERR_ARG;
+    }
     if (count == 0) return JLT_OK;
     memmove(out->q, q, count * d * sizeof *q);
     for (size_t i = 0; i < count; i++) {
@@ -283,7 +299,8 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
     for (unsigned thread = 0; thread < self->threads; thread++) {
         worker *w = &self->workers[thread];
         w->out = out;
-        w->time_direction = time_direction;
+        w->direction = direction;
+        w->directions = directions;
         w->each = each;
         w->returns = returns;
         const int st = (int)work(w, count, block, &next);
@@ -295,15 +312,15 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
 jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns,
                                int time_direction)
 {
-    return returns == 0 ? JLT_ERR_ARG : apply(self, out, q, count, returns, NULL, time_direction);
+    return returns == 0 ? JLT_ERR_ARG : apply(self, out, q, count, returns, NULL, time_direction, NULL);
 }
 
 jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, const size_t *returns,
-                                    int time_direction)
+                                    const int *time_direction)
 {
     size_t most = 0;
 
     for (size_t i = 0; i < count; i++)
         if (returns[i] > most) most = returns[i];
-    return apply(self, out, q, count, most, returns, time_direction);
+    return apply(self, out, q, count, most, returns, 0, time_direction);
 }

@@ -42,9 +42,10 @@ void jlt_map_batch_images_clear(jlt_map_images *self); /* legal on zeroed ones *
 JLT_CHECKED jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns,
                                            int time_direction);
 
-/** The same with a number of returns, 0 or more, for each point: returns, shape (count,). Lanes are filled with those that go on. */
+/** The same with a number of returns, 0 or more, and a direction of time for each point: shape (count,). Lanes are filled with those that go
+ *  on in the same direction, of points that stand near each other. */
 JLT_CHECKED jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count,
-                                                const size_t *returns, int time_direction);
+                                                const size_t *returns, const int *time_direction);
 
 /** The flow as given. */
 const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self);

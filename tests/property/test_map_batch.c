@@ -210,11 +210,45 @@ static void points_that_no_lane_serves_go_by_themselves(void **unused)
     jlt_system_destroy(system);
 }
 
+/* Each point with returns and a direction of its own, by two threads, against all of them that way: the same bits. */
+static void images_do_not_depend_on_the_ways_of_others(void **unused)
+{
+    static double q[2 * POINTS_MAX];
+    static images mixed, alone;
+    size_t returns[POINTS_MAX];
+    int way[POINTS_MAX];
+    jlt_system *system = system_51(1e-12);
+    const jlt_map_images into = { mixed.status, mixed.q, mixed.slope, mixed.T, mixed.determinant, mixed.expansion, mixed.defect };
+    const jlt_map_images one = { alone.status, alone.q, alone.slope, alone.T, alone.determinant, alone.expansion, alone.defect };
+    const size_t count = whole_section(q);
+    jlt_map_batch *batch;
+
+    (void)unused;
+    assert_ok(jlt_map_batch_create(&batch, &system->flow, best(system), NULL, 2));
+    for (size_t i = 0; i < count; i++) {
+        returns[i] = i % 3;
+        way[i] = i % 5 < 2 ? -1 : 1;
+    }
+    assert_ok(jlt_map_batch_apply_each(batch, &into, q, count, returns, way));
+    for (int direction = -1; direction <= 1; direction += 2)
+        for (size_t made = 1; made <= 2; made++) {
+            assert_ok(jlt_map_batch_apply(batch, &one, q, count, made, direction));
+            for (size_t i = 0; i < count; i++)
+                if (way[i] == direction && returns[i] == made) assert_same_image(&mixed, i, &alone, i);
+        }
+    for (size_t i = 0; i < count; i += 3) assert_memory_equal(mixed.q + 2 * i, q + 2 * i, 2 * sizeof *q);
+    way[7] = 0;
+    assert_int_equal(jlt_map_batch_apply_each(batch, &into, q, count, returns, way), JLT_ERR_ARG);
+    jlt_map_batch_destroy(batch);
+    jlt_system_destroy(system);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(derivatives_match_quadruple_precision),
         cmocka_unit_test(images_do_not_depend_on_company_order_or_threads),
+        cmocka_unit_test(images_do_not_depend_on_the_ways_of_others),
         cmocka_unit_test(images_are_those_of_one_point_at_a_time),
         cmocka_unit_test(points_that_no_lane_serves_go_by_themselves),
     };
