@@ -184,8 +184,8 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads((int)o->motion.threads) schedule(dynamic, 1)
 #endif
-    for (size_t i = 0; i < count; i++)
-        if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion)) follow(&parts[i], o);
+    for (size_t i = count; i > 0; i--) /* the last methods take longest */
+        if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion)) follow(&parts[i - 1], o);
     jlt_progress_end(&r->progress);
     for (size_t i = 0; i < count; i++) {
         pass_on(r->file, &parts[i].file, (const char *const *)&parts[i].text[0]);

@@ -64,17 +64,17 @@ static jlt_status start(jlt_stepper *stepper)
 static jlt_status step(jlt_stepper *stepper, double limit)
 {
     gsl_state *self = stepper->state;
-    const double asked = fmin(stepper->h_next, stepper->max_step), reach = fmin(limit, stepper->max_step);
+    const double asked = jlt_smaller(stepper->h_next, stepper->max_step), reach = jlt_smaller(limit, stepper->max_step);
     double h = stepper->direction * asked, taken = 0;
 
     memcpy(self->trial, stepper->x, stepper->columns * sizeof *self->trial);
     const jlt_status st = jlt_gsl_ode_step(self->ode, self->trial, &h, &taken, &stepper->rejected,
-                                           stepper->direction * fmin(reach, 1e300));
+                                           stepper->direction * jlt_smaller(reach, 1e300));
     if (st != JLT_OK) return st;
     if (jlt_step_vanishes(stepper->tau, taken)) return JLT_ERR_NO_PROGRESS;
     stepper->h = taken;
     /* A step cut short by the limit alone says nothing against the longer one. */
-    stepper->h_next = reach < asked && fabs(taken) >= reach ? fmax(fabs(h), asked) : fabs(h);
+    stepper->h_next = reach < asked && fabs(taken) >= reach ? jlt_larger(fabs(h), asked) : fabs(h);
     memcpy(stepper->x_start, stepper->x, stepper->stride * sizeof *stepper->x);
     memcpy(stepper->f_start, stepper->f, stepper->stride * sizeof *stepper->f);
     memcpy(stepper->x, self->trial, stepper->columns * sizeof *stepper->x);
@@ -102,7 +102,7 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
 /* Only the slopes at the ends are at hand; four times the larger one is generous for steps under error control. */
 static double variation(const jlt_stepper *stepper, unsigned column)
 {
-    return 4 * fabs(stepper->h) * fmax(fabs(stepper->f_start[column]), fabs(stepper->f[column]));
+    return 4 * fabs(stepper->h) * jlt_larger(fabs(stepper->f_start[column]), fabs(stepper->f[column]));
 }
 
 static jlt_status create_rk8pd(jlt_stepper *stepper) { return create_kind(stepper, JLT_GSL_RK8PD); }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "integrate/step_control.h"
+
 enum { COUNT = JLT_INVARIANTS_MAX };
 
 void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, const double *x)
@@ -72,8 +74,8 @@ jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invaria
 
     of->values(stepper->x, of->p, now);
     for (unsigned i = 0; i < of->count; i++) {
-        const double unit = fmax(1, fabs(self->level[i])), drift = fabs(now[i] - self->level[i]) / unit;
-        self->drift[i] = fmax(self->drift[i], drift);
+        const double unit = jlt_larger(fabs(self->level[i]), 1), drift = fabs(now[i] - self->level[i]) / unit;
+        self->drift[i] = jlt_larger(drift, self->drift[i]);
         off = off || drift > 4 * DBL_EPSILON;
     }
     if (!project || !off) return JLT_OK;

@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "integrate/locate.h"
 #include "integrate/pole.h"
+#include "integrate/step_control.h"
 
 static const double default_tolerance = 1e-12;
 static const size_t default_steps = 10000000;
@@ -177,7 +178,7 @@ static double time_at_start(const jlt_stepper *stepper)
 static bool at_time(const jlt_stepper *stepper, double t)
 {
     const double now = jlt_stepper_time(stepper);
-    return fabs(now - t) <= 4 * DBL_EPSILON * fmax(fabs(now), fabs(stepper->h));
+    return fabs(now - t) <= 4 * DBL_EPSILON * jlt_larger(fabs(now), fabs(stepper->h));
 }
 
 /* The state at physical time t_end inside the last step. */
@@ -302,7 +303,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
         }
         /* In its own time a step ends at t_end at the latest: there may be no field beyond. */
         const double limit = stepper->columns > stepper->field->dim ? INFINITY : fabs(t_end - stepper->tau);
-        JLT_TRY(advance(self, fmin(limit, longest_step(self))));
+        JLT_TRY(advance(self, jlt_smaller(limit, longest_step(self))));
         if (self->observer != NULL && self->observer(self->observer_context, self) != 0) {
             hand_out_point(self, out, JLT_END_OBSERVER);
             return JLT_OK;

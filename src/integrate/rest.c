@@ -3,12 +3,13 @@
 #include <math.h>
 
 #include "integrate/locate.h"
+#include "integrate/step_control.h"
 
 enum { SLOW_STEPS = 64 /* some turns of a spiral */, LOOK_STEPS = 1024 };
 
 double jlt_rest_slow(double tolerance)
 {
-    return fmax(JLT_REST_STILL, fmin(1e3 * tolerance, 1e-6));
+    return jlt_larger(JLT_REST_STILL, jlt_smaller(1e3 * tolerance, 1e-6));
 }
 
 static bool slower(const double *f, const double *x, unsigned count, double speed)

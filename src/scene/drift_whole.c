@@ -109,9 +109,11 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
 {
     const jlt_flow *flow = &self->system->flow;
     const jlt_event section = { .column = whole->column, .level = whole->level, .direction = flow->direction };
+    const jlt_invariants none = { .count = 0 };
     const jlt_options to_orbit = { .tolerance = flow->tolerance, .interrupt = flow->interrupt,
                                    .max_steps = 100000, /* of one return, as on sections */
-                                   .invariants = whole->invariants, .project = project };
+                                   .invariants = project ? whole->invariants : none, /* they are looked at on the section */
+                                   .project = project };
     rest_watch rest;
     double now[JLT_INVARIANTS_MAX];
     jlt_orbit *orbit = NULL;
