@@ -111,6 +111,18 @@ typedef struct {
 
 enum { JLT_ISA_COUNT = 3 };
 
+/* The batched kernels called `name`, of every instruction set; with JLT_LANES_ALONE defined, as 2, 4 or 8, of that with so many lanes:
+ * the other files batch_*.c are then not needed. */
+#ifndef JLT_LANES_ALONE
+#define JLT_BATCHES(name) &name##_baseline, &name##_avx2, &name##_avx512
+#elif JLT_LANES_ALONE == 2
+#define JLT_BATCHES(name) [0] = &name##_baseline
+#elif JLT_LANES_ALONE == 4
+#define JLT_BATCHES(name) [1] = &name##_avx2
+#else
+#define JLT_BATCHES(name) [2] = &name##_avx512
+#endif
+
 typedef struct {
     const char *name;
     const char *condition; /* the `when` clause, "" when it holds always */
@@ -283,7 +295,8 @@ typedef struct jlt_descriptor {
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file
-                                                       was compiled with JLT_WITHOUT_LANES */
+                                                       was compiled with JLT_WITHOUT_LANES, or JLT_LANES_ALONE
+                                                       names another */
 
     const struct jlt_ball_table *balls; /* kernel_ball.h: of this time and elimination, for all variants; NULL where the file was
                                            compiled with JLT_WITHOUT_BALLS */

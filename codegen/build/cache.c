@@ -1,6 +1,7 @@
 #define _XOPEN_SOURCE 700 /* nftw */
 #define _DEFAULT_SOURCE  /* flock */
 #include "build/cache.h"
+#include "base/sha256.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -64,10 +65,50 @@ void ttc_cache_close(ttc_cache *cache)
 
 char *ttc_cache_path(const ttc_cache *cache, const char *key) { return joined(cache->folder, key, ".so"); }
 
+/* All of a file, for the caller to free; NULL: errno says why. */
+static char *read_all(const char *path, size_t *length)
+{
+    FILE *file = fopen(path, "rb");
+    struct stat found;
+    char *bytes = NULL;
+    if (file == NULL) return NULL;
+    if (fstat(fileno(file), &found) == 0 && found.st_size > 0) bytes = malloc((size_t)found.st_size);
+    if (bytes != NULL) *length = fread(bytes, 1, (size_t)found.st_size, file);
+    fclose(file);
+    return bytes;
+}
+
+enum { SEAL = 64 }; /* digits of SHA-256, after the last byte that the loader looks at */
+
+bool ttc_cache_seal(const char *path)
+{
+    char digest[SEAL + 1];
+    size_t length = 0;
+    char *bytes = read_all(path, &length);
+    FILE *file = bytes == NULL ? NULL : fopen(path, "ab");
+    if (bytes != NULL) ttc_sha256(digest, bytes, length);
+    free(bytes);
+    if (file == NULL) return false;
+    const bool written = fwrite(digest, 1, SEAL, file) == SEAL;
+    return fclose(file) == 0 && written;
+}
+
+static bool is_whole(const char *path)
+{
+    char digest[SEAL + 1];
+    size_t length = 0;
+    char *bytes = read_all(path, &length);
+    bool whole = bytes != NULL && length > SEAL;
+    if (whole) ttc_sha256(digest, bytes, length - SEAL);
+    whole = whole && memcmp(digest, bytes + length - SEAL, SEAL) == 0;
+    free(bytes);
+    return whole;
+}
+
 bool ttc_cache_has(const char *path)
 {
     struct stat found;
-    if (lstat(path, &found) != 0 || !S_ISREG(found.st_mode) || !is_private(&found)) return false;
+    if (lstat(path, &found) != 0 || !S_ISREG(found.st_mode) || !is_private(&found) || !is_whole(path)) return false;
     utimensat(AT_FDCWD, path, NULL, 0);
     return true;
 }

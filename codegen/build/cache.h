@@ -19,7 +19,11 @@ void ttc_cache_close(ttc_cache *cache); /* legal on a zeroed one; releases the l
 /** Path of an entry, KEY.so, for the caller to free; NULL when memory is out. */
 char *ttc_cache_path(const ttc_cache *cache, const char *key);
 
-/** Whether there is such an entry, the user's own and writable by nobody else. It is then marked as used. */
+/** Append to an object the digest of what it holds, by which the next function knows that it is whole. False: errno says why. */
+bool ttc_cache_seal(const char *path);
+
+/** Whether there is such an entry, the user's own, writable by nobody else, and as it was sealed: what a full disk or a crash cut off
+ *  would end whoever loads it. It is then marked as used. Cost: the file is read. */
 bool ttc_cache_has(const char *path);
 
 /** Wait until no other process makes an entry of this key. False: the lock cannot be had, errno says why. */

@@ -19,18 +19,23 @@
 static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off" };
 static const char without_lanes[] = "-DJLT_WITHOUT_LANES";
 
-/* What a file of one instruction set is compiled with; which set runs is decided where the object is loaded. */
-static const struct {
-    const char *file;
+/* The file of one instruction set, what it is compiled with, and what tells the others that it is the only one. Its caller knows whether
+ * the processor has the set. */
+typedef struct {
+    unsigned lanes;
+    const char *file, *alone;
     const char *flags[6];
-} sets[] = {
-    { "batch_baseline.c", { "-O2" } },
+} lane_set;
+
+static const lane_set sets[] = {
+    { 2, "batch_baseline.c", "-DJLT_LANES_ALONE=2", { "-O2" } },
 #if defined(__x86_64__)
-    { "batch_avx2.c", { "-O2", "-mavx2", "-mfma" } },
-    { "batch_avx512.c", { "-O2", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512" } },
+    { 4, "batch_avx2.c", "-DJLT_LANES_ALONE=4", { "-O2", "-mavx2", "-mfma" } },
+    { 8, "batch_avx512.c", "-DJLT_LANES_ALONE=8",
+      { "-O2", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512" } },
 #else
-    { "batch_avx2.c", { "-O2" } },
-    { "batch_avx512.c", { "-O2" } },
+    { 4, "batch_avx2.c", "-DJLT_LANES_ALONE=4", { "-O2" } },
+    { 8, "batch_avx512.c", "-DJLT_LANES_ALONE=8", { "-O2" } },
 #endif
 };
 enum { SET_COUNT = sizeof sets / sizeof *sets, SET_FLAGS = 6 };
@@ -50,13 +55,21 @@ static const char *arb_library(void)
     return strstr(where.dli_fname, ".so") != NULL ? where.dli_fname : NULL;
 }
 
-void ttc_compiler_add_flags(ttc_text *text, bool lanes)
+/* NULL: no vectors. */
+static const lane_set *set_of(unsigned lanes)
+{
+    for (size_t i = 0; i < SET_COUNT; i++)
+        if (sets[i].lanes == lanes) return sets + i;
+    return NULL;
+}
+
+void ttc_compiler_add_flags(ttc_text *text, unsigned lanes)
 {
     const char *arb = arb_library();
+    const lane_set *set = set_of(lanes);
     for (size_t i = 0; i < FLAG_COUNT; i++) ttc_text_format(text, "%s ", flags[i]);
-    if (!lanes) ttc_text_format(text, "%s ", without_lanes);
-    for (size_t i = 0; lanes && i < SET_COUNT; i++)
-        for (size_t k = 0; k < SET_FLAGS && sets[i].flags[k] != NULL; k++) ttc_text_format(text, "%s ", sets[i].flags[k]);
+    ttc_text_format(text, "%s ", set == NULL ? without_lanes : set->alone);
+    for (size_t k = 0; set != NULL && k < SET_FLAGS && set->flags[k] != NULL; k++) ttc_text_format(text, "%s ", set->flags[k]);
     for (size_t i = 0; i < LINK_FLAG_COUNT; i++) ttc_text_format(text, "%s ", link_flags[i]);
     if (arb != NULL) ttc_text_format(text, "%s ", arb);
 }
@@ -108,10 +121,22 @@ static char *join(const char *folder, const char *name, const char *extension)
     return text.failed ? NULL : text.bytes;
 }
 
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+static bool holds_lanes(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return strncmp(slash == NULL ? path : slash + 1, "batch_", 6) == 0;
+}
 
-/* Every .c file but those that hold lanes where none are wanted, or need Arb where it is not there. */
-static bool list_folder(file_list *list, const char *folder, bool into, bool lanes, bool balls)
+/* The vectors' file first, which takes as long as all others together: those are compiled beside it. */
+static int in_turn(const void *a, const void *b)
+{
+    const char *left = *(char *const *)a, *right = *(char *const *)b;
+    const int order = holds_lanes(right) - holds_lanes(left);
+    return order != 0 ? order : strcmp(left, right);
+}
+
+/* Every .c file but those that hold other lanes than those wanted, or need Arb where it is not there. set: NULL for no lanes. */
+static bool list_folder(file_list *list, const char *folder, bool into, const lane_set *set, bool balls)
 {
     DIR *open = opendir(folder);
     bool ok = open != NULL;
@@ -121,9 +146,9 @@ static bool list_folder(file_list *list, const char *folder, bool into, bool lan
         if (*entry->d_name == '.') continue;
         char *path = join(folder, entry->d_name, "");
         ok = path != NULL && stat(path, &kind) == 0;
-        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, lanes, balls);
+        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, set, balls);
         else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
-                 && (lanes || strncmp(entry->d_name, "batch_", 6) != 0) && (balls || strstr(entry->d_name, "ball") == NULL)) {
+                 && (!holds_lanes(path) || (set != NULL && strcmp(entry->d_name, set->file) == 0)) && (balls || strstr(entry->d_name, "ball") == NULL)) {
             ok = add_file(list, path);
             path = NULL;
         }
@@ -152,15 +177,14 @@ static pid_t start(const char *compiler, char *const *arguments, bool in_silence
     _exit(127);
 }
 
-static pid_t compile_one(const char *compiler, const char *include, bool lanes, bool balls, char *source, char *object)
+static pid_t compile_one(const char *compiler, const char *include, const lane_set *set, bool balls, char *source, char *object)
 {
-    const char *arguments[FLAG_COUNT + SET_FLAGS + 9] = { compiler }, *name = strrchr(source, '/');
+    const char *arguments[FLAG_COUNT + SET_FLAGS + 9] = { compiler };
     size_t n = 1;
     for (size_t i = 0; i < FLAG_COUNT; i++) arguments[n++] = flags[i];
-    if (!lanes) arguments[n++] = without_lanes;
-    for (size_t i = 0; i < SET_COUNT; i++)
-        for (size_t k = 0; name != NULL && strcmp(name + 1, sets[i].file) == 0 && k < SET_FLAGS && sets[i].flags[k] != NULL; k++)
-            arguments[n++] = sets[i].flags[k];
+    arguments[n++] = set == NULL ? without_lanes : set->alone;
+    for (size_t k = 0; set != NULL && holds_lanes(source) && k < SET_FLAGS && set->flags[k] != NULL; k++)
+        arguments[n++] = set->flags[k];
     if (!balls) arguments[n++] = "-DJLT_WITHOUT_BALLS";
     arguments[n++] = include;
     arguments[n++] = "-c";
@@ -190,13 +214,14 @@ static size_t processors(void)
 static bool has_arb(const char *compiler, const char *folder)
 {
     char *header = join(folder, "kernel_ball.h", "");
-    const char *const arguments[] = { compiler, "-fsyntax-only", "-w", "-x", "c", header, NULL };
+    const char *const arguments[] = { compiler, "-E", "-w", "-x", "c", header, NULL };
     const bool found = header != NULL && start(compiler, (char *const *)arguments, true) > 0 && finish_one();
     free(header);
     return found;
 }
 
-static bool compile_all(const char *compiler, const char *folder, bool lanes, bool balls, const file_list *sources, const file_list *objects)
+static bool compile_all(const char *compiler, const char *folder, const lane_set *set, bool balls, const file_list *sources,
+                        const file_list *objects)
 {
     const size_t most = processors();
     size_t running = 0;
@@ -208,7 +233,7 @@ static bool compile_all(const char *compiler, const char *folder, bool lanes, bo
             ok = finish_one();
             running--;
         }
-        if (ok) ok = compile_one(compiler, option.bytes, lanes, balls, sources->names[i], objects->names[i]) > 0;
+        if (ok) ok = compile_one(compiler, option.bytes, set, balls, sources->names[i], objects->names[i]) > 0;
         if (ok) running++;
     }
     for (; running > 0; running--) ok = finish_one() && ok;
@@ -235,18 +260,20 @@ static bool link_all(const char *compiler, const file_list *objects, bool balls,
     return ok;
 }
 
-bool ttc_compile_folder(const char *compiler, const char *folder, bool lanes, const char *target)
+bool ttc_compile_folder(const char *compiler, const char *folder, unsigned lanes, const char *target)
 {
     file_list sources = { 0 }, objects = { 0 };
+    const lane_set *set = set_of(lanes);
     const bool balls = has_arb(compiler, folder);
-    bool ok = list_folder(&sources, folder, true, lanes, balls);
-    if (ok) qsort(sources.names, sources.count, sizeof *sources.names, by_name);
+    bool ok = list_folder(&sources, folder, true, set, balls);
+    if (ok) qsort(sources.names, sources.count, sizeof *sources.names, in_turn);
     for (size_t i = 0; ok && i < sources.count; i++) {
         char *object = strdup(sources.names[i]);
         if (object != NULL) object[strlen(object) - 1] = 'o';
         ok = add_file(&objects, object);
     }
-    ok = ok && sources.count > 0 && compile_all(compiler, folder, lanes, balls, &sources, &objects) && link_all(compiler, &objects, balls, target);
+    ok = ok && sources.count > 0 && compile_all(compiler, folder, set, balls, &sources, &objects)
+         && link_all(compiler, &objects, balls, target);
     free_list(&objects);
     free_list(&sources);
     return ok;

@@ -33,7 +33,7 @@ typedef struct {
     bool seeded; /* it was given */
     bool keep;     /* tables whose kernels are there already keep them */
     bool unproved; /* write kernels that rest on claims without a proof */
-    bool lanes;    /* compile kernels on vectors as well */
+    unsigned lanes; /* compile kernels on vectors of 2, 4 or 8 numbers as well; 0: none */
     ttc_effort effort;
     ttc_catalogue_extent extent;
     int degree;        /* of an ansatz */

@@ -24,7 +24,7 @@ static void add_identity(ttc_text *key, const char *path)
 
 /* Everything that decides on the object: ttc, compiler, flags, the table, and those that its claims lead to. False: one of these is
  * wrong, which is to be told again. */
-static bool make_key(char digest[65], const ttc_model *model, const char *compiler, bool lanes)
+static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
 {
     bool good = true;
     ttc_text key = { 0 };
@@ -77,7 +77,7 @@ static int make(ttc_cache *cache, const char *key, const char *path, const char 
     int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate(&generate);
     if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, options->lanes, object.bytes))
         status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
-    if (status == TTC_EXIT_DONE && (chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
+    if (status == TTC_EXIT_DONE && (!ttc_cache_seal(object.bytes) || chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
         status = fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
     ttc_text_clear(&object);
     ttc_cache_clear_workshop(workshop);

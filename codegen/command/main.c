@@ -48,7 +48,8 @@ static const struct argp_option generate_options[] = {
     END_OF_OPTIONS
 };
 static const struct argp_option build_options[] = {
-    { "lanes", OPTION_LANES, NULL, 0, "Kernels on vectors as well, which follow many orbits at once", 0 },
+    { "lanes", OPTION_LANES, "2|4|8", 0, "Kernels on vectors of so many numbers as well, which follow many orbits at once; 4 is for "
+                                         "processors with AVX2, 8 with AVX-512", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option discover_options[] = {
@@ -172,7 +173,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         options->unproved = true;
         return 0;
     case OPTION_LANES:
-        options->lanes = true;
+        options->lanes = (unsigned)parse_number(argument, 2, 8, state);
+        if (options->lanes != 2 && options->lanes != 4 && options->lanes != 8)
+            argp_error(state, "there are no vectors of %s (expected 2, 4 or 8)", argument);
         return 0;
     case OPTION_OUT:
         options->out = argument;

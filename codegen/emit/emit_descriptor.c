@@ -252,13 +252,10 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
     ttc_text_add(text, "#ifndef JLT_WITHOUT_BALLS\n    .balls = &");
     ttc_emit_ball_name(text, field);
     ttc_text_add(text, ",\n#endif\n");
-    ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n#ifndef JLT_WITHOUT_LANES\n    .batches = {\n");
-    for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
-        ttc_text_format(text, "        &jlt_batch_%s_", model->name);
-        ttc_emit_stem(text, field);
-        ttc_text_format(text, "_%s,\n", ttc_isa_names[isa]);
-    }
-    ttc_text_add(text, "    },\n#endif\n};\n");
+    ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n#ifndef JLT_WITHOUT_LANES\n");
+    ttc_text_format(text, "    .batches = { JLT_BATCHES(jlt_batch_%s_", model->name);
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, ") },\n#endif\n};\n");
 }
 
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)

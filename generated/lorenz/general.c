@@ -292,10 +292,6 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_lorenz_general_baseline,
-        &jlt_batch_lorenz_general_avx2,
-        &jlt_batch_lorenz_general_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_lorenz_general) },
 #endif
 };

@@ -458,10 +458,6 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_restricted_three_body_general_baseline,
-        &jlt_batch_restricted_three_body_general_avx2,
-        &jlt_batch_restricted_three_body_general_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_restricted_three_body_general) },
 #endif
 };

@@ -1002,10 +1002,6 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_routh_sphere_general_baseline,
-        &jlt_batch_routh_sphere_general_avx2,
-        &jlt_batch_routh_sphere_general_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_routh_sphere_general) },
 #endif
 };

@@ -632,10 +632,6 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_spherical_top_balanced_equal_in_regular_baseline,
-        &jlt_batch_spherical_top_balanced_equal_in_regular_avx2,
-        &jlt_batch_spherical_top_balanced_equal_in_regular_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_spherical_top_balanced_equal_in_regular) },
 #endif
 };

@@ -549,10 +549,6 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_omega3 = 
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_spherical_top_balanced_equal_on_level_omega3_baseline,
-        &jlt_batch_spherical_top_balanced_equal_on_level_omega3_avx2,
-        &jlt_batch_spherical_top_balanced_equal_on_level_omega3_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_spherical_top_balanced_equal_on_level_omega3) },
 #endif
 };

@@ -765,10 +765,6 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega_n = {
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_spherical_top_general_on_level_omega_n_baseline,
-        &jlt_batch_spherical_top_general_on_level_omega_n_avx2,
-        &jlt_batch_spherical_top_general_on_level_omega_n_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_spherical_top_general_on_level_omega_n) },
 #endif
 };

@@ -503,10 +503,6 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES
-    .batches = {
-        &jlt_batch_spherical_top_level_rod_baseline,
-        &jlt_batch_spherical_top_level_rod_avx2,
-        &jlt_batch_spherical_top_level_rod_avx512,
-    },
+    .batches = { JLT_BATCHES(jlt_batch_spherical_top_level_rod) },
 #endif
 };

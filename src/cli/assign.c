@@ -55,6 +55,28 @@ jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *o
     return JLT_EXIT_DONE;
 }
 
+jlt_exit jlt_assign_replace(jlt_assign_list *list, const char *text, const char *option)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < list->count; i++) {
+        const size_t length = strlen(list->items[i].name);
+        bool is_named = false;
+        for (const char *at = text; at != NULL && !is_named; at = strchr(at, ',')) {
+            at += *at == ',';
+            is_named = strncmp(at, list->items[i].name, length) == 0 && at[length] == '=';
+        }
+        if (!is_named) {
+            list->items[kept++] = list->items[i];
+            continue;
+        }
+        free(list->items[i].name);
+        free(list->items[i].fraction);
+    }
+    list->count = kept;
+    return jlt_assign_parse(list, text, option);
+}
+
 void jlt_assign_clear(jlt_assign_list *list)
 {
     for (size_t i = 0; i < list->count; i++) {

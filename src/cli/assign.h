@@ -21,6 +21,9 @@ typedef struct {
 /** Add the assignments in `text` to a list (zeroed before first use). Says what is wrong on standard error, naming `option`;
  *  the list then keeps what it had or some of the new items, and is still to be cleared. */
 jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *option);
+
+/** The same, in place of what the list has for these names. */
+jlt_exit jlt_assign_replace(jlt_assign_list *list, const char *text, const char *option);
 void jlt_assign_clear(jlt_assign_list *list);
 
 /** Give values to quantities by name; later ones win. `given`, shape (count,), or NULL, is set to 1 where a value was

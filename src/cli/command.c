@@ -75,6 +75,7 @@ char *jlt_command_line(int argc, char **argv)
 
     if (stream == NULL) return NULL;
     for (int i = 0; i < argc; i++) {
+        if (strncmp(argv[i], JLT_COMMAND_HIDDEN, strlen(JLT_COMMAND_HIDDEN)) == 0) continue;
         const bool bare = i == 0 || (argv[i][0] != '\0' && argv[i][strspn(argv[i], plain)] == '\0');
         if (i > 0) fputc(' ', stream);
         if (!bare) fputc('\'', stream);

@@ -56,6 +56,9 @@ jlt_exit jlt_command_cannot_write(const char *path); /* the reason is errno */
 /* The exit status that a library status calls for. */
 jlt_exit jlt_command_exit(jlt_status status);
 
+/* What options begin with that the program gives to its commands itself; no abbreviation of another leads there. */
+#define JLT_COMMAND_HIDDEN "--@"
+
 /* The command as typed, for headers of files; for the caller to free(). NULL when memory is out. */
 char *jlt_command_line(int argc, char **argv);
 

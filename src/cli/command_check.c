@@ -74,7 +74,7 @@ static jlt_exit run(int argc, char **argv)
     options o = { 0 };
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (o.model != NULL) code = jlt_table_open(&own, o.model, false);
+    if (o.model != NULL) code = jlt_table_open(&own, &(bool){ false }, o.model, false);
     if (code != JLT_EXIT_DONE) return code;
     for (size_t i = 0; i < o.count; i++) {
         const jlt_exit one = check(o.files[i], own);

@@ -1,5 +1,6 @@
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
+#include "cli/swept.h"
 #include "dynamics/tree.h"
 #include "report/csv.h"
 
@@ -37,6 +38,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &o->motion, state->child_inputs[1] = &o->motion.common;
+        state->child_inputs[2] = &o->motion.common;
         return 0;
     case ALONG: o->along = value; return 0;
     case 'a': o->start = value; return 0;
@@ -53,7 +55,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -250,6 +253,8 @@ static bool is_column(const char *name)
     return false;
 }
 
+static const jlt_swept_form swept = { &jlt_command_continue, true, 4 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
@@ -264,6 +269,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.flow.max_steps = 20000;
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;

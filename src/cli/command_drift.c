@@ -1,5 +1,6 @@
 #include "cli/motion_many.h"
 #include "cli/progress.h"
+#include "cli/swept.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/symbol.h"
@@ -53,7 +54,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
+        state->child_inputs[2] = &o->motion.common;
+        return 0;
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case PROJECT: o->project = true; return 0;
@@ -62,7 +66,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -293,12 +298,17 @@ static void write_header(const report *r, const options *o)
     FILE *file = r->file;
 
     if (r->whole.instance != NULL) {
-        const double *levels = r->drift.system->values + surface->params;
+        double levels[JLT_CHART_VALUES_MAX], *params = jlt_common_steady(&o->motion.common, r->whole.instance->descriptor, r->whole.instance->params);
+        if (params == NULL) return;
+        for (unsigned k = 0; k < r->drift.count; k++)
+            levels[k] = jlt_common_runs(&o->motion.common, r->names[k]) ? NAN : r->drift.system->values[surface->params + k];
         jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->whole.instance->descriptor,
-                                                  .params = r->whole.instance->params, .level_count = r->drift.count,
+                                                  .params = params, .level_count = r->drift.count,
                                                   .level_names = r->names, .levels = levels });
+        free(params);
         fputs("# levels", file);
-        for (unsigned k = 0; k < r->drift.count; k++) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
+        for (unsigned k = 0; k < r->drift.count; k++)
+            if (!isnan(levels[k])) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
         fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->start, o->motion.flow.tolerance,
                 o->project ? ", projected" : "");
     } else {
@@ -309,6 +319,8 @@ static void write_header(const report *r, const options *o)
     for (unsigned k = 0; k < r->drift.count; k++) fprintf(file, ",drift_%s", r->names[k]);
     fputc('\n', file);
 }
+
+static const jlt_swept_form swept = { &jlt_command_drift, true, 4 };
 
 static jlt_exit run(int argc, char **argv)
 {
@@ -323,6 +335,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);

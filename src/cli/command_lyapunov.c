@@ -1,5 +1,6 @@
 #include "cli/motion_map.h"
 #include "cli/progress.h"
+#include "cli/swept.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/map_batch.h"
 #include "kernel/batch_isa.h"
@@ -36,6 +37,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &o->motion;
         state->child_inputs[1] = &o->motion.common;
+        state->child_inputs[2] = &o->motion.common;
         return 0;
     case 'a': o->start = value; return 0;
     case 'g': o->grid = value; return 0;
@@ -45,14 +47,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
         if (o->grid == NULL && o->threads > 0) argp_error(state, "--threads are of a chart: add --grid");
-        if (o->grid == NULL && o->motion.common.axes != NULL) argp_error(state, "--axes are those of a chart: add --grid");
-        if (o->grid == NULL) jlt_plot_check_log(&o->motion.common, "x", state);
+        if (o->grid == NULL && o->motion.common.axes != NULL && o->motion.common.sweep == NULL)
+            argp_error(state, "--axes are those of a chart: add --grid");
+        if (o->grid == NULL && o->motion.common.sweep == NULL) jlt_plot_check_log(&o->motion.common, "x", state);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -60,10 +64,11 @@ static const struct argp parser = {
     "exponents over the section. The exponents of the flow's direction and across the levels are zero and not shown."
     "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
     "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: the coordinates, exponent, t; "
-    "orbits that end before N returns have an empty exponent. Starts go many at once, by a method chosen by --tol, or by --method one at a "
+    "orbits that end before N returns have an empty exponent. With --sweep a history is its last row. Starts go many at once, by a method chosen by --tol, or by --method one at a "
     "time.\n\n"
     "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 \\\n"
     "    --plot history.svg\n"
+    "  jellett lyapunov --sweep a3=0.4:0.6:101 --returns 2000 --plot over.svg\n"
     "  jellett lyapunov --grid 200x150 --returns 5 --plot chart.png > chart.csv",
     children, NULL, NULL,
 };
@@ -92,6 +97,7 @@ static int observe(void *context, const jlt_lyapunov_state *state)
     history *self = context;
 
     jlt_progress_show(&self->progress, state->returns, self->o->returns);
+    if (self->o->motion.common.at_point) return jlt_motion_interrupted(&self->o->motion); /* the last row alone is written */
     if (state->returns >= self->next || state->returns == self->o->returns) {
         write_state(self->file, state, self->dim);
         if (self->points != NULL) {
@@ -161,6 +167,7 @@ static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
     st = skip(map, q, o);
     if (st == JLT_OK) st = jlt_lyapunov_run(map, &state, q, o->returns, observe, &self);
     jlt_progress_end(&self.progress);
+    if (o->motion.common.at_point && state.returns > 0) write_state(self.file, &state, self.dim);
     if (jlt_motion_interrupted(&o->motion)) {
         fprintf(stderr, "jellett: interrupted after %zu returns; whole rows are saved in %s\n", state.returns, o->motion.common.table.path);
         return JLT_EXIT_DONE;
@@ -253,6 +260,8 @@ static jlt_status open_maps(jlt_map_batch **out, options *o, const jlt_system *s
     return st;
 }
 
+static const jlt_swept_form swept = { &jlt_command_lyapunov, true, 2 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .start = NULL };
@@ -268,6 +277,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;
     o.motion.begins.grid = o.grid;

@@ -1,4 +1,5 @@
 #include "cli/motion_many.h"
+#include "cli/swept.h"
 #include "dynamics/separatrices.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -36,7 +37,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
+        state->child_inputs[2] = &o->motion.common;
+        return 0;
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case LENGTH: jlt_common_positive(&o->growth.length_max, value, "--length"); return 0;
@@ -53,13 +57,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case NO_CROSSINGS: o->no_crossings = true; return 0;
     case ARGP_KEY_END:
         if (o->no_crossings && o->points != NULL) argp_error(state, "--crossings and --no-crossings exclude each other");
+        if (o->points != NULL && o->motion.common.sweep != NULL)
+            argp_error(state, "--crossings: one file for all points of --sweep: leave it out");
         jlt_common_check_files(&o->motion.common, "--crossings", o->points);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -179,6 +186,8 @@ static jlt_exit save(jlt_stream *crossings, options *o, const jlt_system *system
     return code;
 }
 
+static const jlt_swept_form swept = { &jlt_command_manifolds, true, 4 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .seed = 1e-4 };
@@ -198,6 +207,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.motion.common.lanes = o.motion.flow.method == NULL;
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;

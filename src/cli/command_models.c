@@ -235,7 +235,7 @@ static jlt_exit run(int argc, char **argv)
     if (o.json) all = json_array();
     if (o.model != NULL) {
         const jlt_descriptor *model;
-        const jlt_exit code = jlt_table_open(&model, o.model, false);
+        const jlt_exit code = jlt_table_open(&model, &(bool){ false }, o.model, false);
         if (code != JLT_EXIT_DONE) {
             json_decref(all);
             jlt_command_discard(&output);

@@ -1,6 +1,7 @@
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
 #include "cli/progress.h"
+#include "cli/swept.h"
 #include "dynamics/orbits.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -43,6 +44,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &o->motion;
         state->child_inputs[1] = &o->motion.common;
+        state->child_inputs[2] = &o->motion.common;
         return 0;
     case 'n': jlt_common_count(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case 'g': o->grid = value; return 0;
@@ -62,7 +64,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -252,6 +255,8 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
     return jlt_plot_draw(&plot);
 }
 
+static const jlt_swept_form swept = { &jlt_command_orbits, true, 1 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .period_max = 3, .samples = 1000, .near = 0.6, .settle = 20, .threads = jlt_common_processors() };
@@ -266,6 +271,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.begins.starts = &o.start;
     o.motion.begins.start_count = o.start != NULL;
     if (!searches_nowhere(&o)) o.motion.begins.grid = o.grid;

@@ -11,28 +11,42 @@
 #include "scene/tier.h"
 #include "top/top.h"
 
+typedef struct {
+    const char *scene;
+    jlt_assign_list set;
+} options;
+
+static const struct argp_option option_table[] = {
+    { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's, in all of its commands", 0 },
+    { 0 },
+};
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    const char **scene = state->input;
+    options *o = state->input;
 
     switch (key) {
+    case 's': jlt_common_list(&o->set, value, "--set"); return 0;
     case ARGP_KEY_ARG:
-        if (*scene != NULL) argp_error(state, "one scene at a time: '%s' is too many", value);
-        *scene = value;
+        if (o->scene != NULL) argp_error(state, "one scene at a time: '%s' is too many", value);
+        o->scene = value;
+        return 0;
+    case ARGP_KEY_END:
+        if (o->set.count > 0 && o->scene == NULL) argp_error(state, "--set is of a scene's commands: name a scene");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
 static const struct argp parser = {
-    NULL, parse, "[SCENE]\nCOMMAND OPTION...",
+    option_table, parse, "[SCENE]\nCOMMAND OPTION...",
     "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel for the "
     "parameters and the operations of one call of its right-hand side; on a section, its levels, what is proved of them, where "
     "orbits start, and what follows them; a start that is refused is told. Nothing more is computed. Without either: the tiers there "
     "are."
     "\v  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
-    "  jellett plan tools/scenes/full.scene",
+    "  jellett plan tools/scenes/full.scene --set a3=0",
     NULL, NULL, NULL,
 };
 
@@ -98,7 +112,7 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
 
 static jlt_exit run(int argc, char **argv)
 {
-    const char *path = NULL;
+    options o = { .scene = NULL };
     char message[JLT_SCENE_MESSAGE_MAX];
     jlt_scene *scene = NULL;
     jlt_exit code = JLT_EXIT_DONE;
@@ -106,23 +120,27 @@ static jlt_exit run(int argc, char **argv)
 
     const jlt_command *command = argc > 1 ? jlt_command_find(argv[1]) : NULL;
     if (command != NULL) return plan_command(command, argc - 1, argv + 1);
-    argp_parse(&parser, argc, argv, 0, NULL, &path);
-    if (path == NULL) {
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (o.scene == NULL) {
         print_tiers();
         return JLT_EXIT_DONE;
     }
+    const char *path = o.scene;
     st = jlt_scene_read(&scene, message, path, &jlt_job_program);
     if (st != JLT_OK) {
         if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         if (st == JLT_ERR_IO && strpbrk(path, "/.") == NULL) fprintf(stderr, "jellett: nor is there a command '%s'\n", path);
+        jlt_assign_clear(&o.set);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
-    if (scene->title[0] != '\0') printf("%s\n", scene->title);
+    code = jlt_job_set(scene, &o.set);
+    if (code == JLT_EXIT_DONE && scene->title[0] != '\0') printf("%s\n", scene->title);
     for (size_t k = 0; code == JLT_EXIT_DONE && k < scene->count; k++) code = plan_job(scene, k);
     jlt_scene_destroy(scene);
+    jlt_assign_clear(&o.set);
     return code;
 }
 
 const jlt_command jlt_command_plan = {
-    "plan", "[SCENE]|COMMAND OPTION...", "Which model a command gets, or each part of a scene, and why", run, NULL
+    "plan", "[SCENE [--set PARAM=VALUE,...]]|COMMAND OPTION...", "Which model a command gets, or each part of a scene, and why", run, NULL
 };

@@ -96,17 +96,6 @@ static jlt_exit check_files(const jlt_scene *scene, const char *scene_path)
     return JLT_EXIT_DONE;
 }
 
-static jlt_exit set_params(jlt_scene *scene, const options *o)
-{
-    for (size_t i = 0; i < o->set.count; i++) {
-        const jlt_status st = jlt_scene_set(scene, o->set.items[i].name, o->set.items[i].fraction);
-        if (st == JLT_ERR_ARG)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", scene->file, o->set.items[i].name);
-        if (st != JLT_OK) return jlt_command_no_memory();
-    }
-    return JLT_EXIT_DONE;
-}
-
 /* A table of one's own lies where the scene says from here, also when the jobs run elsewhere. */
 static jlt_exit fix_tables(jlt_scene *scene)
 {
@@ -168,7 +157,7 @@ static jlt_exit run(int argc, char **argv)
         if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
-    code = scene->over == NULL ? set_params(scene, &o)
+    code = scene->over == NULL ? jlt_job_set(scene, &o.set)
                                : jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: 'over' is of a study: type 'jellett sweep %s'",
                                                   scene->file, scene->over_line, o.scene);
     if (code == JLT_EXIT_DONE && o.into != NULL) code = fix_tables(scene);

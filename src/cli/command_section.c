@@ -2,6 +2,7 @@
 #include "cli/progress.h"
 #include "cli/section_picture.h"
 #include "cli/section_table.h"
+#include "cli/swept.h"
 #include "cli/writer.h"
 
 #include <math.h>
@@ -51,6 +52,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT:
         state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
         state->child_inputs[3] = &o->motion.common;
+        state->child_inputs[4] = &o->motion.common;
         return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
@@ -67,7 +69,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -307,6 +310,8 @@ static jlt_exit run_all(follower *f, FILE *stream)
     return code;
 }
 
+static const jlt_swept_form swept = { &jlt_command_section, true, 3 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 100, .time_direction = 1 };
@@ -323,6 +328,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     jlt_motion_many_choose(&o.motion, are_many(&o), o.project);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.begins.starts = o.starts;
     o.motion.begins.start_count = o.start_count;
     o.motion.begins.grid = o.grid;

@@ -1,4 +1,5 @@
 #include "cli/motion_many.h"
+#include "cli/swept.h"
 #include "dynamics/separation.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -28,7 +29,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &o->motion; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
+        state->child_inputs[2] = &o->motion.common;
+        return 0;
     case 'g': o->grid = value; return 0;
     case CELLS: o->cells = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
@@ -38,7 +42,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -108,6 +113,8 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     return jlt_plot_draw(&plot);
 }
 
+static const jlt_swept_form swept = { &jlt_command_separation, true, 6 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .grid = "24x16", .cells = "200x200", .returns = 1024, .settle = 200 };
@@ -121,6 +128,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     jlt_motion_many_choose(&o.motion, true, false);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);

@@ -7,6 +7,7 @@
 #include "cli/grid.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
+#include "cli/swept.h"
 #include "dynamics/section.h"
 #include "report/csv.h"
 
@@ -32,6 +33,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &r->session;
         state->child_inputs[1] = &r->session.common;
+        state->child_inputs[2] = &r->session.common;
         return 0;
     case TIMES: r->times_text = value; return 0;
     case UNTIL: jlt_common_number(&r->until, value, "--until"); return 0;
@@ -50,7 +52,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -195,12 +198,14 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_quantity *observed;
     const unsigned observes = jlt_course_observes(r->courses[0], &observed);
 
-    jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command, .descriptor = kernel->descriptor, .params = kernel->params,
-                                              .method = s->method->name, .tolerance = s->tolerance });
-    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
-            plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance,
-            r->project ? ", projected" : "");
-    fputs("t", file);
+    const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor; /* tiers, and their levels, change over a sweep */
+    double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
+    if (params != NULL)
+        jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command, .descriptor = told, .params = params, .method = s->method->name,
+                                                  .tolerance = s->tolerance });
+    free(params);
+    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\nt", jlt_plan_tier(plan),
+            plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance, r->project ? ", projected" : "");
     for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(file, ",%s", s->descriptor->states[i].name);
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
         fprintf(file, ",drift_%s", jlt_course_integral(r->courses[0], i));
@@ -350,6 +355,8 @@ static void closing_words(const jlt_simulate_request *r)
                 row->unknown, row->unknown_at);
 }
 
+static const jlt_swept_form swept = { &jlt_command_simulate, false, 1 };
+
 static jlt_exit run(int argc, char **argv)
 {
     jlt_simulate_request r = { .until = NAN, .every = NAN };
@@ -358,6 +365,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
+    if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
     code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = jlt_simulate_axes(&r);

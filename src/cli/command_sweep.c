@@ -12,6 +12,7 @@
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "cli/study.h"
 #include "cli/worker.h"
 #include "shards/deal.h"
 #include "shards/manifest.h"
@@ -91,6 +92,7 @@ typedef struct {
     jlt_study study;
     jlt_rank rank;
     jlt_shard shard;
+    jlt_work work;
     jlt_worker worker;
     char *folder, *path;
     unsigned char *is_done; /* shape (own,), by position in the shard's order */
@@ -297,12 +299,15 @@ static void advise(const sweep *self, size_t done, double lasted)
             lasted / (double)done, fmin((double)self->study.inner, ceil(factor * (double)self->study.piece)));
 }
 
+static char **arguments_of(const void *study, size_t piece, int *argc) { return jlt_study_arguments(study, piece, argc); }
+
 static jlt_exit compute_all(sweep *self, bool *interrupted)
 {
     const double begun = seconds();
     jlt_progress progress;
     size_t done = 0;
-    jlt_exit code = jlt_worker_open(&self->worker, &self->study);
+    self->work = (jlt_work){ self->study.command, arguments_of, &self->study };
+    jlt_exit code = jlt_worker_open(&self->worker, &self->work);
     const volatile sig_atomic_t *const interrupt = self->worker.interrupt;
 
     jlt_progress_start(&progress, "pieces");

@@ -56,9 +56,10 @@ static jlt_exit run(int argc, char **argv)
     const volatile sig_atomic_t *interrupt = NULL;
 
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    jlt_exit code = jlt_table_open(&v->descriptor, r.model, false);
+    bool has_said;
+    jlt_exit code = jlt_table_open(&v->descriptor, &has_said, r.model, false);
     if (code != JLT_EXIT_DONE) return code;
-    jlt_command_warn_unproved(v->descriptor);
+    if (!has_said) jlt_command_warn_unproved(v->descriptor);
     jlt_status st = jlt_verify_prove(v);
     if (st == JLT_OK) st = jlt_verify_measure(v, interrupt = jlt_interrupt_install());
     if (interrupt != NULL && *interrupt) {

@@ -1,6 +1,7 @@
 #include "cli/common.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -16,7 +17,7 @@
 #include "report/picture.h"
 #include "top/top.h"
 
-enum { METHOD = 1000, KEEP, PLAN };
+enum { METHOD = 1000, KEEP, PLAN, AT };
 
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
@@ -26,7 +27,8 @@ static const struct argp_option common_table[] = {
     { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, all data included: gnuplot FILE draws it again", 12 },
-    { JLT_COMMON_PLAN_NAME, PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
+    { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
+    { "@set", AT, "PARAM=VALUE,...", OPTION_HIDDEN, NULL, 12 },
     { 0 },
 };
 
@@ -53,11 +55,17 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
         return 0;
     case KEEP: self->keep = value; return 0;
     case PLAN: self->plan = true; return 0;
+    case AT:
+        self->at_point = true;
+        jlt_common_replace(&self->set, value, "--sweep");
+        return 0;
     case ARGP_KEY_ARG:
         if (self->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
         self->model = value;
         return 0;
     case ARGP_KEY_END:
+        if (self->at_point) self->output = self->plot = self->keep = self->axes = NULL;
+        if (self->at_point) jlt_look_default(&self->look);
         if (self->keep != NULL && self->plot == NULL)
             argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
         if (self->look.asked && self->plot == NULL) argp_error(state, "options of a picture, and no picture: add --plot FILE");
@@ -102,7 +110,9 @@ const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NU
 
 void jlt_common_begin(jlt_common *self, int argc, char **argv)
 {
-    *self = (jlt_common){ .command = jlt_command_line(argc, argv) };
+    *self = (jlt_common){ .command = jlt_command_line(argc, argv), .argv = malloc(((size_t)argc + 1) * sizeof *argv), .argc = argc };
+    if (self->argv == NULL) self->argc = 0;
+    else memcpy(self->argv, argv, (size_t)argc * sizeof *argv);
     jlt_look_default(&self->look);
 }
 
@@ -113,6 +123,7 @@ void jlt_common_end(jlt_common *self)
     if (self->points != NULL) fclose(self->points);
     free(self->drawn);
     free(self->command);
+    free(self->argv);
     self->command = self->drawn = NULL;
     self->points = NULL;
 }
@@ -135,9 +146,10 @@ jlt_exit jlt_common_save(jlt_common *self)
 
 jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor)
 {
-    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : JLT_DEFAULT_MODEL, self->lanes);
+    bool has_said;
+    const jlt_exit code = jlt_table_open(descriptor, &has_said, self->model != NULL ? self->model : JLT_DEFAULT_MODEL, self->lanes);
 
-    if (code == JLT_EXIT_DONE) jlt_command_warn_unproved(*descriptor);
+    if (code == JLT_EXIT_DONE && !has_said) jlt_command_warn_unproved(*descriptor);
     return code;
 }
 
@@ -146,6 +158,26 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     const jlt_exit code = jlt_common_model(self, descriptor);
 
     return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
+}
+
+bool jlt_common_runs(const jlt_common *self, const char *name)
+{
+    const size_t length = strlen(name);
+
+    for (const char *at = self->at_point ? self->sweep : NULL; at != NULL; at = strchr(at, ',')) {
+        at += *at == ',';
+        if (strncmp(at, name, length) == 0 && at[length] == '=') return true;
+    }
+    return false;
+}
+
+double *jlt_common_steady(const jlt_common *self, const jlt_descriptor *descriptor, const double *params)
+{
+    double *steady = malloc((descriptor->param_count + 1) * sizeof *steady);
+
+    for (unsigned k = 0; steady != NULL && k < descriptor->param_count; k++)
+        steady[k] = jlt_common_runs(self, descriptor->params[k].name) ? NAN : params[k];
+    return steady;
 }
 
 jlt_exit jlt_common_proved(const jlt_descriptor *d)
@@ -183,6 +215,13 @@ void jlt_common_check_files(const jlt_common *self, const char *option, const ch
         if (optional[i].path != NULL) files[count++] = optional[i];
     code = jlt_command_distinct(files, count);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = jlt_command_check_output(files[i].path);
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option)
+{
+    const jlt_exit code = jlt_assign_replace(list, text, option);
+
     if (code != JLT_EXIT_DONE) exit((int)code);
 }
 

@@ -9,9 +9,8 @@
 #include "integrate/method.h"
 #include "report/look.h"
 
-/* The option by which a command says its plan alone; no abbreviation of another leads here. */
-#define JLT_COMMON_PLAN_NAME "@plan"
-#define JLT_COMMON_PLAN "--" JLT_COMMON_PLAN_NAME
+/* The option by which a command says its plan alone. */
+#define JLT_COMMON_PLAN JLT_COMMAND_HIDDEN "plan"
 
 typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
@@ -20,8 +19,12 @@ typedef struct {
     const char *axes;  /* of the picture, as typed; NULL: none were named */
     jlt_look look;     /* of the picture */
     bool lanes;        /* kernels on vectors are wanted */
+    const char *sweep; /* what runs, as typed; NULL: nothing does, or the command has a sweep of its own */
+    bool at_point;     /* of it: parameters and levels have been set, and rows alone are wanted, on standard output */
     bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
     char *command;     /* as typed, owned */
+    char **argv;       /* the same, (argc,), in its order; owned, but not the texts */
+    int argc;
 
     /* after jlt_common_write */
     jlt_stream table;  /* --output */
@@ -49,6 +52,12 @@ jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descrip
 /** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 
+/** Parameters for a header: NaN where one runs. For the caller to free(); NULL: no memory. */
+double *jlt_common_steady(const jlt_common *self, const jlt_descriptor *descriptor, const double *params);
+
+/** Whether a parameter or level of this name runs. */
+bool jlt_common_runs(const jlt_common *self, const char *name);
+
 /** Whether --project can go back to the integrals of this field: that there are some, not too many, and all proved. Says what is wrong. */
 jlt_exit jlt_common_project(const jlt_descriptor *field);
 
@@ -70,6 +79,7 @@ void jlt_common_check_files(const jlt_common *self, const char *option, const ch
 
 /* Values of options. Where they cannot be used, these say so and end the program, as argp does. */
 void jlt_common_list(jlt_assign_list *list, const char *text, const char *option);
+void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option); /* of what the list has for the same names */
 void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 void jlt_common_number(double *value, const char *text, const char *option);
 void jlt_common_positive(double *value, const char *text, const char *option);

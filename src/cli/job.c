@@ -24,6 +24,17 @@ static const char *asked_for(const struct argp **options, size_t index)
 
 const jlt_scene_program jlt_job_program = { asked_for, jlt_table_of };
 
+jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set)
+{
+    for (size_t i = 0; i < set->count; i++) {
+        const jlt_status st = jlt_scene_set(scene, set->items[i].name, set->items[i].fraction);
+        if (st == JLT_ERR_ARG)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", scene->file, set->items[i].name);
+        if (st != JLT_OK) return jlt_command_no_memory();
+    }
+    return JLT_EXIT_DONE;
+}
+
 void jlt_job_free(char **argv, int argc)
 {
     for (int i = 0; argv != NULL && i < argc; i++) free(argv[i]);

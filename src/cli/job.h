@@ -2,11 +2,14 @@
 #ifndef JLT_CLI_JOB_H
 #define JLT_CLI_JOB_H
 
-#include "cli/command.h"
+#include "cli/assign.h"
 #include "scene/scene.h"
 
 /** The commands of this program that have a parser, and models as commands open them. */
 extern const jlt_scene_program jlt_job_program;
+
+/** Give parameters of a scene's commands other values: --set. Says what is wrong. */
+jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set);
 
 /** As it would be typed, argv[0] for the command's name, with one more option behind where that is not NULL; for jlt_job_free. NULL: no
  *  memory. */

@@ -10,7 +10,7 @@
 #include "cli/planned.h"
 #include "kernel/descriptor.h"
 
-enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT };
+enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "LEVEL=VALUE,...", 0,
@@ -26,6 +26,7 @@ static const struct argp_option option_table[] = {
       "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
     { "mirror", MIRROR, "STATE,...", 0,
       "With --section: states whose sign a reversor changes, in place of that which the table proves; an empty list for none", 10 },
+    { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 10 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
     { 0 },
 };
@@ -55,6 +56,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         state->child_inputs[1] = &o->accuracy;
         return 0;
     case 'l': jlt_common_list(&o->level, value, "--level"); return 0;
+    case AT:
+        o->common.at_point = true;
+        jlt_common_replace(&o->level, value, "--sweep");
+        return 0;
     case SECTION: o->section = value; return 0;
     case SOLVE: o->solve = value; return 0;
     case MODULO: o->modulo = value; return 0;

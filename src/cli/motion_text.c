@@ -16,7 +16,7 @@ static bool is_swept(const jlt_motion_options *options, const char *name)
 {
     for (size_t i = 0; i < options->swept_count; i++)
         if (strcmp(options->swept[i].name, name) == 0) return true;
-    return false;
+    return jlt_common_runs(&options->common, name);
 }
 
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values)

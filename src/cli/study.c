@@ -157,18 +157,6 @@ static jlt_exit make_manifest(jlt_study *self)
     return self->manifest != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
-static jlt_exit set_params(const jlt_study *self, const jlt_assign_list *set)
-{
-    for (size_t i = 0; i < set->count; i++) {
-        const jlt_status st = jlt_scene_set(self->scene, set->items[i].name, set->items[i].fraction);
-        if (st == JLT_ERR_ARG)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", self->scene->file,
-                                    set->items[i].name);
-        if (st != JLT_OK) return jlt_command_no_memory();
-    }
-    return JLT_EXIT_DONE;
-}
-
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set)
 {
     char message[JLT_SCENE_MESSAGE_MAX];
@@ -181,7 +169,7 @@ jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list 
         if (message[0] != '\0') fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
-    code = set_params(out, set);
+    code = jlt_job_set(out->scene, set);
     if (code != JLT_EXIT_DONE) return code;
     out->job = &out->scene->jobs[0];
     out->command = jlt_command_find(out->job->what);

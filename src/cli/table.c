@@ -2,10 +2,12 @@
 
 #include "cli/interrupt.h"
 #include "cli/program.h"
+#include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "kernel/load.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,12 +35,14 @@ static jlt_exit no_model(const char *model)
 }
 
 /* In the child: the ttc that was installed with this program, else that of $PATH. */
-static _Noreturn void run_ttc(const char *table, bool lanes, int output)
+static _Noreturn void run_ttc(const char *table, bool lanes, int output, int error)
 {
-    char path[PATH_MAX];
-    const char *const arguments[] = { "ttc", "build", lanes ? "--lanes" : "--", lanes ? "--" : table, lanes ? table : NULL, NULL };
+    char path[PATH_MAX], option[] = "--lanes=0";
+    const char *const arguments[] = { "ttc", "build", lanes ? option : "--", lanes ? "--" : table, lanes ? table : NULL, NULL };
 
+    option[sizeof option - 2] = (char)('0' + jlt_batch_isa_lanes());
     dup2(output, STDOUT_FILENO);
+    dup2(error, STDERR_FILENO);
     if (jlt_program_beside(path, sizeof path, "ttc")) execv(path, (char *const *)arguments);
     execvp("ttc", (char *const *)arguments);
     _exit(127);
@@ -59,21 +63,43 @@ static void read_line(char *line, size_t size, int from)
     line[strcspn(line, "\n")] = '\0';
 }
 
-/* The object's path, as ttc names it. */
-static jlt_exit build(char *path, size_t size, const char *table, bool lanes)
+/* Pass on what the child says on standard error, to its end. Returns whether it said anything. */
+static bool pass_on(int from)
 {
-    int ends[2], status = 0;
+    char words[4096];
+    bool has_said = false;
+    ssize_t got = 1;
+
+    while (got != 0) {
+        got = read(from, words, sizeof words);
+        if (got < 0 && errno != EINTR) break;
+        if (got <= 0) continue;
+        fwrite(words, 1, (size_t)got, stderr);
+        has_said = true;
+    }
+    return has_said;
+}
+
+/* The object's path, as ttc names it; *has_said: ttc has told what is not proved, or more. */
+static jlt_exit build(char *path, size_t size, bool *has_said, const char *table, bool lanes)
+{
+    int ends[2], words[2], status = 0;
     pid_t child;
 
-    if (pipe(ends) != 0) return jlt_command_fail(JLT_EXIT_IO, "no pipe to ttc: %s", strerror(errno));
-    child = jlt_interrupt_fork();
-    if (child == 0) {
+    if (pipe2(ends, O_CLOEXEC) != 0) return jlt_command_fail(JLT_EXIT_IO, "no pipe to ttc: %s", strerror(errno));
+    if (pipe2(words, O_CLOEXEC) != 0) {
         close(ends[0]);
-        run_ttc(table, lanes, ends[1]);
+        close(ends[1]);
+        return jlt_command_fail(JLT_EXIT_IO, "no pipe to ttc: %s", strerror(errno));
     }
+    child = jlt_interrupt_fork();
+    if (child == 0) run_ttc(table, lanes, ends[1], words[1]);
     close(ends[1]);
+    close(words[1]);
+    *has_said = child > 0 && pass_on(words[0]);
     if (child > 0) read_line(path, size, ends[0]);
     close(ends[0]);
+    close(words[0]);
     if (child < 0) return jlt_command_fail(JLT_EXIT_IO, "ttc cannot be started: %s", strerror(errno));
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
     const int raised = jlt_interrupt_alone();
@@ -87,10 +113,10 @@ static jlt_exit build(char *path, size_t size, const char *table, bool lanes)
     return WEXITSTATUS(status) == 0 ? JLT_EXIT_DONE : (jlt_exit)WEXITSTATUS(status);
 }
 
-static jlt_exit load(const jlt_descriptor **descriptor, const char *table, bool lanes)
+static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const char *table, bool lanes)
 {
     char path[PATH_MAX];
-    const jlt_exit code = build(path, sizeof path, table, lanes);
+    const jlt_exit code = build(path, sizeof path, has_said, table, lanes);
     jlt_status st;
 
     if (code != JLT_EXIT_DONE) return code;
@@ -100,10 +126,11 @@ static jlt_exit load(const jlt_descriptor **descriptor, const char *table, bool 
                             st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
 }
 
-jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bool lanes)
+jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes)
 {
     *descriptor = NULL;
-    if (jlt_table_is_file(model)) return load(descriptor, model, lanes);
+    *has_said = false;
+    if (jlt_table_is_file(model)) return load(descriptor, has_said, model, lanes);
     *descriptor = jlt_descriptor_find(model, NULL, NULL, NULL);
     return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
 }
@@ -130,7 +157,7 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
             if (kind != NULL && strcmp(way->kind, kind) != 0) continue;
             if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_target(way, others) != NULL) continue;
             if (!beside(path, sizeof path, model, way->file)) return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
-            const jlt_exit code = load(&others->tables[others->count], path, lanes);
+            const jlt_exit code = load(&others->tables[others->count], &(bool){ false }, path, lanes);
             if (code != JLT_EXIT_DONE) return code;
             others->count++;
         }
@@ -144,7 +171,7 @@ jlt_status jlt_table_of(const jlt_descriptor **out, const char *model)
         *out = jlt_descriptor_find(model, NULL, NULL, NULL);
         return *out != NULL ? JLT_OK : JLT_ERR_EMPTY;
     }
-    switch (jlt_table_open(out, model, false)) {
+    switch (jlt_table_open(out, &(bool){ false }, model, false)) {
     case JLT_EXIT_DONE: return JLT_OK;
     case JLT_EXIT_IO: return JLT_ERR_IO;
     case JLT_EXIT_NUMERICAL: return JLT_ERR_NOMEM;

@@ -9,8 +9,9 @@
 bool jlt_table_is_file(const char *model);
 
 /** The model's general field. A table is read, proved and compiled by ttc, unless its kernels are in the cache; lanes: with kernels on
- *  vectors, which take longer. Says what is wrong; ttc has said what is wrong with a table. */
-jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model, bool lanes);
+ *  vectors, which take longer. Says what is wrong; ttc has said what is wrong with a table. *has_said: it has said also what is not
+ *  proved, as it does when it compiles. */
+jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes);
 
 /** Tables beside the user's own that proved ways lead to, and that are not built in: read, proved and compiled like it. model, lanes: as
  *  in jlt_table_open; none are looked for where the model is built in. kind: "reduction", those with fewer states alone; NULL: all.

@@ -10,14 +10,15 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
+#include "cli/job.h"
 #include "cli/program.h"
 
 /* Then the process is begun again, so that nothing that a command forgets to give back adds up. */
 enum { PIECES_MAX = 1024 };
 
-jlt_exit jlt_worker_open(jlt_worker *self, const jlt_study *study)
+jlt_exit jlt_worker_open(jlt_worker *self, const jlt_work *work)
 {
-    *self = (jlt_worker){ .study = study, .interrupt = jlt_interrupt_install(), .output = memfd_create("rows", MFD_CLOEXEC),
+    *self = (jlt_worker){ .work = work, .interrupt = jlt_interrupt_install(), .output = memfd_create("rows", MFD_CLOEXEC),
                           .error = memfd_create("words", MFD_CLOEXEC), .line = -1 };
     if (self->output >= 0 && self->error >= 0) return JLT_EXIT_DONE;
     return jlt_command_fail(JLT_EXIT_IO, "a file in memory cannot be made: %s", strerror(errno));
@@ -49,9 +50,9 @@ _Noreturn static void serve(const jlt_worker *self, int line)
     if (dup2(self->output, STDOUT_FILENO) < 0 || dup2(self->error, STDERR_FILENO) < 0) _exit(JLT_EXIT_IO);
     while (receive_all(line, &piece, sizeof piece)) {
         int argc = 0, status = JLT_EXIT_NUMERICAL;
-        char **argv = jlt_study_arguments(self->study, piece, &argc);
+        char **argv = self->work->arguments(self->work->context, piece, &argc);
         if (argv == NULL) (void)jlt_command_no_memory();
-        else status = (int)jlt_program_run(self->study->command, argc, argv);
+        else status = (int)jlt_program_run(self->work->command, argc, argv);
         jlt_job_free(argv, argc);
         if (fflush(stdout) != 0 || !send_all(line, &status, sizeof status)) _exit(JLT_EXIT_IO);
     }
@@ -63,7 +64,7 @@ static jlt_exit begin(jlt_worker *self)
     int lines[2];
 
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, lines) != 0)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->study->command->name, strerror(errno));
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->work->command->name, strerror(errno));
     fflush(stdout);
     self->process = jlt_interrupt_fork();
     if (self->process == 0) {
@@ -76,7 +77,7 @@ static jlt_exit begin(jlt_worker *self)
     if (self->process > 0) return JLT_EXIT_DONE;
     close(lines[0]);
     self->line = -1;
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->study->command->name, strerror(errno));
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->work->command->name, strerror(errno));
 }
 
 /* Returns how the process ended, as waitpid says it. */

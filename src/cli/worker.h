@@ -1,4 +1,4 @@
-/** Computes the pieces of a study one after the other in a process of its own, and takes what they write: whatever ends that
+/** Computes pieces of work, command lines, one after the other in a process of its own, and takes what they write: whatever ends that
  *  process leaves this one alone, and it is begun again. */
 #ifndef JLT_CLI_WORKER_H
 #define JLT_CLI_WORKER_H
@@ -6,10 +6,16 @@
 #include <signal.h>
 #include <sys/types.h>
 
-#include "cli/study.h"
+#include "cli/command.h"
 
 typedef struct {
-    const jlt_study *study;
+    const jlt_command *command;
+    char **(*arguments)(const void *context, size_t piece, int *argc); /* of a piece; for jlt_job_free. NULL: no memory */
+    const void *context;
+} jlt_work;
+
+typedef struct {
+    const jlt_work *work;
     const volatile sig_atomic_t *interrupt; /* the signal that is to end this program, else 0 */
     int output, error;  /* files in memory that the commands write to */
     int line;           /* to the process: numbers of pieces go out, statuses come back; -1: there is none */
@@ -19,8 +25,8 @@ typedef struct {
     size_t rows_size, words_size;
 } jlt_worker;
 
-/** For jlt_worker_close, whatever is returned. The study must stay. Says what is wrong. */
-jlt_exit jlt_worker_open(jlt_worker *self, const jlt_study *study);
+/** For jlt_worker_close, whatever is returned. The work must stay. Says what is wrong. */
+jlt_exit jlt_worker_open(jlt_worker *self, const jlt_work *work);
 void jlt_worker_close(jlt_worker *self);
 
 /** Compute a piece. Out: *status, of its command; *by, the signal that ended it, else 0, and then the status means nothing. Says

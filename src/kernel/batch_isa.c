@@ -3,26 +3,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels)
+static bool runs(unsigned lanes)
 {
-    if (strcmp(kernels->isa, "baseline") == 0) return true;
+    if (lanes == 2) return true;
 #if defined(JLT_HAVE_X86)
     __builtin_cpu_init();
-    if (strcmp(kernels->isa, "avx2") == 0) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (strcmp(kernels->isa, "avx512") == 0)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    if (lanes == 4) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (lanes == 8) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 #endif
     return false;
 }
 
-const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes)
+static unsigned bound(void)
 {
     const char *wanted = getenv("JELLETT_LANES");
 
-    if (lanes == 0 && wanted != NULL) lanes = strcmp(wanted, "2") == 0 ? 2 : strcmp(wanted, "4") == 0 ? 4 : 0;
+    return wanted != NULL && strcmp(wanted, "2") == 0 ? 2 : wanted != NULL && strcmp(wanted, "4") == 0 ? 4 : 8;
+}
+
+bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels) { return runs(kernels->lanes); }
+
+unsigned jlt_batch_isa_lanes(void)
+{
+    unsigned lanes = bound();
+
+    while (!runs(lanes)) lanes /= 2;
+    return lanes;
+}
+
+const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes)
+{
+    if (lanes == 0) lanes = bound();
     for (int i = JLT_ISA_COUNT - 1; i >= 0; i--) {
         const jlt_kernel_batch *kernels = descriptor->batches[i];
-        if (kernels != NULL && (lanes == 0 || kernels->lanes <= lanes) && jlt_batch_isa_runs(kernels)) return kernels;
+        if (kernels != NULL && kernels->lanes <= lanes && jlt_batch_isa_runs(kernels)) return kernels;
     }
     return NULL;
 }

@@ -9,9 +9,12 @@
 /** Whether the processor and the operating system support the instruction set of these kernels. */
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels);
 
+/** Lanes of the widest instruction set that runs here, no more than JELLETT_LANES allows: 2, 4 or 8. */
+unsigned jlt_batch_isa_lanes(void);
+
 /** The widest batched kernels of a descriptor that run here with at most `lanes` lanes. lanes 0: the environment variable
  *  JELLETT_LANES (2, 4 or 8) gives the bound; where it is not set there is none. NULL: the descriptor has no such kernels,
- *  which cannot be for a built-in descriptor and lanes >= 2. */
+ *  which cannot be for a built-in descriptor and lanes >= 2; one that was compiled for lanes has those of jlt_batch_isa_lanes. */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
 #endif

@@ -7,18 +7,20 @@
 #include "top/command_portrait.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
+#include "cli/swept.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 
 static const double pi = 3.14159265358979323846;
 
-enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, SAMPLES = 400, TRIES_MAX = 1000, PATIENCE = 20 };
+enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, AT, SAMPLES = 400, TRIES_MAX = 1000, PATIENCE = 20 };
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "The levels; or those of --start", 1 },
     { "orbits", ORBITS, "N|0", 0, "Orbits followed, both ways; default 60", 1 },
     { "until", UNTIL, "T", 0, "How long; default 20", 1 },
     { "trajectories", TRAJECTORIES, "FILE", 0, "Write the orbits there", 1 },
+    { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 1 },
     { 0 },
 };
 
@@ -27,19 +29,28 @@ static error_t parse(int key, char *value, struct argp_state *state)
     jlt_portrait_request *r = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &r->session;
+        state->child_inputs[1] = &r->session.common;
+        return 0;
     case 'l': jlt_common_list(&r->level, value, "--level"); return 0;
     case ORBITS: jlt_common_count(&r->orbits, value, 0, 100000, "--orbits"); return 0;
     case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
     case TRAJECTORIES: r->trajectories = value; return 0;
+    case AT:
+        r->session.common.at_point = true;
+        jlt_common_replace(&r->level, value, "--sweep");
+        return 0;
     case ARGP_KEY_END:
+        if (r->trajectories != NULL && r->session.common.sweep != NULL)
+            argp_error(state, "--trajectories: one file for all points of --sweep: leave it out");
         jlt_common_check_files(&r->session.common, "--trajectories", r->trajectories);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "",
@@ -119,11 +130,17 @@ static const char *type_of(const jlt_fixed_point *point)
 
 static void write_header(FILE *file, const jlt_portrait_request *r)
 {
+    static const char *const names[] = { "E", "G", "F0" };
+    double levels[] = { r->levels.E, r->levels.G, r->levels.F0 };
+    double *params = jlt_common_steady(&r->session.common, r->session.descriptor, r->session.params);
+
+    if (params == NULL) return;
+    for (unsigned k = 0; k < 3; k++)
+        if (jlt_common_runs(&r->session.common, names[k])) levels[k] = NAN;
     jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
-                                              .params = r->session.params, .level_count = 3,
-                                              .level_names = (const char *const[]){ "E", "G", "F0" },
-                                              .levels = (const double[]){ r->levels.E, r->levels.G, r->levels.F0 },
+                                              .params = params, .level_count = 3, .level_names = names, .levels = levels,
                                               .method = r->session.method->name, .tolerance = r->session.tolerance });
+    free(params);
 }
 
 static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
@@ -251,6 +268,8 @@ static jlt_exit show_plan(const jlt_portrait_request *r)
     return JLT_EXIT_PLANNED;
 }
 
+static const jlt_swept_form swept = { &jlt_command_portrait, true, 0 };
+
 static jlt_exit run(int argc, char **argv)
 {
     jlt_portrait_request r = { .orbits = 60, .until = 20 };
@@ -261,6 +280,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
+    if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
     code = open_top(&r);
     if (code == JLT_EXIT_DONE) code = read_levels(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) code = show_plan(&r);

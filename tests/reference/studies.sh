@@ -29,6 +29,50 @@ expect 0 '^a3,v_nu,E1,' jellett rod --start $start --sweep a3=0.1:0.3:2,v_nu=2:3
 [ "$(rows | cut -d, -f1,2 | tr '\n' ' ')" = "$pairs" ] || fail "rod: $(rows | cut -d, -f1,2)"
 expect 0 '^m,' jellett eigen --set a3=0 --sweep m=0.1:0.3:2,v_nu=2:3:2 --at gamma3=0.3,omega3=1.1 --csv
 [ "$(rows | cut -d, -f1,3 | tr '\n' ' ')" = "$pairs" ] || fail "eigen: $(rows | cut -d, -f1-4)"
+# Any command that writes rows runs over several names: rows of a point are those of the command there, behind the point's values.
+compare() { # COMMAND OPTION...: at a3=0.5,0.51 and E=2.1,2.2 together
+    local command=$1
+    shift
+    expect 0 '^a3,E,' jellett "$command" "$@" --sweep a3=0.5:0.51:2,E=2.1:2.2:2
+    rows > swept
+    [ "$(grep -c '^# command:' out)" -eq 1 ] || fail "$command: a sweep has not one header"
+    grep '^# {' out | grep -q '"a3"' && fail "$command: the header has a value of what runs"
+    for a3 in 0.5 0.51; do for E in 2.1 2.2; do
+        jellett "$command" "$@" --set a3=$a3 --level E=$E 2> err | grep -v '^#' | sed -n "2,\$s/^/$a3,$E,/p"
+    done; done > single
+    diff single swept > difference || fail "$command: rows of a sweep are not those of its points: $(head -3 difference)"
+}
+compare section --start eta=0.3,gamma3=0.2 --returns 3
+compare orbits --start eta=0,gamma3=-0.61 --period 1
+compare drift --returns 4
+compare separation --grid 3x3 --cells 10x10 --returns 4 --settle 5
+compare manifolds --count 6 --no-crossings
+compare continue --along I1=1/3:0.34
+expect 0 '^0.51,2.2,4,' jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --set a3=1 --sweep a3=0.5:0.51:2,E=2.1:2.2:2
+[ "$(rows | wc -l)" -eq 4 ] || fail "lyapunov: a history in a sweep is not one row"
+jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --set a3=0.51 --level E=2.2 | tail -1 | sed 's/^/0.51,2.2,/' | diff - <(tail -1 out) ||
+    fail "lyapunov: the row of a sweep is not the last one of its point"
+expect 0 '^E,I1,gamma3,' jellett portrait --level E=2,G=0.5,F0=0.1 --set a3=0 --sweep E=2:3:2,I1=0.3:0.4:2
+# Columns of integrals that hold for special values alone are empty elsewhere, or left out, which is said.
+expect 0 'drift_F0, drift_F_linear: no columns here' jellett simulate --start $start --times 1 --sweep a3=0:0.2:2
+[ "$(rows | awk -F, '{ print NF }' | sort -u | wc -l)" -eq 1 ] || fail "simulate: rows of a sweep have different columns"
+expect 0 'columns that the first point has not' jellett simulate --start $start --times 1 --sweep a3=0.2:0:2
+# A point without states has no rows; where no point has any, that is bad input.
+expect 0 'at E=0:' jellett section --start eta=0.3,gamma3=0.2 --returns 1 --sweep E=0:2:2
+[ "$(rows | wc -l)" -eq 2 ] || fail "section: a point without states is not left out"
+expect 3 'no state with' jellett section --start eta=0.3,gamma3=0.2 --returns 1 --sweep E=0:0.1:2
+expect 3 "has no parameter 'E'" jellett simulate --start $start --times 1 --sweep E=1:2:2
+expect 2 "unrecognized option" jellett section --start eta=0.3,gamma3=0.2 --sweep E=2:3:2 --nonsense
+expect 2 "one file for all points" jellett manifolds --sweep E=2:3:2 --crossings c.csv
+expect 0 'at a3=0.1, the first of 2 points' jellett plan section --start eta=0.3,gamma3=0.2 --sweep a3=0.1:0.2:2
+jellett lyapunov --returns 4 --sweep a3=0.5:0.51:3 --plot over.svg --output over.csv || fail "lyapunov: no picture of a sweep"
+grep -q '<svg' over.svg || fail "lyapunov: a sweep draws no picture"
+# The plan of a scene with other parameters.
+printf 'model = "lorenz";\ncompute = ( { what = "section"; section = { z = 27; }; start = { x = 1; y = 1; }; } );\n' > plan.scene
+expect 0 'section z=27' jellett plan plan.scene --set rho=28
+expect 3 "no command of plan.scene has a parameter 'q'" jellett plan plan.scene --set q=1
+expect 2 "name a scene" jellett plan --set rho=28
+
 expect 3 "there is no 'q'" jellett fates --sweep a3=0.1:0.3:2,q=1:2:2
 expect 3 "more than 3 names" jellett fates --sweep a3=0:1:2,E=1:2:2,G=0:1:2,m=1:2:2
 expect 2 "draws against what one --sweep runs over" jellett fates --sweep a3=0.1:0.3:2,E=2:3:2 --plot p.svg

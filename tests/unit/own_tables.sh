@@ -160,6 +160,11 @@ object=$(find cache -name '*.so')
 chmod o+w "$object"
 expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 [ "$(stat -c %a "$object")" = 700 ] || fail "an object that others could write to was used"
+# What is cut short, or has another byte, is made anew.
+for damage in 'truncate -s -4096' 'truncate -s 4096' 'truncate -s 0' "sh -c 'printf x | dd of=\"\$0\" seek=9000 bs=1 conv=notrunc 2>&1'"; do
+    eval "$damage" '"$object"' > /dev/null
+    expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
+done
 expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
 expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
 exit $status

@@ -1,0 +1,201 @@
+#include "cli/swept.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/job.h"
+#include "cli/progress.h"
+#include "cli/swept_rows.h"
+#include "cli/table.h"
+#include "cli/worker.h"
+#include "core/digits.h"
+#include "kernel/descriptor.h"
+#include "top/top.h"
+
+enum { SWEEP = 2900 };
+
+static const struct argp_option option_table[] = {
+    { "sweep", SWEEP, "PARAM|LEVEL=LOW:HIGH:COUNT,...", 0,
+      "All this at every point of a grid in these, whose values stand first in each row; the picture is then of a column over another "
+      "one, by default over the first of these", 10 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    jlt_common *common = state->input;
+
+    if (key != SWEEP) return ARGP_ERR_UNKNOWN;
+    common->sweep = value;
+    return 0;
+}
+
+const struct argp jlt_swept_argp = { option_table, parse, NULL, NULL, NULL, NULL, NULL };
+
+typedef struct {
+    const jlt_swept_form *form;
+    jlt_common *common;
+    const jlt_descriptor *model;
+    jlt_swept_rows rows;
+    size_t all;   /* points */
+    jlt_worker worker;
+    char *told;   /* words of the last point that were shown */
+    size_t lost;  /* points whose process was ended */
+    jlt_exit worst;
+} sweep;
+
+/* ---- the command line of a point ---- */
+
+/* The option that gives axes which are parameters their values, or those which are not; *is_empty: there are none. NULL: no memory. */
+static char *assignments(bool *is_empty, const sweep *self, const double *values, bool params)
+{
+    char digits[JLT_DIGITS_SIZE], *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+
+    *is_empty = true;
+    if (stream == NULL) return NULL;
+    fputs(params ? JLT_COMMAND_HIDDEN "set=" : JLT_COMMAND_HIDDEN "level=", stream);
+    for (size_t k = 0; k < self->rows.count; k++) {
+        if (jlt_descriptor_param(self->model, self->rows.axes[k].name, &(size_t){ 0 }) != params) continue;
+        jlt_digits_shortest(digits, values[k]);
+        fprintf(stream, "%s%s=%s", *is_empty ? "" : ",", self->rows.axes[k].name, digits);
+        *is_empty = false;
+    }
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+/* Before "--", behind which there are no options; what is given later counts. */
+static char **arguments(const void *context, size_t point, int *argc)
+{
+    const sweep *self = context;
+    const int count = self->common->argc;
+    char *const *typed = self->common->argv, **argv = calloc((size_t)count + 3, sizeof *argv);
+    double values[JLT_SWEPT_AXES_MAX];
+    int used = 0, at = 0;
+    bool whole = argv != NULL, is_empty;
+
+    jlt_grid_point(values, self->rows.axes, self->rows.count, point);
+    for (; whole && at < count && strcmp(typed[at], "--") != 0; at++) whole = (argv[used++] = strdup(typed[at])) != NULL;
+    for (int params = 1; whole && params >= 0; params--) {
+        char *option = assignments(&is_empty, self, values, params != 0);
+        whole = option != NULL;
+        if (whole && !is_empty) argv[used++] = option;
+        else free(option);
+    }
+    for (; whole && at < count; at++) whole = (argv[used++] = strdup(typed[at])) != NULL;
+    *argc = used;
+    if (whole) return argv;
+    jlt_job_free(argv, used);
+    return NULL;
+}
+
+/* ---- what a point wrote ---- */
+
+/* What a point said, unless it is what the last one said. */
+static void tell(sweep *self, size_t point, const char *words)
+{
+    char where[JLT_SWEPT_PLACE_MAX];
+
+    if (*words == '\0' || (self->told != NULL && strcmp(self->told, words) == 0)) return;
+    jlt_swept_rows_place(where, &self->rows, point);
+    fprintf(stderr, "jellett: at %s:\n%s", where, words);
+    free(self->told);
+    self->told = strdup(words);
+}
+
+static jlt_exit compute(sweep *self, size_t point)
+{
+    jlt_exit status;
+    int by;
+    const jlt_exit code = jlt_worker_run(&self->worker, &status, &by, point);
+
+    if (code != JLT_EXIT_DONE || *self->worker.interrupt != 0) return code;
+    tell(self, point, self->worker.words);
+    if (by != 0) {
+        fprintf(stderr, "jellett: the command was ended there by signal %d\n", by);
+        self->lost++;
+        return JLT_EXIT_DONE;
+    }
+    if (status == JLT_EXIT_USAGE || status == JLT_EXIT_IO) return status;
+    if (status != JLT_EXIT_INPUT && status > self->worst) self->worst = status;
+    return jlt_swept_rows_take(&self->rows, point, self->worker.rows);
+}
+
+/* ---- all points ---- */
+
+static jlt_exit open_sweep(sweep *self)
+{
+    const jlt_common *common = self->common;
+    jlt_exit code = jlt_table_open(&self->model, &(bool){ false }, common->model != NULL ? common->model : JLT_DEFAULT_MODEL, common->lanes);
+
+    if (code == JLT_EXIT_DONE) code = jlt_grid_parse(self->rows.axes, &self->rows.count, JLT_SWEPT_AXES_MAX, common->sweep, "--sweep");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->all, self->rows.axes, self->rows.count, common->sweep, "--sweep");
+    if (code != JLT_EXIT_DONE) return code;
+    if (self->rows.count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
+    for (size_t k = 0; k < self->rows.count; k++) {
+        if (self->form->has_levels || jlt_descriptor_param(self->model, self->rows.axes[k].name, &(size_t){ 0 })) continue;
+        fprintf(stderr, "jellett: --sweep: %s has no parameter '%s'; there are", self->model->model, self->rows.axes[k].name);
+        for (unsigned i = 0; i < self->model->param_count; i++) fprintf(stderr, "%s %s", i > 0 ? "," : "", self->model->params[i].name);
+        fputs(self->model->param_count == 0 ? " none\n" : "\n", stderr);
+        return JLT_EXIT_INPUT;
+    }
+    return JLT_EXIT_DONE;
+}
+
+/* Of the first point, in this process. */
+static jlt_exit plan(const sweep *self)
+{
+    char where[JLT_SWEPT_PLACE_MAX];
+    int argc = 0;
+    char **argv = arguments(self, 0, &argc);
+
+    if (argv == NULL) return jlt_command_no_memory();
+    jlt_swept_rows_place(where, &self->rows, 0);
+    printf("at %s, the first of %zu points:\n", where, self->all);
+    const jlt_exit code = self->form->command->run(argc, argv);
+    jlt_job_free(argv, argc);
+    return code;
+}
+
+static jlt_exit compute_all(sweep *self)
+{
+    const jlt_work work = { self->form->command, arguments, self };
+    jlt_progress progress;
+    jlt_exit code = jlt_worker_open(&self->worker, &work);
+    const volatile sig_atomic_t *const interrupt = self->worker.interrupt;
+
+    jlt_progress_start(&progress, "points");
+    for (size_t i = 0; code == JLT_EXIT_DONE && *interrupt == 0 && i < self->all; i++) {
+        code = compute(self, i);
+        jlt_progress_show(&progress, i + 1, self->all);
+    }
+    jlt_progress_end(&progress);
+    jlt_worker_close(&self->worker);
+    if (code == JLT_EXIT_DONE) code = jlt_swept_rows_finish(&self->rows);
+    if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0) code = self->lost > 0 ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+    if (code != JLT_EXIT_DONE || self->rows.names == NULL) return code;
+    code = jlt_common_save(self->common);
+    if (code == JLT_EXIT_DONE && *interrupt != 0) fprintf(stderr, "jellett: interrupted; whole points are saved in %s\n", self->common->table.path);
+    else if (code == JLT_EXIT_DONE && self->common->plot != NULL) code = jlt_swept_rows_draw(&self->rows);
+    if (code == JLT_EXIT_DONE && self->lost > 0) code = JLT_EXIT_NUMERICAL;
+    return code == JLT_EXIT_DONE ? self->worst : code;
+}
+
+bool jlt_swept_done(jlt_exit *code, const jlt_swept_form *form, jlt_common *common)
+{
+    sweep self = { .form = form, .common = common, .rows = { .common = common, .what = form->command->name, .lead = form->lead } };
+
+    if (common->sweep == NULL || common->at_point) return false;
+    *code = open_sweep(&self);
+    if (*code == JLT_EXIT_DONE && common->plan) *code = plan(&self);
+    else if (*code == JLT_EXIT_DONE) {
+        *code = jlt_common_write(common);
+        if (*code == JLT_EXIT_DONE) *code = compute_all(&self);
+    }
+    jlt_swept_rows_clear(&self.rows);
+    free(self.told);
+    return true;
+}

@@ -1,0 +1,293 @@
+#include "cli/swept_rows.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/plot.h"
+#include "core/digits.h"
+
+enum { COLUMNS_MAX = 256 };
+
+void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point)
+{
+    double values[JLT_SWEPT_AXES_MAX];
+    size_t used = 0;
+
+    jlt_grid_point(values, self->axes, self->count, point);
+    text[0] = '\0';
+    for (size_t k = 0; k < self->count && used < JLT_SWEPT_PLACE_MAX; k++)
+        used += (size_t)snprintf(text + used, JLT_SWEPT_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->axes[k].name, values[k]);
+}
+
+/* The length of the line that begins here, without its end; *next: the one behind it, NULL for none. */
+static size_t line_at(const char *text, const char **next)
+{
+    const size_t length = strcspn(text, "\n");
+
+    *next = text[length] == '\n' && text[length + 1] != '\0' ? text + length + 1 : NULL;
+    return length;
+}
+
+static bool has_line(const char *text, const char *line, size_t length)
+{
+    for (const char *next; text != NULL && *text != '\0'; text = next)
+        if (line_at(text, &next) == length && strncmp(text, line, length) == 0) return true;
+    return false;
+}
+
+/* Comments before the names of columns, or of `with` those that are there as well; for the caller to free. */
+static char *comments(const char *text, const char *with)
+{
+    char *found = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&found, &size);
+
+    for (const char *next; stream != NULL && text != NULL && *text == '#'; text = next) {
+        const size_t length = line_at(text, &next);
+        if (with == NULL || has_line(with, text, length)) fprintf(stream, "%.*s\n", (int)length, text);
+    }
+    if (stream == NULL || fclose(stream) == 0) return found;
+    free(found);
+    return NULL;
+}
+
+/* Fields of a line, which is cut at its commas. Returns how many. */
+static unsigned cut(char *fields[COLUMNS_MAX], char *line)
+{
+    unsigned count = 0;
+
+    for (char *next; line != NULL && count < COLUMNS_MAX; line = next) {
+        next = strchr(line, ',');
+        if (next != NULL) *next++ = '\0';
+        fields[count++] = line;
+    }
+    return count;
+}
+
+/* For each column of the table its place among those of a point, COLUMNS_MAX where it has none. */
+typedef struct {
+    unsigned from[COLUMNS_MAX], count;
+    bool same; /* nothing is to be moved */
+} column_map;
+
+/* Say what is missing of one list of names in the other; returns how many. */
+static unsigned tell_missing(const char *where, char *const *names, unsigned count, char *const *others, unsigned other_count, const char *ending)
+{
+    unsigned missing = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        unsigned k = 0;
+        while (k < other_count && strcmp(names[i], others[k]) != 0) k++;
+        if (k < other_count) continue;
+        if (missing++ == 0) fprintf(stderr, "jellett: at %s:", where);
+        fprintf(stderr, "%s %s", missing > 1 ? "," : "", names[i]);
+    }
+    if (missing > 0) fprintf(stderr, ": %s\n", ending);
+    return missing;
+}
+
+/* names: of the point, ended by a NUL. False: no memory. */
+static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, const char *names)
+{
+    char where[JLT_SWEPT_PLACE_MAX], *own[COLUMNS_MAX], *whole[COLUMNS_MAX];
+    char *own_text = strdup(names), *whole_text = strdup(self->names);
+    const bool is_new = self->odd == NULL || strcmp(self->odd, names) != 0;
+    const bool has_memory = own_text != NULL && whole_text != NULL;
+
+    *map = (column_map){ .same = strcmp(names, self->names) == 0 };
+    if (has_memory && !map->same) {
+        const unsigned count = cut(own, own_text);
+        map->count = cut(whole, whole_text);
+        for (unsigned i = 0; i < map->count; i++) {
+            unsigned k = 0;
+            while (k < count && strcmp(own[k], whole[i]) != 0) k++;
+            map->from[i] = k < count ? k : COLUMNS_MAX;
+        }
+        jlt_swept_rows_place(where, self, point);
+        if (is_new) {
+            (void)tell_missing(where, whole, map->count, own, count, "no columns here, and left empty");
+            (void)tell_missing(where, own, count, whole, map->count, "columns that the first point has not, and left out");
+            free(self->odd);
+            self->odd = strdup(names);
+        }
+    }
+    free(own_text);
+    free(whole_text);
+    return has_memory;
+}
+
+/* A row as the table has it, without its end: values of the point, fields; for the caller to free. */
+static char *row_of(const column_map *map, const char *values, const char *row, size_t length)
+{
+    char *text = NULL, *line, *fields[COLUMNS_MAX];
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+
+    line = strndup(row, length);
+    if (stream == NULL || line == NULL) {
+        if (stream != NULL) fclose(stream);
+        free(text);
+        free(line);
+        return NULL;
+    }
+    fprintf(stream, "%s%s", values, map->same ? line : "");
+    const unsigned count = map->same ? 0 : cut(fields, line);
+    for (unsigned i = 0; i < map->count; i++)
+        fprintf(stream, "%s%s", i > 0 ? "," : "", map->from[i] < count ? fields[map->from[i]] : "");
+    free(line);
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+/* A row for the picture: two of its columns, where both are numbers. The row is cut. */
+static void draw_row(const jlt_swept_rows *self, char *row)
+{
+    char *fields[COLUMNS_MAX], *end;
+    const unsigned count = cut(fields, row);
+    double at[2] = { NAN, NAN };
+
+    for (unsigned k = 0; k < 2; k++) {
+        if (self->shown[k] >= count) continue;
+        at[k] = strtod(fields[self->shown[k]], &end);
+        if (end == fields[self->shown[k]] || *end != '\0') at[k] = NAN;
+    }
+    if (isfinite(at[0]) && isfinite(at[1])) jlt_look_row(self->common->points, at, 2);
+}
+
+/* text: what the command wrote, from its first comment on; names: where its names of columns stand. */
+static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text, const char *names)
+{
+    FILE *file = self->common->table.file;
+    char values[JLT_SWEPT_PLACE_MAX] = "", where[JLT_SWEPT_PLACE_MAX];
+    double at[JLT_SWEPT_AXES_MAX];
+    size_t used = 0;
+    column_map map;
+    char *own = strndup(names, strcspn(names, "\n"));
+    const bool has_memory = own != NULL && map_columns(&map, self, point, own);
+
+    free(own);
+    if (!has_memory) return jlt_command_no_memory();
+    jlt_grid_point(at, self->axes, self->count, point);
+    jlt_swept_rows_place(where, self, point);
+    for (size_t k = 0; k < self->count; k++) {
+        jlt_digits_shortest(values + used, at[k]);
+        used += strlen(values + used);
+        values[used++] = ',';
+        values[used] = '\0';
+    }
+    for (const char *next; text != NULL && *text != '\0'; text = next) {
+        const size_t length = line_at(text, &next);
+        if (*text == '#' && !has_line(self->header, text, length)) fprintf(file, "# at %s:%.*s\n", where, (int)length - 1, text + 1);
+        if (*text == '#' || text == names) continue;
+        char *row = row_of(&map, values, text, length);
+        if (row == NULL) return jlt_command_no_memory();
+        fprintf(file, "%s\n", row);
+        if (self->common->points != NULL) draw_row(self, row);
+        free(row);
+    }
+    fflush(file);
+    return JLT_EXIT_DONE;
+}
+
+/* The picture's columns, by the names of all. */
+static jlt_exit choose(jlt_swept_rows *self)
+{
+    char *text = strdup(self->names), *columns[COLUMNS_MAX];
+    const char *names[JLT_SWEPT_AXES_MAX + COLUMNS_MAX];
+    unsigned count = 0;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (text == NULL) return jlt_command_no_memory();
+    const unsigned own = cut(columns, text);
+    for (size_t k = 0; k < self->count; k++) names[count++] = self->axes[k].name;
+    self->shown[1] = count + (self->lead < own ? self->lead : own - 1);
+    for (unsigned i = 0; i < own; i++) names[count++] = columns[i];
+    if (self->common->plot != NULL) code = jlt_plot_shown(self->shown, self->common, names, count);
+    free(text);
+    return code;
+}
+
+/* Where the names of columns stand; NULL: there are none. */
+static const char *names_in(const char *text)
+{
+    for (const char *next; text != NULL && *text != '\0'; text = next) {
+        (void)line_at(text, &next);
+        if (*text != '#') return text;
+    }
+    return NULL;
+}
+
+jlt_exit jlt_swept_rows_finish(jlt_swept_rows *self)
+{
+    FILE *file = self->common->table.file;
+    char *held = self->held;
+    jlt_exit code;
+
+    if (held == NULL) return JLT_EXIT_DONE;
+    self->held = NULL;
+    code = choose(self);
+    if (code == JLT_EXIT_DONE) {
+        fputs(self->header, file);
+        for (size_t k = 0; k < self->count; k++) fprintf(file, "%s,", self->axes[k].name);
+        fprintf(file, "%s\n", self->names);
+        code = write_rows(self, self->held_point, held, names_in(held));
+    }
+    free(held);
+    return code;
+}
+
+jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text)
+{
+    const char *names = names_in(text);
+
+    if (names == NULL) return JLT_EXIT_DONE;
+    if (self->names == NULL) {
+        self->names = strndup(names, strcspn(names, "\n"));
+        self->header = comments(text, NULL);
+        self->held = strdup(text);
+        self->held_point = point;
+        return self->names != NULL && self->header != NULL && self->held != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
+    }
+    if (self->held != NULL) {
+        char *common = comments(self->header, text);
+        if (common == NULL) return jlt_command_no_memory();
+        free(self->header);
+        self->header = common;
+        const jlt_exit code = jlt_swept_rows_finish(self);
+        if (code != JLT_EXIT_DONE) return code;
+    }
+    return write_rows(self, point, text, names);
+}
+
+jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
+{
+    char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[COLUMNS_MAX];
+    jlt_plot plot;
+
+    if (text == NULL || jlt_plot_open(&plot, self->common) != JLT_OK) {
+        free(text);
+        return jlt_command_no_memory();
+    }
+    (void)cut(columns, text);
+    jlt_plot_block(&plot, "POINTS", self->common->drawn);
+    jlt_plot_words(&plot, "%s", self->what);
+    for (unsigned k = 0; k < 2; k++) {
+        jlt_look_label(label, self->shown[k] < self->count ? self->axes[self->shown[k]].name : columns[self->shown[k] - self->count], "");
+        jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, JLT_EXTENT_OPEN, 0);
+    }
+    fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);
+    jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "points", .colour = 0, .size = 0.3 });
+    fputs(" notitle\n", plot.stream);
+    free(text);
+    return jlt_plot_draw(&plot);
+}
+
+void jlt_swept_rows_clear(jlt_swept_rows *self)
+{
+    free(self->header);
+    free(self->names);
+    free(self->held);
+    free(self->odd);
+}
