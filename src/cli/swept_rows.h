@@ -24,7 +24,7 @@ typedef struct {
     unsigned shown[2]; /* columns of the picture, x and y */
 } jlt_swept_rows;
 
-/** "a3=0.1, E=2", for messages. */
+/** "k=0.1, E=2", for messages. */
 void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point);
 
 /** What the command wrote at a point: comments, names of columns, rows; "" is nothing. Comments of this point alone stay with its rows.
