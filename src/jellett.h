@@ -59,10 +59,15 @@ extern "C" {
 #include "dynamics/symmetric.h"
 #include "dynamics/system.h"
 
+#include "analysis/boxes.h"
 #include "analysis/charpoly.h"
 #include "analysis/deflation.h"
 #include "analysis/density.h"
 #include "analysis/linearization.h"
+#include "analysis/transfer.h"
+#include "analysis/transfer_finding.h"
+#include "analysis/transfer_section.h"
+#include "analysis/transfer_spectrum.h"
 
 #include "top/attitude.h"
 #include "top/top.h"

@@ -1,0 +1,176 @@
+#include "analysis/transfer.h"
+
+#include "core/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void jlt_transfer_destroy(jlt_transfer *self)
+{
+    if (self == NULL) return;
+    free(self->box);
+    free(self->kept);
+    free(self->share);
+    free(self->row);
+    free(self->to);
+    free(self->weight);
+    free(self->lost);
+    free(self->time);
+    free(self->known);
+    free(self);
+}
+
+void jlt_transfer_push(const jlt_transfer *self, double *out, const double *v)
+{
+    memset(out, 0, self->count * sizeof *out);
+    for (size_t i = 0; i < self->count; i++)
+        for (size_t e = self->row[i]; e < self->row[i + 1]; e++) out[self->to[e]] += v[i] * self->weight[e];
+}
+
+double jlt_transfer_distance(const double *a, const double *b, size_t count)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < count; i++) sum += fabs(a[i] - b[i]);
+    return sum / 2;
+}
+
+/* What coarsening needs: the parts of each coarse box, one after another, and a row that is being added up. */
+typedef struct {
+    const jlt_transfer *fine;
+    uint32_t *parent;      /* (fine->count,), the place of each */
+    size_t *first, *part;  /* (coarse->count + 1,), (fine->count,): part[first[I]] .. are the places of those in I */
+    double *sum;           /* (coarse->count,) */
+    uint32_t *touched;     /* (coarse->count,), and how many: */
+    size_t touched_count;
+} merger;
+
+static void forget(merger *m)
+{
+    free(m->parent);
+    free(m->first);
+    free(m->part);
+    free(m->sum);
+    free(m->touched);
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Places of the coarse boxes, in the order of their numbers, and which fine ones make them up. */
+static jlt_status number_parts(jlt_transfer *out, merger *m, size_t all)
+{
+    const jlt_transfer *fine = m->fine;
+    size_t *fill;
+
+    for (size_t i = 0; i < fine->count; i++) {
+        m->parent[i] = (uint32_t)jlt_boxes_parent(&fine->boxes, &out->boxes, fine->box[i]);
+        out->kept[m->parent[i]] = 0;
+    }
+    for (size_t box = 0; box < all; box++)
+        if (out->kept[box] == 0) {
+            out->kept[box] = (uint32_t)out->count;
+            out->box[out->count++] = (uint32_t)box;
+        }
+    m->first = jlt_memory_array(out->count + 2, sizeof *m->first);
+    m->sum = jlt_memory_array(out->count, sizeof *m->sum);
+    m->touched = jlt_memory_array(out->count, sizeof *m->touched);
+    if (m->first == NULL || m->sum == NULL || m->touched == NULL) return JLT_ERR_NOMEM;
+    fill = m->first + 1;
+    for (size_t i = 0; i < fine->count; i++) fill[(m->parent[i] = out->kept[m->parent[i]]) + 1]++;
+    for (size_t i = 0; i < out->count; i++) fill[i + 1] += fill[i];
+    for (size_t i = 0; i < fine->count; i++) m->part[fill[m->parent[i]]++] = i;
+    return JLT_OK;
+}
+
+/* Add a fine box, which carries this share of the coarse one's mass. */
+static void add_part(jlt_transfer *out, merger *m, size_t coarse, size_t i, double share, double *back)
+{
+    const jlt_transfer *fine = m->fine;
+    double returned = 0;
+
+    for (size_t e = fine->row[i]; e < fine->row[i + 1]; e++) {
+        const uint32_t to = m->parent[fine->to[e]];
+        if (m->sum[to] == 0) m->touched[m->touched_count++] = to;
+        m->sum[to] += share * fine->weight[e];
+        returned += share * fine->weight[e];
+    }
+    for (unsigned k = 0; k < fine->losses; k++) out->lost[coarse * fine->losses + k] += share * fine->lost[i * fine->losses + k];
+    if (returned > 0) out->time[coarse] += returned * fine->time[i];
+    if (out->known != NULL) out->known[coarse] += fine->known[i];
+    *back += returned;
+}
+
+/* The row of one coarse box, behind those before it. */
+static void add_row(jlt_transfer *out, merger *m, size_t coarse, double parts)
+{
+    double whole = 0, back = 0;
+    size_t at = out->row[coarse];
+
+    for (size_t p = m->first[coarse]; p < m->first[coarse + 1]; p++) whole += m->fine->share[m->part[p]];
+    m->touched_count = 0;
+    for (size_t p = m->first[coarse]; p < m->first[coarse + 1]; p++)
+        add_part(out, m, coarse, m->part[p], m->fine->share[m->part[p]] / whole, &back);
+    out->share[coarse] = whole / parts;
+    out->time[coarse] = back > 0 ? out->time[coarse] / back : NAN;
+    qsort(m->touched, m->touched_count, sizeof *m->touched, ascending);
+    for (size_t k = 0; k < m->touched_count; k++) {
+        out->to[at] = m->touched[k];
+        out->weight[at++] = m->sum[m->touched[k]];
+        m->sum[m->touched[k]] = 0;
+    }
+    out->row[coarse + 1] = at;
+}
+
+static jlt_status allocate(jlt_transfer *out, merger *m, size_t all)
+{
+    const jlt_transfer *fine = m->fine;
+    const size_t count = fine->count, entries = fine->row[fine->count];
+
+    out->losses = fine->losses;
+    out->box = jlt_memory_array(count, sizeof *out->box);
+    out->kept = jlt_memory_array(all, sizeof *out->kept);
+    out->share = jlt_memory_array(count, sizeof *out->share);
+    out->row = jlt_memory_array(count + 1, sizeof *out->row);
+    out->to = jlt_memory_array(entries, sizeof *out->to);
+    out->weight = jlt_memory_array(entries, sizeof *out->weight);
+    out->lost = jlt_memory_array(count * fine->losses, sizeof *out->lost);
+    out->time = jlt_memory_array(count, sizeof *out->time);
+    if (fine->known != NULL) out->known = jlt_memory_array(count, sizeof *out->known);
+    m->parent = jlt_memory_array(count, sizeof *m->parent);
+    m->part = jlt_memory_array(count, sizeof *m->part);
+    if (out->box == NULL || out->kept == NULL || out->share == NULL || out->row == NULL || out->to == NULL || out->weight == NULL ||
+        out->lost == NULL || out->time == NULL || (fine->known != NULL && out->known == NULL) || m->parent == NULL ||
+        m->part == NULL)
+        return JLT_ERR_NOMEM;
+    memset(out->kept, 0xff, all * sizeof *out->kept);
+    return JLT_OK;
+}
+
+jlt_status jlt_transfer_coarsen(jlt_transfer **out, const jlt_transfer *fine, size_t factor)
+{
+    jlt_transfer *self = calloc(1, sizeof *self);
+    merger m = { .fine = fine };
+    double parts = 1;
+    size_t all;
+    jlt_status st;
+
+    *out = NULL;
+    if (self == NULL) return JLT_ERR_NOMEM;
+    JLT_TRY(jlt_boxes_coarser(&self->boxes, &fine->boxes, factor));
+    JLT_TRY(jlt_boxes_count(&all, &self->boxes));
+    JLT_TRY(allocate(self, &m, all));
+    JLT_TRY(number_parts(self, &m, all));
+    for (unsigned k = 0; k < fine->boxes.dim; k++) parts *= (double)(fine->boxes.count[k] / self->boxes.count[k]);
+    for (size_t i = 0; i < self->count; i++) add_row(self, &m, i, parts);
+    *out = self;
+    self = NULL; /* ownership moved to the caller */
+done:
+    forget(&m);
+    jlt_transfer_destroy(self);
+    return st;
+}

@@ -1,0 +1,255 @@
+#include "analysis/transfer_spectrum.h"
+
+#include "core/memory.h"
+#include "core/random.h"
+#include "ext/arpack.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double rounding = 1e-9; /* of a mass */
+
+enum { SPACE = 24, RESTARTS = 300 };
+
+typedef struct {
+    const jlt_transfer *transfer;
+    const volatile sig_atomic_t *interrupt;
+} problem;
+
+static int apply(void *context, double *out, const double *x)
+{
+    const problem *p = context;
+
+    if (p->interrupt != NULL && *p->interrupt) return 1;
+    jlt_transfer_push(p->transfer, out, x);
+    return 0;
+}
+
+void jlt_transfer_spectrum_clear(jlt_transfer_spectrum *self)
+{
+    free(self->re);
+    free(self->im);
+    free(self->residual);
+    free(self->leading);
+    free(self->second);
+    *self = (jlt_transfer_spectrum){ .count = 0 };
+}
+
+/* Whether eigenvalue i of ARPACK's comes before k. */
+static bool before(const double *re, const double *im, size_t i, size_t k)
+{
+    const double a = hypot(re[i], im[i]), b = hypot(re[k], im[k]);
+
+    if (a != b) return a > b;
+    if (re[i] != re[k]) return re[i] > re[k];
+    return im[i] > im[k];
+}
+
+/* Sum of |v P - lambda v| over that of |v|; of a pair, v = x + i y is what its first eigenvalue has, and y is NULL for a real
+ * one. */
+static double residual_of(const jlt_transfer *transfer, double re, double im, const double *x, const double *y, double *work)
+{
+    const size_t n = transfer->count;
+    double *px = work, *py = work + n, sum = 0, size = 0;
+
+    jlt_transfer_push(transfer, px, x);
+    if (y != NULL) jlt_transfer_push(transfer, py, y);
+    for (size_t i = 0; i < n; i++) {
+        const double yi = y != NULL ? y[i] : 0, pyi = y != NULL ? py[i] : 0;
+        sum += hypot(px[i] - re * x[i] + im * yi, pyi - re * yi - im * x[i]);
+        size += hypot(x[i], yi);
+    }
+    return sum / size;
+}
+
+/* A copy with sum |v| = 1, and the greater part of it positive. *negative: what is not. */
+static double *scaled(const double *v, size_t n, double *negative)
+{
+    double *copy = jlt_memory_array(n, sizeof *copy), plus = 0, minus = 0;
+
+    if (copy == NULL) return NULL;
+    for (size_t i = 0; i < n; i++) {
+        if (v[i] > 0) plus += v[i];
+        else minus -= v[i];
+    }
+    for (size_t i = 0; i < n; i++) copy[i] = v[i] / (plus >= minus ? plus + minus : -(plus + minus));
+    *negative = fmin(plus, minus) / (plus + minus);
+    return copy;
+}
+
+/* The masses that stay. Of a simple eigenvalue they have one sign but for rounding. Of one that is not, the vector is any of many;
+ * then its absolute values stay too, for |v| P has no less of any than |v P|, and no more in all. */
+static double *positive(const double *v, size_t n, double *negative)
+{
+    double *copy = scaled(v, n, negative);
+
+    for (size_t i = 0; copy != NULL && *negative > rounding && i < n; i++) copy[i] = fabs(copy[i]);
+    return copy;
+}
+
+/* Sort what ARPACK has found, and choose the eigenvectors that are kept. */
+static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transfer, const double *re, const double *im,
+                          const double *vectors,
+                          size_t found, size_t wanted, double *work)
+{
+    const size_t n = transfer->count;
+    size_t *order = jlt_memory_array(found, sizeof *order), count = found, first, second;
+    jlt_status st = order == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    for (size_t i = 0; st == JLT_OK && i < found; i++) {
+        size_t at = i;
+        for (; at > 0 && before(re, im, i, order[at - 1]); at--) order[at] = order[at - 1];
+        order[at] = i;
+    }
+    /* ARPACK may find one more than was asked for; it stays where it completes a pair. */
+    if (st == JLT_OK && found > wanted && im[order[wanted - 1]] <= 0) count = wanted;
+    first = second = count;
+    for (size_t i = 0; st == JLT_OK && i < count; i++) {
+        const size_t k = order[i], head = im[k] < 0 ? k - 1 : k; /* a pair's first holds the real part of its vector */
+        out->re[i] = re[k];
+        out->im[i] = im[k];
+        out->residual[i] = residual_of(transfer, re[k], fabs(im[k]), vectors + head * n,
+                                       im[k] != 0 ? vectors + (head + 1) * n : NULL, work);
+        if (im[k] != 0) continue;
+        if (first == count || re[k] > out->re[first]) {
+            if (first < count && out->re[first] > 0) second = first;
+            first = i;
+        } else if (re[k] > 0 && (second == count || re[k] > out->re[second])) second = i;
+    }
+    if (st == JLT_OK && first == count) st = JLT_ERR_NO_CONVERGENCE;
+    if (st == JLT_OK) {
+        out->count = count;
+        out->leading_index = first;
+        out->leading = positive(vectors + order[first] * n, n, &out->negative);
+        if (second < count) out->second = scaled(vectors + order[second] * n, n, &(double){ 0 });
+        out->second_index = second;
+        if (out->leading == NULL || (second < count && out->second == NULL)) st = JLT_ERR_NOMEM;
+    }
+    free(order);
+    return st;
+}
+
+static jlt_status compute(jlt_transfer_spectrum *out, const jlt_transfer *transfer, size_t wanted, double tolerance,
+                          const volatile sig_atomic_t *interrupt)
+{
+    const size_t n = transfer->count, space = 2 * wanted + SPACE < n ? 2 * wanted + SPACE : n;
+    problem p = { transfer, interrupt };
+    double *re = NULL, *im = NULL, *vectors = NULL, *work = NULL, *start = NULL;
+    size_t found = 0;
+    jlt_random random;
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *out = (jlt_transfer_spectrum){ .count = 0 };
+    re = jlt_memory_array(wanted + 1, sizeof *re);
+    im = jlt_memory_array(wanted + 1, sizeof *im);
+    vectors = jlt_memory_array((wanted + 1) * n, sizeof *vectors);
+    work = jlt_memory_array(2 * n, sizeof *work);
+    start = jlt_memory_array(n, sizeof *start);
+    out->re = jlt_memory_array(wanted + 1, sizeof *re);
+    out->im = jlt_memory_array(wanted + 1, sizeof *im);
+    out->residual = jlt_memory_array(wanted + 1, sizeof *re);
+    if (re == NULL || im == NULL || vectors == NULL || work == NULL || start == NULL || out->re == NULL || out->im == NULL ||
+        out->residual == NULL)
+        goto done;
+    /* Near the even mass, and yet in no subspace that a symmetry of the map leaves invariant. */
+    jlt_random_seed(&random, 1);
+    for (size_t i = 0; i < n; i++) start[i] = transfer->share[i] * jlt_random_between(&random, 0.5, 1.5);
+    JLT_TRY(jlt_arpack_leading(re, im, &found, vectors, &(jlt_arpack_matrix){ n, apply, &p },
+                               &(jlt_arpack_options){ .wanted = wanted, .space = space, .restarts = RESTARTS,
+                                                     .tolerance = tolerance, .start = start }));
+    st = found > 0 ? arrange(out, transfer, re, im, vectors, found, wanted, work) : JLT_ERR_NO_CONVERGENCE;
+done:
+    free(re);
+    free(im);
+    free(vectors);
+    free(work);
+    free(start);
+    if (st != JLT_OK) jlt_transfer_spectrum_clear(out);
+    return st;
+}
+
+/* EMPTY where no box leads back to itself, in any number of steps: all eigenvalues are 0. Boxes into which none leads are taken
+ * away until there are none (A. B. Kahn, Comm. ACM 5, 1962). */
+static jlt_status check_recurrent(const jlt_transfer *transfer)
+{
+    const size_t n = transfer->count;
+    size_t *into = jlt_memory_array(n, sizeof *into), *free_of = jlt_memory_array(n, sizeof *free_of), last = 0, next = 0;
+    const bool is_out = into == NULL || free_of == NULL;
+
+    for (size_t e = 0; !is_out && e < transfer->row[n]; e++) into[transfer->to[e]]++;
+    for (size_t i = 0; !is_out && i < n; i++)
+        if (into[i] == 0) free_of[last++] = i;
+    for (; next < last; next++)
+        for (size_t e = transfer->row[free_of[next]]; e < transfer->row[free_of[next] + 1]; e++)
+            if (--into[transfer->to[e]] == 0) free_of[last++] = transfer->to[e];
+    free(into);
+    free(free_of);
+    return is_out ? JLT_ERR_NOMEM : last == n ? JLT_ERR_EMPTY : JLT_OK;
+}
+
+jlt_status jlt_transfer_spectrum_compute(jlt_transfer_spectrum *out, const jlt_transfer *transfer, size_t wanted, double tolerance,
+                                         const volatile sig_atomic_t *interrupt)
+{
+    jlt_status st;
+
+    *out = (jlt_transfer_spectrum){ .count = 0 };
+    if (transfer->count < 3 || wanted == 0) return JLT_ERR_ARG;
+    if (wanted > transfer->count - 2) wanted = transfer->count - 2;
+    if ((st = check_recurrent(transfer)) != JLT_OK) return st;
+    st = compute(out, transfer, wanted, tolerance, interrupt);
+    if (st == JLT_ERR_NO_CONVERGENCE && wanted > 1 && (interrupt == NULL || !*interrupt))
+        st = compute(out, transfer, 1, tolerance, interrupt);
+    return st;
+}
+
+size_t jlt_transfer_spectrum_multiplicity(const jlt_transfer_spectrum *self, double distance)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < self->count; i++)
+        count += hypot(self->re[i] - self->re[self->leading_index], self->im[i]) <= distance;
+    return count;
+}
+
+double jlt_transfer_spectrum_losses(double *lost, const jlt_transfer *transfer, const double *v)
+{
+    const unsigned losses = transfer->losses;
+    double whole = 0, sum = 0;
+
+    memset(lost, 0, losses * sizeof *lost);
+    for (size_t i = 0; i < transfer->count; i++) {
+        whole += v[i];
+        for (unsigned k = 0; k < losses; k++) lost[k] += v[i] * transfer->lost[i * losses + k];
+    }
+    for (unsigned k = 0; k < losses; k++) sum += lost[k] /= whole;
+    return sum;
+}
+
+double jlt_transfer_spectrum_time(const jlt_transfer *transfer, const double *v)
+{
+    double sum = 0, mass = 0;
+
+    for (size_t i = 0; i < transfer->count; i++) {
+        double back = 0;
+        for (size_t e = transfer->row[i]; e < transfer->row[i + 1]; e++) back += transfer->weight[e];
+        if (back > 0) sum += v[i] * back * transfer->time[i], mass += v[i] * back;
+    }
+    return sum / mass;
+}
+
+void jlt_transfer_spectrum_set(double *mass, double *kept, const jlt_transfer *transfer, const double *v, const double *second,
+                               int sign)
+{
+    double whole = 0, stays = 0, in = 0;
+
+    for (size_t i = 0; i < transfer->count; i++) {
+        whole += v[i];
+        if (second[i] * sign <= 0) continue;
+        in += v[i];
+        for (size_t e = transfer->row[i]; e < transfer->row[i + 1]; e++)
+            if (second[transfer->to[e]] * sign > 0) stays += v[i] * transfer->weight[e];
+    }
+    *mass = in / whole;
+    *kept = in > 0 ? stays / in : NAN;
+}
