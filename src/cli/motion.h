@@ -24,6 +24,8 @@ typedef struct {
     bool in_lanes;       /* many orbits go at once, by a method that --tol chooses */
     const char *alone;   /* why they do not; NULL: that was not asked for, or they do */
     bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */
+    bool is_random;      /* points are drawn, from: */
+    size_t seed;
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
     char start[512]; /* the one by default */

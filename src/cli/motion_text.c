@@ -66,7 +66,8 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
             chart->level, directions[options->flow.direction + 1], method, options->flow.tolerance);
     if (jlt_observed_conditions(system->observed) > 0)
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
-    fputs("; nothing is random, so there is no seed\n", stream);
+    if (options->is_random) fprintf(stream, "; seed %zu\n", options->seed);
+    else fputs("; nothing is random, so there is no seed\n", stream);
     jlt_motion_many_line(stream, "#", options, system);
 }
 

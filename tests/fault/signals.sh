@@ -50,6 +50,9 @@ interrupt "TERM TERM" jellett fates --grid 300x300 -o t.csv
 expect 143 "t.csv " "fates"
 [ "$(grep -vc '^#' "$scratch/d/t.csv")" -gt 10 ] || fail "fates: saves nothing"
 # Commands that save nothing before they are done say so.
+interrupt "TERM TERM" jellett transfer --boxes 900x900 -o t.csv
+expect 143 "" "transfer"
+grep -q "nothing is saved" "$scratch/err" || fail "transfer: says '$(cat "$scratch/err")'"
 interrupt TERM jellett verify --samples 10000000
 expect 143 "" "verify"
 interrupt "INT INT" jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.99:0.99:900000 -o t.csv

@@ -51,6 +51,7 @@ lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 4
 lyapunov lorenz --section z=27 --grid x=-14:-13:2,y=-20:-19:2 --returns 1
 manifolds --length 0.002 --seed 1e-3
 continue --along E=2.14:2.15 --decreasing
+transfer lorenz --section z=27 --boxes x=-20:20:8,y=-20:20:8 --strata 3
 separation --grid eta=0.40:0.48:3,gamma3=-0.63:-0.61:2 --returns 2 --settle 0 --cells 10x10
 drift --returns 4
 simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1

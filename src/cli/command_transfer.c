@@ -1,0 +1,367 @@
+#include "cli/motion_many.h"
+#include "cli/motion_map.h"
+#include "cli/progress.h"
+#include "cli/transfer_report.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Keys; most operators of one run; points that go at once, for each thread. */
+enum { STRATA = 2000, NOISE, COARSE, SEED, BACKWARD, CANDIDATES, LIST_MAX = 8, BLOCK = 8192 };
+
+typedef struct {
+    jlt_motion_options motion;
+    const char *boxes;
+    size_t strata, eigenvalues, candidates, seed;
+    double noise[LIST_MAX];
+    size_t noise_count, coarse[LIST_MAX], coarse_count;
+    bool backwards, json;
+} options;
+
+static const char default_boxes[] = "100x100";
+
+static const double drawn = 1e-6; /* densities are drawn down to this part of the largest */
+
+static const struct argp_option option_table[] = {
+    { "boxes", 'b', "COUNTxCOUNT", 0,
+      "Boxes over the whole section, or over NAME=LOW:HIGH:COUNT,...; of a section that tables describe, default 100x100", 1 },
+    { "strata", STRATA, "N", 0, "Points of a box along each coordinate, one at random in each of N cells; default 10", 1 },
+    { "eigenvalues", 'e', "N|0", 0, "Leading eigenvalues; default 6. 0: none, the matrix and the density that is known alone", 1 },
+    { "noise", NOISE, "PART,...", 0,
+      "Move images at random, by up to this part of each coordinate's interval either way: a matrix for each; default 0", 1 },
+    { "coarse", COARSE, "N,...", 0, "Compare with boxes N times wider, from the same points", 1 },
+    { "backward", BACKWARD, NULL, 0, "The inverse map: what stays is the repeller", 1 },
+    { "candidates", CANDIDATES, "N|0", 0, "Boxes of highest density that are named, each as a --start; default 3", 1 },
+    { "seed", SEED, "N|0", 0, "Seed of the points' places and of noise; default 1", 1 },
+    { "json", 'j', NULL, 0, "The comparison of operators as JSON in place of the rows", 1 },
+    { 0 },
+};
+
+/* The next of a list of texts separated by commas; false: there is none. */
+static bool next_item(char item[64], const char **text, const char *option, struct argp_state *state)
+{
+    const size_t length = strcspn(*text, ",");
+
+    if (**text == '\0') return false;
+    if (length == 0 || length >= 64) argp_error(state, "%s: '%s' is no list", option, *text);
+    memcpy(item, *text, length);
+    item[length] = '\0';
+    *text += length + ((*text)[length] == ',');
+    return true;
+}
+
+static void parse_noise(options *o, const char *value, struct argp_state *state)
+{
+    char item[64];
+
+    for (o->noise_count = 0; next_item(item, &value, "--noise", state); o->noise_count++) {
+        if (o->noise_count == LIST_MAX) argp_error(state, "--noise: at most %d values", LIST_MAX);
+        jlt_common_number(&o->noise[o->noise_count], item, "--noise");
+        if (!(o->noise[o->noise_count] >= 0 && o->noise[o->noise_count] <= 1))
+            argp_error(state, "--noise: '%s' is not from 0 to 1", item);
+    }
+    if (o->noise_count == 0) argp_error(state, "--noise: no value");
+}
+
+static void parse_coarse(options *o, const char *value, struct argp_state *state)
+{
+    char item[64];
+
+    for (o->coarse_count = 1; next_item(item, &value, "--coarse", state); o->coarse_count++) {
+        if (o->coarse_count == LIST_MAX) argp_error(state, "--coarse: at most %d values", LIST_MAX - 1);
+        jlt_common_count(&o->coarse[o->coarse_count], item, 2, 1 << 20, "--coarse");
+        if (o->coarse[o->coarse_count] <= o->coarse[o->coarse_count - 1]) argp_error(state, "--coarse: write 2,4,8, ascending");
+    }
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
+        state->child_inputs[3] = &o->motion.common;
+        return 0;
+    case 'b': o->boxes = value; return 0;
+    case STRATA: jlt_common_count(&o->strata, value, 1, 1000, "--strata"); return 0;
+    case 'e': jlt_common_count(&o->eigenvalues, value, 0, 100, "--eigenvalues"); return 0;
+    case NOISE: parse_noise(o, value, state); return 0;
+    case COARSE: parse_coarse(o, value, state); return 0;
+    case BACKWARD: o->backwards = true; return 0;
+    case CANDIDATES: jlt_common_count(&o->candidates, value, 0, 1000, "--candidates"); return 0;
+    case SEED: jlt_common_count(&o->seed, value, 0, INT64_MAX, "--seed"); return 0;
+    case 'j': o->json = true; return 0;
+    case ARGP_KEY_END:
+        if (o->motion.common.plot != NULL && o->eigenvalues == 0)
+            argp_error(state, "--plot draws the density that stays: leave out --eigenvalues 0");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "The densities that stay under a section's return map, by Ulam's method: the section is cut into boxes, and the share of "
+    "each box that one return sends to each other box is a matrix, whose leading eigenvalues and vectors are computed. Orbits "
+    "that end are lost mass.\v"
+    "Columns: the coordinates of each box's centre, of boxes that have states; share, the part of the box that has; mass and "
+    "density, what stays on it; second, the eigenvector of the next positive eigenvalue, whose signs are sets that mix slowly; "
+    "known_density, where the table claims an invariant measure, rho times the flux; the shares that are lost at a return, by "
+    "fate, or outside the boxes; time, the mean one of a return.\n\n"
+    "On standard error, or with --json, of each matrix: its eigenvalues; the escape rate, -ln of the leading one, and the mass "
+    "lost by fate; the distance of the density to its mirror image, which stays under the inverse map (1: attractor and "
+    "repeller are apart); how much of each set stays in it; how far the known density is from its image, and in which order "
+    "that falls with the boxes' width. Distances are in total variation, 0 to 1.\n\n"
+    "All this is evidence, not proof: spreading mass over whole boxes hides dissipation and transport that are weaker. Compare "
+    "--coarse and --noise, and prove what matters by jellett certify, from what jellett orbits finds in the boxes named.\n\n"
+    "Memory: 12 bytes an entry of a matrix, of which a box has a few, and less than 2 kB a box for 6 eigenvalues. Orbits go at once "
+    "as those of jellett section, by a method that --tol chooses, or by --method one at a time.\n\n"
+    "  jellett transfer --boxes 300x300 --tol 1e-8 --coarse 2,3 \\\n"
+    "    --plot density.png -o density.csv\n"
+    "  jellett transfer --set I3=0 --boxes 64x64 --eigenvalues 0\n"
+    "  jellett transfer nose_hoover --section z=0 --boxes q=-4:4:64,p=-4:4:64",
+    children, NULL, NULL,
+};
+
+/* All that a run has made. */
+typedef struct {
+    options *o;
+    jlt_system *system;
+    jlt_boxes boxes;
+    jlt_section_batch *batch;
+    jlt_transfer_section *section;
+    jlt_transfer *transfers[LIST_MAX * LIST_MAX];
+    jlt_transfer_case cases[LIST_MAX * LIST_MAX];
+    size_t *candidates, candidate_count, points;
+    jlt_progress progress;
+} study;
+
+static void clear(study *s)
+{
+    for (size_t i = 0; i < LIST_MAX * LIST_MAX; i++) {
+        jlt_transfer_finding_clear(&s->cases[i].finding);
+        jlt_transfer_destroy(s->transfers[i]);
+    }
+    jlt_transfer_section_destroy(s->section);
+    jlt_section_batch_destroy(s->batch);
+    free(s->candidates);
+}
+
+/* The axes as boxes: where the ends of an interval were not typed, all of it. */
+static jlt_exit choose_boxes(study *s, jlt_grid_axis *axes)
+{
+    const options *o = s->o;
+    const jlt_chart *chart = s->system->flow.chart;
+    const char *text = o->boxes != NULL ? o->boxes : s->system->surface != NULL && chart->dim == 2 ? default_boxes : NULL;
+    size_t all;
+    jlt_exit code;
+
+    if (text == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "say which boxes: --boxes NAME=LOW:HIGH:COUNT,...");
+    if (chart->dim > JLT_BOXES_DIM_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: the section has %u coordinates, and boxes have %d at most", chart->dim,
+                                JLT_BOXES_DIM_MAX);
+    code = jlt_motion_axes(axes, s->system, text, "--boxes");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(axes, "--boxes");
+    if (code != JLT_EXIT_DONE) return code;
+    s->boxes.dim = chart->dim;
+    for (unsigned k = 0; k < chart->dim; k++) {
+        if (axes[k].low_text == NULL && chart->period[k] == 0)
+            (void)jlt_surface_interval(s->system, k, &axes[k].low, &axes[k].high);
+        s->boxes.low[k] = fmin(axes[k].low, axes[k].high);
+        s->boxes.high[k] = fmax(axes[k].low, axes[k].high);
+        s->boxes.period[k] = chart->period[k];
+        s->boxes.count[k] = axes[k].count;
+        if (!(s->boxes.high[k] > s->boxes.low[k]))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: %s has no width (write %s=LOW:HIGH:COUNT)", chart->names[k],
+                                    chart->names[k]);
+        for (size_t i = 1; i < o->coarse_count; i++)
+            if (axes[k].count > 1 && axes[k].count % o->coarse[i] != 0)
+                return jlt_command_fail(JLT_EXIT_INPUT, "--coarse: %zu boxes of %s cannot be taken %zu together", axes[k].count,
+                                        chart->names[k], o->coarse[i]);
+    }
+    if (jlt_boxes_count(&all, &s->boxes) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: %s: more than %zu boxes, or an angle that goes round more than once",
+                                text, JLT_BOXES_MAX);
+    if (jlt_boxes_samples(&s->boxes, o->strata) > 1000000)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--strata: %zu along %u coordinates are more than 1000000 points of a box",
+                                o->strata, chart->dim);
+    return JLT_EXIT_DONE;
+}
+
+static void show(void *context, size_t done, size_t all) { jlt_progress_show(context, done, all); }
+
+static jlt_exit interrupted(void)
+{
+    fputs("jellett: interrupted; nothing is saved, for a part of the points has no densities\n", stderr);
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit build(study *s)
+{
+    const options *o = s->o;
+    jlt_section_batch_options batch = { .last_only = true, .backwards = o->backwards };
+    const jlt_transfer_options how = { .strata = o->strata, .seed = o->seed, .noise = o->noise, .noise_count = o->noise_count,
+                                       .block = BLOCK * o->motion.threads, .progress = show, .progress_context = &s->progress };
+    jlt_transfer *built[LIST_MAX] = { NULL };
+    jlt_exit code = jlt_motion_many_open(&s->batch, &batch, &o->motion, s->system);
+    jlt_status st;
+
+    if (code != JLT_EXIT_DONE) return code;
+    st = jlt_transfer_section_create(&s->section, s->system, s->batch);
+    if (st != JLT_OK) return jlt_motion_fail(st, s->system, "section");
+    const jlt_transfer_map map = jlt_transfer_section_map(s->section);
+    jlt_progress_start(&s->progress, "points");
+    st = jlt_transfer_build(built, &s->points, &s->boxes, &map, &how);
+    jlt_progress_end(&s->progress);
+    for (size_t k = 0; k < o->noise_count; k++) s->transfers[k * o->coarse_count] = built[k];
+    if (jlt_motion_interrupted(&o->motion)) return interrupted();
+    if (st == JLT_ERR_EMPTY)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: no point of them has a state of these levels from which the section is "
+                                                "crossed in its --direction");
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, s->system, "--boxes");
+}
+
+static jlt_exit examine(study *s, jlt_transfer_case *c, const jlt_transfer *transfer, size_t factor, double noise)
+{
+    const options *o = s->o;
+    jlt_status st;
+
+    *c = (jlt_transfer_case){ .factor = factor, .noise = noise, .transfer = transfer };
+    if (o->eigenvalues > 0 && transfer->count < 3)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: %zu have states; eigenvalues are of 3 boxes or more", transfer->count);
+    st = jlt_transfer_finding_make(&c->finding, transfer, s->system->flow.chart, o->eigenvalues, o->motion.flow.interrupt);
+    if (jlt_motion_interrupted(&o->motion)) return interrupted();
+    if (st == JLT_ERR_EMPTY)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: nothing stays in them, for no box leads back to itself: choose others, or another "
+                                "--section");
+    if (st == JLT_ERR_NO_CONVERGENCE)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "ARPACK does not converge on the matrix of %zu boxes, as where many "
+                                "eigenvalues lie on one circle (integrable motion): add --noise, or compare densities alone by --eigenvalues 0",
+                                transfer->count);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "eigenvalues");
+}
+
+/* Operators of all noises and widths, and what they tell. */
+static jlt_exit examine_all(study *s)
+{
+    const options *o = s->o;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion) && i < o->noise_count * o->coarse_count; i++) {
+        const size_t width = i % o->coarse_count;
+        if (width > 0) {
+            const jlt_status st = jlt_transfer_coarsen(&s->transfers[i], s->transfers[i - width], o->coarse[width]);
+            if (st != JLT_OK) return jlt_motion_fail(st, NULL, "--coarse");
+        }
+        code = examine(s, &s->cases[i], s->transfers[i], o->coarse[width], o->noise[i / o->coarse_count]);
+    }
+    if (code != JLT_EXIT_DONE || o->eigenvalues == 0 || o->candidates == 0 || jlt_motion_interrupted(&o->motion)) return code;
+    s->candidates = calloc(o->candidates, sizeof *s->candidates);
+    if (s->candidates == NULL ||
+        jlt_transfer_finding_peaks(s->candidates, &s->candidate_count, o->candidates, s->transfers[0],
+                                   s->cases[0].finding.spectrum.leading) != JLT_OK)
+        return jlt_command_no_memory();
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit draw(const study *s, jlt_motion_map *map)
+{
+    const jlt_transfer *t = s->transfers[0];
+    const double *v = s->cases[0].finding.spectrum.leading;
+    double q[JLT_CHART_DIM_MAX], most = 0;
+    jlt_plot plot;
+
+    for (size_t i = 0; i < t->count; i++) most = fmax(most, jlt_transfer_finding_density(t, v, i));
+    for (size_t i = 0; i < t->count; i++) {
+        jlt_boxes_centre(&t->boxes, q, t->box[i]);
+        jlt_motion_map_add(map, q, log10(fmax(jlt_transfer_finding_density(t, v, i), most * drawn)));
+    }
+    if (jlt_plot_open(&plot, &s->o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_words(&plot, "Density that stays under the %s map\n", s->o->backwards ? "inverse" : "return");
+    jlt_motion_caption(&plot, s->system, NULL);
+    jlt_motion_map_frame(map, &plot);
+    jlt_motion_map_palette(map, &plot, "log10 of the density");
+    jlt_motion_map_plot(map, &plot);
+    fputc('\n', plot.stream);
+    return jlt_plot_draw(&plot);
+}
+
+static jlt_exit write_all(study *s, jlt_motion_map *map)
+{
+    const options *o = s->o;
+    jlt_common *common = &s->o->motion.common;
+    const jlt_transfer_report report = {
+        .motion = &o->motion, .system = s->system, .cases = s->cases, .case_count = o->noise_count * o->coarse_count,
+        .wanted = o->eigenvalues, .points = s->points, .strata = o->strata, .seed = o->seed, .backwards = o->backwards,
+        .known = jlt_transfer_section_density(s->section), .candidates = s->candidates, .candidate_count = s->candidate_count,
+    };
+    jlt_exit code;
+
+    if (o->json) {
+        if (jlt_transfer_report_json(common->table.file, &report) != JLT_OK) return jlt_command_no_memory();
+    } else {
+        jlt_motion_header(common->table.file, &o->motion, s->system);
+        jlt_transfer_report_rows(common->table.file, &report);
+    }
+    code = jlt_common_save(common);
+    if (code != JLT_EXIT_DONE) return code;
+    jlt_transfer_report_text(stderr, &report);
+    if (common->plot != NULL) code = draw(s, map);
+    const size_t failed = jlt_transfer_section_failed(s->section);
+    return code == JLT_EXIT_DONE && failed > 0 ? jlt_motion_failures(failed, s->points) : code;
+}
+
+/* A picture's grid is that of the boxes' centres. */
+static void centre_axes(jlt_grid_axis *axes, const jlt_boxes *boxes)
+{
+    for (unsigned k = 0; k < boxes->dim; k++) {
+        const double half = (boxes->high[k] - boxes->low[k]) / (double)boxes->count[k] / 2;
+        const bool is_whole = boxes->period[k] != 0 && boxes->high[k] - boxes->low[k] > boxes->period[k] * (1 - 1e-12);
+        axes[k].low = boxes->low[k] + half;
+        axes[k].high = is_whole ? boxes->high[k] + half : boxes->high[k] - half;
+        axes[k].low_text = axes[k].high_text = NULL;
+    }
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .strata = 10, .eigenvalues = 6, .candidates = 3, .seed = 1, .noise_count = 1, .coarse = { 1 },
+                 .coarse_count = 1 };
+    study s = { .o = &o };
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_motion_map map = { .points = NULL };
+    jlt_exit code;
+
+    jlt_motion_begin(&o.motion, argc, argv);
+    jlt_motion_many_begin(&o.motion);
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    jlt_motion_many_choose(&o.motion, true, false);
+    o.motion.seed = o.seed;
+    o.motion.is_random = true;
+    o.motion.begins.grid = o.boxes;
+    o.motion.begins.other = default_boxes;
+    code = jlt_motion_system(&s.system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = choose_boxes(&s, axes);
+    if (code == JLT_EXIT_DONE) {
+        centre_axes(axes, &s.boxes);
+        code = jlt_motion_map_open(&map, &o.motion, s.system, o.boxes != NULL ? o.boxes : default_boxes, axes);
+    }
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
+    if (code == JLT_EXIT_DONE) code = build(&s);
+    if (code == JLT_EXIT_DONE) code = examine_all(&s);
+    if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o.motion)) code = write_all(&s, &map);
+    clear(&s);
+    jlt_motion_map_close(&map);
+    jlt_system_destroy(s.system);
+    jlt_motion_end(&o.motion);
+    return code;
+}
+
+const jlt_command jlt_command_transfer = {
+    "transfer", "[MODEL] [OPTION...]", "Densities that stay under the map, escape rates, sets that mix slowly", run, &parser
+};
