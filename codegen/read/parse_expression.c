@@ -141,7 +141,12 @@ static ttc_id parse_base(ttc_parser *parser)
         return parse_symbol(parser, token);
     }
     if (ttc_parse_at_mark(parser, '(')) return ttc_parse_parentheses(parser);
-    ttc_parse_unexpected(parser, "a number, a name or '('");
+    const bool is_function = token->kind == TTC_TOKEN_KEYWORD;
+    if (is_function && token->keyword == TTC_KEYWORD_SQRT)
+        ttc_parse_unexpected(parser, "a name that its own record gives to it, such as 'root s = sqrt(1 - x^2)'");
+    else if (is_function && (token->keyword == TTC_KEYWORD_COS || token->keyword == TTC_KEYWORD_SIN))
+        ttc_parse_unexpected(parser, "a name that its own record gives to it, such as 'angle C S = cos(x) sin(x)'");
+    else ttc_parse_unexpected(parser, "a number, a name or '('");
     return TTC_NONE;
 }
 

@@ -313,7 +313,8 @@ static void tell_pole(const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
     const jlt_course_row *row = &r->last;
-    const char *untold = "", *first = "";
+    const char *untold[JLT_PLAN_STATES_MAX], *first = "";
+    unsigned count = 0;
     double largest = 0;
 
     fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ", d->states[row->pole].name,
@@ -322,14 +323,13 @@ static void tell_pole(const jlt_simulate_request *r)
         if (isfinite(row->x[i])) largest = fmax(largest, fabs(row->x[i]));
     for (unsigned i = 0; i < d->state_count; i++) {
         if (i == row->pole) continue;
-        if (!isfinite(row->x[i])) {
-            untold = d->states[i].name;
-            continue;
-        }
+        if (!isfinite(row->x[i])) untold[count++] = d->states[i].name;
+        if (!isfinite(row->x[i])) continue;
         fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0); /* no rounding noise */
         first = ", ";
     }
-    if (*untold != '\0') fprintf(stderr, " (there the tier does not tell %s)", untold);
+    for (unsigned i = 0; i < count; i++)
+        fprintf(stderr, "%s%s%s", i == 0 ? " (there the tier does not tell " : ", ", untold[i], i + 1 == count ? ")" : "");
     fprintf(stderr, "; of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
 }
 

@@ -12,6 +12,8 @@ enum { D = JLT_CHART_DIM_MAX };
 static const double same_point = 1e-7;     /* distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
+static const double in_section = 1e-8;     /* the part of their velocity that crosses: below it rounding of 1e-15 shifts a return by more
+                                              than same_point along the orbit, which lies in the section as far as one can tell */
 
 const char *jlt_periodic_type_name(jlt_orbit_type type)
 {
@@ -119,8 +121,11 @@ bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
 {
     double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], rate = 1;
 
-    if (flow->chart->lift(flow->chart, x, NULL, orbit->points) != JLT_OK) return false;
-    flow->field->call(x, flow->field->p, f);
+    for (size_t k = orbit->period; k-- > 0;) { /* the first point last */
+        if (flow->chart->lift(flow->chart, x, NULL, orbit->points + k * flow->chart->dim) != JLT_OK) return false;
+        flow->field->call(x, flow->field->p, f);
+        if (fabs(f[flow->chart->column]) <= in_section * norm(f, flow->chart->states)) return false;
+    }
     if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
     return norm(f, flow->chart->states) / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
            standstill * fmax(1, norm(x, flow->chart->states));

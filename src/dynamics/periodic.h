@@ -54,7 +54,8 @@ JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_
 size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size_t period);
 
 /** Whether an orbit, of which period, points and T are known, is one. Where the flow is tangent to the section an orbit that starts
- *  there returns at once, and every such point looks fixed: the way |f| T of a true orbit is not small. */
+ *  there returns at once, and every such point looks fixed: the way |f| T of a true orbit is not small. Nor is one that lies in the
+ *  section, which it leaves and meets again by rounding alone. */
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit);
 
 /** Whether two orbits are the same: equal period, and the first point of b within `distance` of a point of a. */

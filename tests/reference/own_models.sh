@@ -44,6 +44,10 @@ two=(./suslov.tt --section gamma1=0 --direction down --level E=2,gamma=1 --solve
 expect 0 '^0,5,' jellett section "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 5 --check
 awk -F, '/^0,[0-5],/ { flux = $4/$6; if ($2 >= 1 && $2 <= 4) { n++; bad += ($10 - last/flux)^2 > 1e-20 } last = flux; of_last = $10 }
     END { exit !(n == 4 && !bad && $6 < 0 && of_last == "") }' out || fail "Suslov: $(tail -6 out)"
+# Where omega2 = 0 gamma1 stays 0: such an orbit lies in the section, which it meets by rounding alone, and is no periodic point of it.
+expect 4 "finds no periodic orbit" jellett orbits "${two[@]}" --start omega2=0.3,gamma2=0.2 --period 1
+expect 3 "reversor that takes the section to itself" jellett separation "${two[@]}" --grid omega2=0.1:0.5:2,gamma2=0.1:0.3:2 \
+    --cells omega2=0.1:0.5:2,gamma2=0.1:0.3:2 --returns 2
 expect 4 "a return left the branch of --solve" jellett lyapunov "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 9 --direction both
 
 # A sleigh that a rotor drives: det DP is the exponential of the divergence; the phase is met once in 2 pi/w.

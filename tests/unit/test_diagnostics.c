@@ -80,7 +80,10 @@ static const mistake mistakes[] = {
     { HEAD "let b = a/0\n", "7:11: error: division by zero" },
     { HEAD "let b = a/(x - x)\n", "7:11: error: division by zero" },
     { HEAD "let b = 0^-1\n", "7:9: error: division by zero" },
-    { HEAD "let b = sqrt(a)\n", "7:9: error: 'sqrt' is a keyword and names nothing (expected a number, a name or '(')" },
+    { HEAD "let b = sqrt(a)\n", "7:9: error: 'sqrt' is a keyword and names nothing (expected a name that its own record gives to it, "
+                                 "such as 'root s = sqrt(1 - x^2)')" },
+    { HEAD "let b = a*sin(x)\n", "7:11: error: 'sin' is a keyword and names nothing (expected a name that its own record gives to it, "
+                                  "such as 'angle C S = cos(x) sin(x)')" },
     { HEAD "let b = a(x)\n", "7:10: error: unexpected '(' (expected an operator: names stand for quantities, not for "
                               "functions)" },
 
