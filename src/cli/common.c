@@ -149,7 +149,7 @@ jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descrip
     bool has_said;
     const jlt_exit code = jlt_table_open(descriptor, &has_said, self->model != NULL ? self->model : JLT_DEFAULT_MODEL, self->lanes);
 
-    if (code == JLT_EXIT_DONE && !has_said) jlt_command_warn_unproved(*descriptor);
+    if (code == JLT_EXIT_DONE && !has_said && !self->at_point) jlt_command_warn_unproved(*descriptor);
     return code;
 }
 

@@ -6,11 +6,9 @@
 #include "cli/job.h"
 #include "cli/progress.h"
 #include "cli/swept_rows.h"
-#include "cli/table.h"
 #include "cli/worker.h"
 #include "core/digits.h"
 #include "kernel/descriptor.h"
-#include "top/top.h"
 
 enum { SWEEP = 2900 };
 
@@ -26,6 +24,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     jlt_common *common = state->input;
 
     if (key != SWEEP) return ARGP_ERR_UNKNOWN;
+    if (common->sweep != NULL) argp_error(state, "--sweep is given twice: name all that runs in one, NAME=LOW:HIGH:COUNT,...");
     common->sweep = value;
     return 0;
 }
@@ -129,7 +128,7 @@ static jlt_exit compute(sweep *self, size_t point)
 static jlt_exit open_sweep(sweep *self)
 {
     const jlt_common *common = self->common;
-    jlt_exit code = jlt_table_open(&self->model, &(bool){ false }, common->model != NULL ? common->model : JLT_DEFAULT_MODEL, common->lanes);
+    jlt_exit code = jlt_common_model(common, &self->model);
 
     if (code == JLT_EXIT_DONE) code = jlt_grid_parse(self->rows.axes, &self->rows.count, JLT_SWEPT_AXES_MAX, common->sweep, "--sweep");
     if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->all, self->rows.axes, self->rows.count, common->sweep, "--sweep");

@@ -63,10 +63,17 @@ expect 0 'at E=0:' jellett section --start eta=0.3,gamma3=0.2 --returns 1 --swee
 expect 3 'no state with' jellett section --start eta=0.3,gamma3=0.2 --returns 1 --sweep E=0:0.1:2
 expect 3 "has no parameter 'E'" jellett simulate --start $start --times 1 --sweep E=1:2:2
 expect 2 "unrecognized option" jellett section --start eta=0.3,gamma3=0.2 --sweep E=2:3:2 --nonsense
+expect 2 "given twice" jellett section --start eta=0.3,gamma3=0.2 --sweep E=2:3:2 --sweep a3=0:1:2
 expect 2 "one file for all points" jellett manifolds --sweep E=2:3:2 --crossings c.csv
 expect 0 'at a3=0.1, the first of 2 points' jellett plan section --start eta=0.3,gamma3=0.2 --sweep a3=0.1:0.2:2
 jellett lyapunov --returns 4 --sweep a3=0.5:0.51:3 --plot over.svg --output over.csv || fail "lyapunov: no picture of a sweep"
 grep -q '<svg' over.svg || fail "lyapunov: a sweep draws no picture"
+# What is not proved of a table is said once, by the compiler that proves or, later, by the command.
+printf 'model bad\nparam k\ndefault k = 1\nstate x\nstate y\neq x = y\neq y = -k*x\nintegral X = x\n' > bad.tt
+for said in 'integral claim .X. is refuted' 'kernels of bad rest on claims'; do
+    expect 0 "$said" jellett section ./bad.tt --section y=0 --direction down --start x=1 --returns 1 --sweep k=1:2:2
+    [ "$(grep -cE 'claim|claims' err)" -eq 1 ] || fail "what is not proved is said more than once: $(cat err)"
+done
 # The plan of a scene with other parameters.
 printf 'model = "lorenz";\ncompute = ( { what = "section"; section = { z = 27; }; start = { x = 1; y = 1; }; } );\n' > plan.scene
 expect 0 'section z=27' jellett plan plan.scene --set rho=28
