@@ -103,7 +103,8 @@ typedef struct {
     const char *isa; /* "baseline", "avx2" (with FMA) or "avx512": what the processor must have */
     unsigned lanes;
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
-        measure_divergences, time_factor, eliminated, observe_values, valid_values; /* NULL where the scalar kernel is */
+        measure_divergences, time_factor, eliminated, observe_values, valid_values, domain_values,
+        domain_gradients; /* NULL where the scalar kernel is */
     jlt_kernel_stages stages, stages_clock;
     jlt_kernel_stages_varied stages_varied;
     jlt_kernel_lanes_jet jet;
@@ -131,6 +132,13 @@ typedef struct {
 typedef struct {
     const char *name, *unit, *meaning; /* unit and meaning "" when not said */
 } jlt_validity;
+
+/* A condition of the table's domain, from its record `domain`: outside of it the field means nothing. */
+typedef struct {
+    const char *name;
+    const char *text; /* as the table writes it, "1 - x*y > 0" */
+    int of_params;    /* 1: no state is in it */
+} jlt_region;
 
 /** A family of equilibria: some states given in terms of the others, under conditions on parameters. All its kernels
  *  take unprepared parameters that already satisfy the condition (see `impose`). */
@@ -273,6 +281,10 @@ typedef struct jlt_descriptor {
     unsigned valid_count;
     const jlt_validity *valids;     /* conditions under which the model holds */
     jlt_kernel valid_values;        /* shape (valids,); the model holds where all are > 0 */
+    unsigned domain_count;          /* conditions of the domain, without those that follow from intervals of states, signs of */
+    const jlt_region *domains;      /* parameters and lifted roots; on all fields */
+    jlt_kernel domain_values;       /* shape (domains,); the field means nothing where one is not > 0 */
+    jlt_kernel domain_gradients;    /* shape (domains, states) */
     unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no more; */
     const jlt_reversor *reversors;  /* on fields with a time or an elimination there are none */
     unsigned pole_count;            /* these four on the general field with all its states, in any of its times */

@@ -8,7 +8,7 @@ const char *ttc_kernel_name(ttc_kernel_kind kind)
 {
     static const char *const names[] = { "rhs", "jacobian", "rhs_jacobian", "divergence", "integral_values",
                                          "integral_gradients", "measure_values", "measure_divergences", "time_factor",
-                                         "eliminated", "observe_values", "valid_values" };
+                                         "eliminated", "observe_values", "valid_values", "domain_values", "domain_gradients" };
     return names[kind];
 }
 
@@ -166,6 +166,33 @@ static bool add_observed_kernels(ttc_kernels *k)
     return !field->failed;
 }
 
+/* Whether the condition is that of a root which is a state here, and cannot come to zero: it would do so by rounding alone. */
+static bool is_radicand(ttc_field *field, ttc_id value)
+{
+    for (size_t i = 0; i < ttc_field_lifted_count(field); i++)
+        if (value == ttc_field_specialise(field, field->model->symbols[field->time->lifted[i]].definition)) return true;
+    return false;
+}
+
+/* Whoever keeps states within their intervals, and parameters within their signs, need not look at a condition that follows. */
+static bool add_domain_kernels(ttc_kernels *k)
+{
+    ttc_field *field = k->field;
+    const ttc_model *model = field->model;
+    k->regions = calloc(model->region_count + 1, sizeof *k->regions);
+    if (k->regions == NULL || !reserve(k, TTC_KERNEL_DOMAIN_VALUES, model->region_count)
+        || !reserve(k, TTC_KERNEL_DOMAIN_GRADIENTS, model->region_count * field->state_count))
+        return false;
+    for (uint32_t i = 0; i < model->region_count; i++) {
+        ttc_id value = ttc_field_specialise(field, model->regions[i].expression);
+        if (is_radicand(field, value) || ttc_extent_is_positive(ttc_field_extent(field, value))) continue;
+        k->regions[k->region_count++] = i;
+        append(k, TTC_KERNEL_DOMAIN_VALUES, value);
+        for (size_t j = 0; j < field->state_count; j++) append(k, TTC_KERNEL_DOMAIN_GRADIENTS, ttc_field_partial(field, value, j));
+    }
+    return !field->failed;
+}
+
 ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind) { return kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS; }
 
 ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels)
@@ -217,7 +244,7 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
     k->effort = effort;
     bool serves_families = field->time == NULL && field->elimination == NULL;
     bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k)
-              && add_observed_kernels(k);
+              && add_observed_kernels(k) && add_domain_kernels(k);
     if (ok && serves_families) {
         k->families = claims_of_kind(k, TTC_CLAIM_EQUILIBRIA, &k->family_count);
         ok = k->families != NULL;
@@ -243,6 +270,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
     free(kernels->integrals);
     free(kernels->measures);
     free(kernels->families);
+    free(kernels->regions);
     free(kernels->unproved);
     ttc_field_destroy(kernels->field);
     free(kernels);

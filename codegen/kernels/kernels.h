@@ -22,6 +22,8 @@ typedef enum {
     TTC_KERNEL_ELIMINATED,
     TTC_KERNEL_OBSERVE_VALUES,
     TTC_KERNEL_VALID_VALUES,
+    TTC_KERNEL_DOMAIN_VALUES,
+    TTC_KERNEL_DOMAIN_GRADIENTS,
     TTC_KERNEL_KINDS
 } ttc_kernel_kind;
 
@@ -46,6 +48,9 @@ typedef struct {
     size_t measure_count;
     uint32_t *families;  /* equilibria claims served here */
     size_t family_count;
+    uint32_t *regions;   /* conditions of the domain that are to be looked at: those that do not follow from intervals,
+                            signs and lifted roots */
+    size_t region_count;
     char *unproved;      /* names of claims that these kernels rest on without a proof; NULL: none */
     ttc_effort effort;
     const ttc_claim *failed_claim; /* of a family of equilibria, whose kernels could not be written; NULL: none */

@@ -98,7 +98,10 @@ void ttc_model_destroy(ttc_model *model)
     free(model->variants);
     free(model->times);
     free(model->eliminations);
-    for (size_t i = 0; i < model->region_count; i++) free(model->regions[i].name);
+    for (size_t i = 0; i < model->region_count; i++) {
+        free(model->regions[i].name);
+        free(model->regions[i].text);
+    }
     for (size_t i = 0; i < model->validity_count; i++) {
         free(model->validities[i].name);
         free(model->validities[i].unit);

@@ -204,6 +204,7 @@ typedef struct {
 /* `domain NAME : expression > 0`: a part of the domain that no sign of a parameter and no interval of a state can say. */
 typedef struct {
     char *name;
+    char *text; /* of the condition, as it is written */
     ttc_id expression;
     ttc_place place;
 } ttc_region;

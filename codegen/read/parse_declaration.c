@@ -375,14 +375,15 @@ bool ttc_parse_region(ttc_parser *parser)
                                    model->regions[i].name, (unsigned)model->regions[i].place.line);
     if (model->region_count >= TTC_REGION_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many domain records (expected at most %d)", TTC_REGION_LIMIT);
+    const size_t first = parser->at;
     ttc_id expression = ttc_parse_expression(parser);
     if (expression == TTC_NONE || !ttc_parse_positive(parser, "a domain is where an expression is > 0")) return false;
     ttc_region *regions = ttc_parse_extend(model->regions, model->region_count, sizeof *regions);
     if (regions == NULL) return ttc_parse_no_memory(parser);
     model->regions = regions;
     ttc_region *region = regions + model->region_count;
-    *region = (ttc_region){ ttc_parse_copy(parser, name->text, name->length), expression, ttc_token_place(name) };
-    if (region->name == NULL) return false;
+    *region = (ttc_region){ ttc_parse_copy(parser, name->text, name->length), ttc_parse_text_since(parser, first), expression,
+                            ttc_token_place(name) };
     model->region_count++;
-    return true;
+    return region->name != NULL && region->text != NULL;
 }

@@ -1,29 +1,6 @@
 /* Records about tables that serve in place of each other: `tier`, `reduction NAME : by` and `lift NAME : into`. */
 #include "read/parser.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-/* The tokens from `first` up to the one at hand, as they are written, with one blank where there is any. */
-static char *text_since(ttc_parser *parser, size_t first)
-{
-    const ttc_token *tokens = parser->tokens;
-    size_t size = 1;
-    for (size_t i = first; i < parser->at; i++) size += tokens[i].length + 1;
-    char *text = malloc(size), *at = text;
-    if (text == NULL) {
-        ttc_parse_no_memory(parser);
-        return NULL;
-    }
-    for (size_t i = first; i < parser->at; i++) {
-        if (i > first && tokens[i].text != tokens[i - 1].text + tokens[i - 1].length) *at++ = ' ';
-        memcpy(at, tokens[i].text, tokens[i].length);
-        at += tokens[i].length;
-    }
-    *at = '\0';
-    return text;
-}
-
 /* EXPR > 0, ... */
 static bool parse_inequalities(ttc_parser *parser, ttc_inequalities *list, const char *rule)
 {
@@ -37,7 +14,7 @@ static bool parse_inequalities(ttc_parser *parser, ttc_inequalities *list, const
         ttc_inequality *items = ttc_parse_extend(list->items, list->count, sizeof *items);
         if (items == NULL) return ttc_parse_no_memory(parser);
         list->items = items;
-        items[list->count] = (ttc_inequality){ expression, text_since(parser, first) };
+        items[list->count] = (ttc_inequality){ expression, ttc_parse_text_since(parser, first) };
         if (items[list->count++].text == NULL) return false;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;

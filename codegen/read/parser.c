@@ -137,6 +137,25 @@ char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length)
     return copy;
 }
 
+char *ttc_parse_text_since(ttc_parser *parser, size_t first)
+{
+    const ttc_token *tokens = parser->tokens;
+    size_t size = 1;
+    for (size_t i = first; i < parser->at; i++) size += tokens[i].length + 1;
+    char *text = malloc(size), *at = text;
+    if (text == NULL) {
+        ttc_parse_no_memory(parser);
+        return NULL;
+    }
+    for (size_t i = first; i < parser->at; i++) {
+        if (i > first && tokens[i].text != tokens[i - 1].text + tokens[i - 1].length) *at++ = ' ';
+        memcpy(at, tokens[i].text, tokens[i].length);
+        at += tokens[i].length;
+    }
+    *at = '\0';
+    return text;
+}
+
 static bool parse_model(ttc_parser *parser, const ttc_token *keyword)
 {
     if (parser->model->name != NULL)

@@ -101,6 +101,9 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name);
 bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, const ttc_token *name);
 char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length); /* NULL when memory is out */
 
+/* The tokens from `first` up to the one at hand, as they are written, with one blank where there is any. */
+char *ttc_parse_text_since(ttc_parser *parser, size_t first); /* NULL when memory is out */
+
 /* Lists shared by records. */
 bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kinds, const char *expected);
 void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings); /* warns of excluded values */

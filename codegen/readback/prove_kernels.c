@@ -123,6 +123,8 @@ static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t in
         ttc_evaluate(v, out, model->symbols[model->observed[index]].node);
     } else if (kind == TTC_KERNEL_VALID_VALUES) {
         ttc_evaluate(v, out, model->validities[index].expression);
+    } else if (kind == TTC_KERNEL_DOMAIN_VALUES) {
+        ttc_evaluate(v, out, model->regions[p->kernels->regions[index]].expression);
     } else if (kind == TTC_KERNEL_INTEGRAL_VALUES) {
         ttc_evaluate(v, out, model->claims[p->kernels->integrals[index]].expression);
     } else if (kind == TTC_KERNEL_MEASURE_VALUES) {
@@ -205,6 +207,9 @@ static void from_values(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t i
     case TTC_KERNEL_JACOBIAN: add_partial(p, out, &p->values[TTC_KERNEL_RHS].items[index / n], index % n); break;
     case TTC_KERNEL_INTEGRAL_GRADIENTS:
         add_partial(p, out, &p->values[TTC_KERNEL_INTEGRAL_VALUES].items[index / n], index % n);
+        break;
+    case TTC_KERNEL_DOMAIN_GRADIENTS:
+        add_partial(p, out, &p->values[TTC_KERNEL_DOMAIN_VALUES].items[index / n], index % n);
         break;
     case TTC_KERNEL_DIVERGENCE: add_divergence(p, out, &one); break;
     case TTC_KERNEL_MEASURE_DIVERGENCES:

@@ -284,6 +284,8 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 2,
     .equilibria = equilibria,
 #ifndef JLT_WITHOUT_BALLS

@@ -268,6 +268,8 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

@@ -219,6 +219,8 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .integral_count = 0, .measure_count = 1, .equilibria_count = 0,
     .measures = measures,

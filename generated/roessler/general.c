@@ -231,6 +231,8 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 1,
     .equilibria = equilibria,
 #ifndef JLT_WITHOUT_BALLS

@@ -616,6 +616,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .lifted = lifted,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,

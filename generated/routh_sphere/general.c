@@ -990,6 +990,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .pole_count = 1, .poles = poles,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 2,

@@ -756,6 +756,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .integral_count = 4, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,

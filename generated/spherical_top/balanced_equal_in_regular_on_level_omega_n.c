@@ -559,6 +559,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1)" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .lifted = lifted,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .eliminated_state = 3, .level_integral = 1,

@@ -702,6 +702,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_omeg
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*(R*I3)*gamma3 + G_level" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .lifted = lifted,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .eliminated_state = 3, .level_integral = 1,

@@ -659,6 +659,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_omega3 = {
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .eliminated_state = 4, .level_integral = 1,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

@@ -1924,6 +1924,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact_force, a part of contact_force" },
     .valid_values = { valid_values, 1, { 2, 6, 5, 1, 1, 0, 7, 6 }, { 7, 26, 0, 4, 1, 0, 14, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact, a part of contact" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
     .reversor_count = 1, .reversors = reversors,

@@ -1379,6 +1379,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
         "digits are lost where terms nearly cancel in a part of contact_force, a part of contact_force" },
     .valid_values = { valid_values, 1, { 1, 7, 4, 1, 0, 0, 8, 5 }, { 6, 25, 0, 4, 0, 0, 13, 5 },
         "digits are lost where terms nearly cancel in a part of contact, a part of contact" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
     .pole_count = 1, .poles = poles,

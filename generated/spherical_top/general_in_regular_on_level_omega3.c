@@ -778,6 +778,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_omega
         "divides by b: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, G_level/(R*I1) - omega_n*s" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .lifted = lifted,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .eliminated_state = 4, .level_integral = 1,

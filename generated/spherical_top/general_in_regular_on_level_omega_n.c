@@ -859,6 +859,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_omega
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .lifted = lifted,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .eliminated_state = 3, .level_integral = 1,

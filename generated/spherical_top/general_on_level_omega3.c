@@ -751,6 +751,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega3 = {
         "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, b/R = a3/R + gamma3" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .eliminated_state = 4, .level_integral = 1,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

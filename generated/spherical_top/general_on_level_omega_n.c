@@ -756,6 +756,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_omega_n = {
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*(R*I3)*omega3 + G_level" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .eliminated_state = 3, .level_integral = 1,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

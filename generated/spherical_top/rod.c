@@ -619,6 +619,8 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .integral_count = 4, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,

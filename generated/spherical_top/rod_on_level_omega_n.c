@@ -605,6 +605,8 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_omega_n = {
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .eliminated_state = 3, .level_integral = 1,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,

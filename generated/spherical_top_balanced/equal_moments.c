@@ -360,6 +360,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

@@ -652,6 +652,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .pole_count = 1, .poles = poles,
     .tier = "balanced", .tier_meaning = "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum",

@@ -722,6 +722,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .pole_count = 1, .poles = poles,
     .lifted = lifted,
     .tier = "balanced", .tier_meaning = "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum",

@@ -2038,6 +2038,8 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .tier = "full", .tier_meaning = "the full system (2.7) with (2.1): every vector by its components",
     .tier_condition_count = 1, .tier_conditions = tier_conditions,
     .tier_values = tier_values,

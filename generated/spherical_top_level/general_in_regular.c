@@ -1324,6 +1324,8 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular = {
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + s*(R*G), s*v_tau - (G/(R*I1))*b, a part of contact_force, a part of contact_force, a part of contact_force, contact_force" },
     .valid_values = { valid_values, 1, { 0, 19, 10, 1, 0, 0, 11, 9 }, { 11, 48, 0, 4, 0, 0, 15, 12 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + s*(R*G), s*v_tau - (G/(R*I1))*b, a part of contact, a part of contact, a part of contact, contact" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .observe_count = 1, .observes = observes,
     .valid_count = 1, .valids = valids,
     .pole_count = 1, .poles = poles,

@@ -10,6 +10,8 @@
  *  jacobian            2   14    4    1    1    2      9    6   (65)
  *  rhs_jacobian        3   16    4    1    1    2      9    8   (80)
  *  divergence          2    6    0    1    1    0      7    4   (35)
+ *  domain_values       0    0    0    0    0    0      0    0   (0)
+ *  domain_gradients    0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -198,6 +200,20 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     out[0] = t9;
 }
 
+static void domain_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    out[0] = p[6];
+}
+
+static void domain_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+    out[1] = 0.0;
+}
+
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
                 double *restrict coefficients)
 {
@@ -283,6 +299,10 @@ static const jlt_quantity params[] = {
     { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
+static const jlt_region domains[] = {
+    { "motion", "F0 - (I1 - I3)*Theta*omega3^2 > 0", 1 },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .model = "spherical_top_plane",
     .variant = "equal_moments",
@@ -314,6 +334,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { domain_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .domain_gradients = { domain_gradients, 2, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .domain_count = 1, .domains = domains,
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
 #ifndef JLT_WITHOUT_BALLS
     .balls = &jlt_balls_spherical_top_plane_general,

@@ -8,10 +8,12 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1    7    4    1    0    2      5    6   (45)
- *  jacobian            1   20    5    1    0    2      7    8   (95)
+ *  jacobian            1   20    5    1    0    2      8    9   (95)
  *  rhs_jacobian        3   21    6    1    0    2      8    8   (118)
  *  divergence          1    2    4    1    0    1      6    4   (30)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
+ *  domain_values       0    0    0    0    0    0      0    0   (0)
+ *  domain_gradients    0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
  *    digits are lost where terms nearly cancel in gamma3*(I1*M)*C + s*(G*J3/R), m*R*v_slip - M*S,
@@ -81,27 +83,29 @@ static void prepare(const double *restrict params, double *restrict out)
     out[13] = t15;
     const double t16 = 2.0/t2; /* 2/J1 */
     out[14] = t16;
-    const double t17 = params[2]/t1; /* I1/(m*R*R) */
+    const double t17 = t13/2.0; /* I1*M/2 */
     out[15] = t17;
-    const double t18 = params[5]/t1; /* M/(m*R*R) */
+    const double t18 = params[2]/t1; /* I1/(m*R*R) */
     out[16] = t18;
     const double t19 = 2.0/t10; /* 2/(I1*m*R*R) */
     out[17] = t19;
-    const double t20 = -t18; /* -M/(m*R*R) */
-    out[18] = t20;
-    const double t21 = params[1]*t0; /* R*R*R */
-    const double t22 = params[0]*t21; /* m*R*R*R */
-    const double t23 = params[2]*t22; /* I1*m*R*R*R */
-    const double t24 = t11/t23; /* J1*G/(I1*m*R*R*R) */
-    out[19] = t24;
-    const double t25 = (-1.0)/t2; /* (-1)/J1 */
-    out[20] = t25;
-    const double t26 = params[0]*2.0; /* m*2 */
-    const double t27 = t0*t26; /* R*R*m*2 */
-    const double t28 = params[2]*t27; /* I1*R*R*m*2 */
-    out[22] = t28;
-    const double t29 = -t13; /* -I1*M */
-    out[23] = t29;
+    const double t20 = params[5]/t1; /* M/(m*R*R) */
+    out[24] = t20;
+    const double t21 = -t20; /* -M/(m*R*R) */
+    out[18] = t21;
+    const double t22 = params[1]*t0; /* R*R*R */
+    const double t23 = params[0]*t22; /* m*R*R*R */
+    const double t24 = params[2]*t23; /* I1*m*R*R*R */
+    const double t25 = t11/t24; /* J1*G/(I1*m*R*R*R) */
+    out[19] = t25;
+    const double t26 = (-1.0)/t2; /* (-1)/J1 */
+    out[20] = t26;
+    const double t27 = params[0]*2.0; /* m*2 */
+    const double t28 = t0*t27; /* R*R*m*2 */
+    const double t29 = params[2]*t28; /* I1*R*R*m*2 */
+    out[22] = t29;
+    const double t30 = -t13; /* -I1*M */
+    out[23] = t30;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -130,38 +134,38 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 {
     out[0] = 0.0;
     const double t0 = x[2]*x[2]; /* s*s */
-    const double t1 = p[15] + t0; /* I1/(m*R^2) + s*s */
+    const double t1 = p[16] + t0; /* I1/(m*R^2) + s*s */
     const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
     const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2*I1)) */
     const double t4 = p[13]*t0; /* (-M/J1)*s*s */
     const double t5 = cos(x[1]); /* C = cos(psi) */
     const double t6 = t4*t5; /* (-M/J1)*s*s*C */
     out[1] = t6;
-    const double t7 = x[2]*p[11]; /* s*G*J3/R */
-    const double t8 = x[0]*t5; /* gamma3*C */
-    const double t9 = JLT_FMA(p[12], t8, t7); /* I1*M*gamma3*C + s*G*J3/R */
-    const double t10 = p[16]*t5; /* M/(m*R^2)*C */
-    const double t11 = p[17]*t9; /* 2/(m*R^2*I1)*(I1*M*gamma3*C + s*G*J3/R) */
-    const double t12 = sin(x[1]); /* S = sin(psi) */
-    const double t13 = JLT_FNMA(p[5], t12, p[8]); /* m*R*v_slip - M*S */
+    const double t7 = sin(x[1]); /* S = sin(psi) */
+    const double t8 = x[2]*p[11]; /* s*G*J3/R */
+    const double t9 = x[0]*t5; /* gamma3*C */
+    const double t10 = p[15]*t5; /* 1/2*I1*M*C */
+    const double t11 = JLT_FMA(p[12], t9, t8); /* I1*M*gamma3*C + s*G*J3/R */
+    const double t12 = p[17]*t3; /* 2/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t13 = JLT_FNMA(p[5], t7, p[8]); /* m*R*v_slip - M*S */
     const double t14 = x[0]*t3; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t15 = JLT_FNMA(t11, t14, t10); /* M/(m*R^2)*C - 2/(m*R^2*I1)*(I1*M*gamma3*C + s*G*J3/R)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t16 = t3*t15; /* 1/(Theta/(m*R^2*I1))*t15 */
+    const double t15 = JLT_FNMA(t11, t14, t10); /* 1/2*I1*M*C - (I1*M*gamma3*C + s*G*J3/R)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t16 = t12*t15; /* 2/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*t15 */
     out[3] = t16;
-    const double t17 = p[18]*t14; /* (-M/(m*R^2))*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t18 = t12*t17; /* S*(-M/(m*R^2))*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[4] = t18;
-    const double t19 = x[2]*t3; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t20 = JLT_FNMA(t11, t19, p[19]); /* G*J3/(m*R^3*I1) - 2/(m*R^2*I1)*(I1*M*gamma3*C + s*G*J3/R)*s*1/(Theta/(m*R^2*I1)) */
-    const double t21 = t3*t20; /* 1/(Theta/(m*R^2*I1))*t20 */
-    out[5] = t21;
+    const double t17 = x[2]*t12; /* s*2/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t18 = JLT_FNMA(t11, t17, p[19]); /* G*J3/(m*R^3*I1) - (I1*M*gamma3*C + s*G*J3/R)*s*2/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t19 = t3*t18; /* 1/(Theta/(m*R^2*I1))*t18 */
+    out[5] = t19;
+    const double t20 = p[18]*t14; /* (-M/(m*R^2))*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t21 = t7*t20; /* S*(-M/(m*R^2))*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[4] = t21;
     const double t22 = x[2]*t13; /* s*(m*R*v_slip - M*S) */
     const double t23 = p[14]*t22; /* 2/J1*s*(m*R*v_slip - M*S) */
     out[2] = t23;
     const double t24 = p[20]*t22; /* (-1/J1)*s*(m*R*v_slip - M*S) */
     out[6] = t24;
     const double t25 = x[2]*p[21]; /* s*M/J1 */
-    const double t26 = t8*t25; /* gamma3*C*s*M/J1 */
+    const double t26 = t9*t25; /* gamma3*C*s*M/J1 */
     out[7] = t26;
     const double t27 = x[0]*p[20]; /* gamma3*(-1/J1) */
     const double t28 = t13*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
@@ -222,9 +226,9 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[1]); /* S = sin(psi) */
     const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
     const double t2 = p[7]*t1; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t3 = JLT_FMA(x[2], x[2], p[15]); /* s*s + I1/(m*R^2) */
+    const double t3 = JLT_FMA(x[2], x[2], p[16]); /* s*s + I1/(m*R^2) */
     const double t4 = JLT_FMA(x[0], x[0], t3); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
-    const double t5 = p[16]/t4; /* M/(m*R^2)/(Theta/(m*R^2*I1)) */
+    const double t5 = p[24]/t4; /* M/(m*R^2)/(Theta/(m*R^2*I1)) */
     const double t6 = JLT_FMA(t0, t5, t2); /* S*M/(m*R^2)/(Theta/(m*R^2*I1)) + 1/J1*(m*R*v_slip - M*S) */
     const double t7 = x[0]*t6; /* gamma3*(S*M/(m*R^2)/(Theta/(m*R^2*I1)) + 1/J1*(m*R*v_slip - M*S)) */
     const double t8 = -t7; /* -t7 */
@@ -235,6 +239,21 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 {
     (void)p;
     out[0] = x[2];
+}
+
+static void domain_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    out[0] = p[6];
+}
+
+static void domain_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -363,6 +382,10 @@ static const jlt_quantity params[] = {
     { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
+static const jlt_region domains[] = {
+    { "motion", "F0 - (I1 - I3)*Theta*omega3^2 > 0", 1 },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = {
     .model = "spherical_top_plane",
     .variant = "equal_moments",
@@ -373,14 +396,14 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
-    .state_count = 3, .param_count = 7, .prepared_count = 24,
+    .state_count = 3, .param_count = 7, .prepared_count = 25,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 6 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
         "digits are lost where terms nearly cancel in m*R*v_slip - M*S, C*gamma3*(I1*M) + s*(G*J3/R)" },
-    .jacobian = { jacobian, 9, { 1, 20, 5, 1, 0, 2, 7, 8 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
+    .jacobian = { jacobian, 9, { 1, 20, 5, 1, 0, 2, 8, 9 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
         "digits are lost where terms nearly cancel in (I1*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S, a part of d(d(psi)/dtau)/d(gamma3), a part of d(d(psi)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 12, { 3, 21, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
         "digits are lost where terms nearly cancel in gamma3*(I1*M)*C + s*(G*J3/R), m*R*v_slip - M*S, d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I1)*((1)/Theta)*(gamma3*(I1*M)*C + s*(G*J3/R))" },
@@ -395,6 +418,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { domain_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .domain_gradients = { domain_gradients, 3, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .domain_count = 1, .domains = domains,
     .lifted = lifted,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,

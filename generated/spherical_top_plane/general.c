@@ -9,6 +9,8 @@
  *  jacobian            2   32   13    2    2    2     15   12   (157)
  *  rhs_jacobian        2   33   13    2    2    2     18   12   (172)
  *  divergence          2   17    9    2    2    2     15    8   (93)
+ *  domain_values       3    5    3    1    1    1      8    4   (29)
+ *  domain_gradients    2    9    5    2    1    2     10    5   (73)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -120,6 +122,18 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t45 = params[1]*t8; /* R*(I1 - I3) */
     const double t46 = t45/t26; /* R*(I1 - I3)/(J1*I1*I1) */
     out[31] = t46;
+    const double t47 = t8/t13; /* (I1 - I3)/(I1*m*R*R) */
+    out[32] = t47;
+    const double t48 = params[3]/t2; /* I3/(m*R*R) */
+    out[33] = t48;
+    const double t49 = t8*2.0; /* (I1 - I3)*2 */
+    const double t50 = t49/t2; /* (I1 - I3)*2/(m*R*R) */
+    out[34] = t50;
+    const double t51 = params[2]*2.0; /* I1*2 */
+    const double t52 = params[5]*t51; /* M*I1*2 */
+    const double t53 = t8*t52; /* (I1 - I3)*M*I1*2 */
+    const double t54 = t53/t2; /* (I1 - I3)*M*I1*2/(m*R*R) */
+    out[35] = t54;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -321,6 +335,52 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     out[0] = t33;
 }
 
+static void domain_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[0]*p[14]; /* gamma3*I3/I1 */
+    const double t4 = p[33] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t7 = cos(x[1]); /* C = cos(psi) */
+    const double t8 = p[10]*t6; /* I1*M*s */
+    const double t9 = t7*t8; /* C*I1*M*s */
+    const double t10 = JLT_FNMA(x[0], p[11], t9); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t11 = p[32]/t5; /* (I1 - I3)/(m*R^2*I1)/(Theta/(m*R^2*I1)) */
+    const double t12 = t10*t11; /* (C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2*I1)/(Theta/(m*R^2*I1)) */
+    const double t13 = JLT_FNMA(t10, t12, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*t12 */
+    out[0] = t13;
+}
+
+static void domain_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t4 = cos(x[1]); /* C = cos(psi) */
+    const double t5 = p[10]*t3; /* I1*M*s */
+    const double t6 = t4*t5; /* C*I1*M*s */
+    const double t7 = p[35]*t3; /* 2*I1*M*(I1 - I3)/(m*R^2)*s */
+    const double t8 = x[0]*p[3]; /* gamma3*I3 */
+    const double t9 = JLT_FMA(x[0], t8, p[29]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t10 = JLT_FMA(p[2], t2, t9); /* Theta/(m*R^2) = I1*s^2 + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t11 = t6/t2; /* C*I1*M*s/s^2 */
+    const double t12 = JLT_FNMA(x[0], p[11], t6); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t13 = t12/t10; /* (C*I1*M*s - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t14 = JLT_FNMA(p[9], t13, t11); /* C*I1*M*s/s^2 - (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t15 = JLT_FMA(x[0], t14, p[11]); /* gamma3*t14 + G*J1/R */
+    const double t16 = sin(x[1]); /* S = sin(psi) */
+    const double t17 = t7*t16; /* 2*I1*M*(I1 - I3)/(m*R^2)*s*S */
+    const double t18 = t13*t17; /* (C*I1*M*s - gamma3*G*J1/R)/(Theta/(m*R^2))*2*I1*M*(I1 - I3)/(m*R^2)*s*S */
+    out[1] = t18;
+    const double t19 = p[34]*t13; /* 2*(I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t20 = t15*t19; /* (gamma3*t14 + G*J1/R)*t19 */
+    out[0] = t20;
+}
+
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
                 double *restrict coefficients)
 {
@@ -484,6 +544,10 @@ static const jlt_quantity params[] = {
     { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
+static const jlt_region domains[] = {
+    { "motion", "F0 - (I1 - I3)*Theta*omega3^2 > 0", 0 },
+};
+
 static const jlt_pole poles[] = {
     { 0, "the symmetry axis is vertical" },
 };
@@ -498,7 +562,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
-    .state_count = 2, .param_count = 7, .prepared_count = 32,
+    .state_count = 2, .param_count = 7, .prepared_count = 36,
     .states = states,
     .params = params,
     .prepare = prepare,
@@ -518,6 +582,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { domain_values, 1, { 3, 5, 3, 1, 1, 1, 8, 4 }, { 7, 18, 0, 2, 1, 1, 10, 6 },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), motion" },
+    .domain_gradients = { domain_gradients, 2, { 2, 9, 5, 2, 1, 2, 10, 5 }, { 13, 49, 0, 8, 1, 2, 13, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of d(motion)/d(gamma3), a part of d(motion)/d(gamma3)" },
+    .domain_count = 1, .domains = domains,
     .pole_count = 1, .poles = poles,
     .tier = "plane", .tier_meaning = "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed",
     .tier_condition_count = 2, .tier_conditions = tier_conditions,

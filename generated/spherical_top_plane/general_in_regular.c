@@ -8,9 +8,11 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   14    6    1    1    2     13    5   (57)
  *  jacobian            3   39   13    2    1    2     14   11   (295)
- *  rhs_jacobian        4   41   13    2    1    2     14   12   (318)
+ *  rhs_jacobian        4   41   13    2    1    2     14   13   (318)
  *  divergence          0   18   10    2    1    2     13    7   (120)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
+ *  domain_values       0    4    4    1    0    1      5    4   (26)
+ *  domain_gradients    0   12    5    1    0    2      7    5   (96)
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are
@@ -133,6 +135,27 @@ static void prepare(const double *restrict params, double *restrict out)
     out[35] = t51;
     const double t52 = t19/t2; /* I3*M/(m*R*R) */
     out[36] = t52;
+    const double t53 = t8/t10; /* (I1 - I3)/(I1*m*R*R) */
+    out[37] = t53;
+    const double t54 = params[3]/t2; /* I3/(m*R*R) */
+    out[38] = t54;
+    const double t55 = params[3]*2.0; /* I3*2 */
+    const double t56 = t8*t55; /* (I1 - I3)*I3*2 */
+    const double t57 = t56/t2; /* (I1 - I3)*I3*2/(m*R*R) */
+    out[39] = t57;
+    const double t58 = params[4]*2.0; /* G*2 */
+    const double t59 = t3*t58; /* J1*G*2 */
+    const double t60 = t8*t59; /* (I1 - I3)*J1*G*2 */
+    const double t61 = t60/t47; /* (I1 - I3)*J1*G*2/(m*R*R*R) */
+    out[40] = t61;
+    const double t62 = params[2]*2.0; /* I1*2 */
+    const double t63 = params[5]*t62; /* M*I1*2 */
+    const double t64 = t8*t63; /* (I1 - I3)*M*I1*2 */
+    const double t65 = t64/t2; /* (I1 - I3)*M*I1*2/(m*R*R) */
+    out[41] = t65;
+    const double t66 = t8*t62; /* (I1 - I3)*I1*2 */
+    const double t67 = t66/t2; /* (I1 - I3)*I1*2/(m*R*R) */
+    out[42] = t67;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -211,7 +234,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t37 = x[2]*p[16]; /* s*G*J3/R */
     const double t38 = JLT_FMA(x[0], t33, t37); /* gamma3*I3*M*C + s*G*J3/R */
     const double t39 = t4*t38; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t40 = t4*t33; /* 1/Theta*I3*M*C */
+    const double t40 = x[0]*t4; /* gamma3*1/Theta */
     const double t41 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
     const double t42 = JLT_FMS(p[23], t17, t36); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t35 */
     const double t43 = x[2]*t42; /* s*t42 */
@@ -223,21 +246,21 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t47 = JLT_FMA(x[0], t29, t46); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 + s*m*R/J1*(v_slip - M/(m*R)*S) */
     const double t48 = -t47; /* -t47 */
     out[6] = t48;
-    const double t49 = x[0]*t4; /* gamma3*1/Theta */
-    const double t50 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
-    const double t51 = x[2]*x[0]; /* s*gamma3 */
-    const double t52 = t23*t51; /* 1/J1*(t20 - M*C)*s*gamma3 */
-    const double t53 = -t52; /* -1/J1*(t20 - M*C)*s*gamma3 */
-    out[7] = t53;
-    const double t54 = p[26]*t49; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t55 = JLT_FNMA(t39, t54, t40); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    out[3] = t55;
-    const double t56 = p[27]*t49; /* (-I3*M)*gamma3*1/Theta */
-    const double t57 = t13*t56; /* S*(-I3*M)*gamma3*1/Theta */
-    out[4] = t57;
-    const double t58 = JLT_FNMA(x[2], t39, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t59 = t50*t58; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
-    out[5] = t59;
+    const double t49 = p[26]*t40; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t50 = t39*t49; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    const double t51 = JLT_FMS(t4, t33, t50); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[3] = t51;
+    const double t52 = p[27]*t40; /* (-I3*M)*gamma3*1/Theta */
+    const double t53 = t13*t52; /* S*(-I3*M)*gamma3*1/Theta */
+    out[4] = t53;
+    const double t54 = JLT_FNMA(x[2], t39, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t55 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t56 = t54*t55; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R))*2*m*R^2*I1*1/Theta */
+    out[5] = t56;
+    const double t57 = x[2]*x[0]; /* s*gamma3 */
+    const double t58 = t23*t57; /* 1/J1*(t20 - M*C)*s*gamma3 */
+    const double t59 = -t58; /* -1/J1*(t20 - M*C)*s*gamma3 */
+    out[7] = t59;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -265,57 +288,57 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t20 = t16*t19; /* v_slip*s/v_slip^2*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S */
     const double t21 = p[20]*t16; /* R/(I1^2*J1)*v_slip*s/v_slip^2 */
     const double t22 = JLT_FNMA(p[5], t5, t20); /* t20 - M*C */
-    const double t23 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t24 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
-    const double t25 = t23*t24; /* t23*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t26 = JLT_FMA(p[19], t9, t25); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t23*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t27 = t21*t26; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t26 */
-    const double t28 = x[2]*t27; /* s*R/(I1^2*J1)*v_slip*s/v_slip^2*t26 */
-    out[3] = t28;
-    const double t29 = p[24]*t5; /* I1*M*(I1 - I3)*C */
-    const double t30 = t9*t29; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
-    const double t31 = p[17]*t5; /* I3*M*C */
-    const double t32 = x[2]*p[16]; /* s*G*J3/R */
-    const double t33 = JLT_FMA(x[0], t31, t32); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t34 = t4*t33; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    out[1] = t34;
-    const double t35 = t4*t31; /* 1/Theta*I3*M*C */
-    const double t36 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t37 = JLT_FNMA(t23, t36, t30); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t23*s*m*R^2*I1*(I1 - I3) */
-    const double t38 = t21*t37; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t37 */
-    const double t39 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t40 = JLT_FMS(p[23], t17, t38); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t37 */
-    const double t41 = x[2]*t40; /* s*t40 */
-    out[5] = t41;
-    const double t42 = t38 - t39; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t37 - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t43 = x[0]*t42; /* gamma3*t42 */
-    out[11] = t43;
-    const double t44 = x[2]*t39; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t45 = JLT_FMA(x[0], t27, t44); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t26 + s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t46 = -t45; /* -t45 */
-    out[9] = t46;
-    const double t47 = x[2]*t44; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t47;
-    const double t48 = x[0]*t44; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t49 = -t48; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[2] = t49;
-    const double t50 = x[2]*p[21]; /* s*1/J1 */
-    const double t51 = t22*t50; /* (t20 - M*C)*s*1/J1 */
-    const double t52 = x[2]*t51; /* s*(t20 - M*C)*s*1/J1 */
-    out[4] = t52;
-    const double t53 = x[0]*t51; /* gamma3*(t20 - M*C)*s*1/J1 */
-    const double t54 = -t53; /* -gamma3*(t20 - M*C)*s*1/J1 */
-    out[10] = t54;
-    const double t55 = x[0]*t4; /* gamma3*1/Theta */
-    const double t56 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
-    const double t57 = p[26]*t55; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t58 = JLT_FNMA(t34, t57, t35); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    out[6] = t58;
-    const double t59 = p[27]*t55; /* (-I3*M)*gamma3*1/Theta */
-    const double t60 = t13*t59; /* S*(-I3*M)*gamma3*1/Theta */
-    out[7] = t60;
-    const double t61 = JLT_FNMA(x[2], t34, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t62 = t56*t61; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    const double t23 = p[21]*t22; /* 1/J1*(t20 - M*C) */
+    const double t24 = t0*t23; /* s*s*1/J1*(t20 - M*C) */
+    out[4] = t24;
+    const double t25 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t26 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
+    const double t27 = t25*t26; /* t25*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t28 = JLT_FMA(p[19], t9, t27); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t25*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t29 = t21*t28; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
+    const double t30 = x[2]*t29; /* s*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
+    out[3] = t30;
+    const double t31 = p[24]*t5; /* I1*M*(I1 - I3)*C */
+    const double t32 = t9*t31; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
+    const double t33 = p[17]*t5; /* I3*M*C */
+    const double t34 = x[2]*p[16]; /* s*G*J3/R */
+    const double t35 = JLT_FMA(x[0], t33, t34); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t36 = t4*t35; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[1] = t36;
+    const double t37 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t38 = JLT_FNMA(t25, t37, t32); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t25*s*m*R^2*I1*(I1 - I3) */
+    const double t39 = t21*t38; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t38 */
+    const double t40 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t41 = t0*t40; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t41;
+    const double t42 = JLT_FMS(p[23], t17, t39); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t38 */
+    const double t43 = x[2]*t42; /* s*t42 */
+    out[5] = t43;
+    const double t44 = t39 - t40; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t38 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t45 = x[0]*t44; /* gamma3*t44 */
+    out[11] = t45;
+    const double t46 = x[0]*t4; /* gamma3*1/Theta */
+    const double t47 = x[2]*x[0]; /* s*gamma3 */
+    const double t48 = t23*t47; /* 1/J1*(t20 - M*C)*s*gamma3 */
+    const double t49 = -t48; /* -1/J1*(t20 - M*C)*s*gamma3 */
+    out[10] = t49;
+    const double t50 = t40*t47; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t51 = -t50; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    out[2] = t51;
+    const double t52 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t53 = JLT_FMA(x[0], t29, t52); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t54 = -t53; /* -t53 */
+    out[9] = t54;
+    const double t55 = p[26]*t46; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t56 = t36*t55; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    const double t57 = JLT_FMS(t4, t33, t56); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[6] = t57;
+    const double t58 = p[27]*t46; /* (-I3*M)*gamma3*1/Theta */
+    const double t59 = t13*t58; /* S*(-I3*M)*gamma3*1/Theta */
+    out[7] = t59;
+    const double t60 = JLT_FNMA(x[2], t36, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t61 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t62 = t60*t61; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R))*2*m*R^2*I1*1/Theta */
     out[8] = t62;
 }
 
@@ -361,6 +384,48 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 {
     (void)p;
     out[0] = x[2];
+}
+
+static void domain_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = p[12]*x[0]; /* I3/I1*gamma3 */
+    const double t1 = JLT_FMA(x[2], x[2], p[38]); /* s*s + I3/(m*R^2) */
+    const double t2 = JLT_FMA(x[0], t0, t1); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
+    const double t3 = cos(x[1]); /* C = cos(psi) */
+    const double t4 = x[2]*p[13]; /* s*I1*M */
+    const double t5 = t3*t4; /* C*s*I1*M */
+    const double t6 = JLT_FNMA(x[0], p[14], t5); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t7 = p[37]/t2; /* (I1 - I3)/(m*R^2*I1)/(Theta/(m*R^2*I1)) */
+    const double t8 = t6*t7; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)/(m*R^2*I1)/(Theta/(m*R^2*I1)) */
+    const double t9 = JLT_FNMA(t6, t8, p[6]); /* F0 - (C*s*I1*M - gamma3*G*J1/R)*t8 */
+    out[0] = t9;
+}
+
+static void domain_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = p[2]*x[2]; /* I1*s */
+    const double t1 = x[0]*p[3]; /* gamma3*I3 */
+    const double t2 = JLT_FMA(x[2], t0, p[31]); /* s*I1*s + I1*I3/(m*R^2) */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2) = gamma3*gamma3*I3 + s*I1*s + I1*I3/(m*R^2) */
+    const double t4 = cos(x[1]); /* C = cos(psi) */
+    const double t5 = x[2]*p[13]; /* s*I1*M */
+    const double t6 = t4*t5; /* C*s*I1*M */
+    const double t7 = JLT_FNMA(x[0], p[14], t6); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t8 = t7/t3; /* (C*s*I1*M - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t9 = t8*t8; /* (C*s*I1*M - gamma3*G*J1/R)/(Theta/(m*R^2))*(C*s*I1*M - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t10 = p[39]*x[0]; /* 2*I3*(I1 - I3)/(m*R^2)*gamma3 */
+    const double t11 = t9*t10; /* t9*2*I3*(I1 - I3)/(m*R^2)*gamma3 */
+    const double t12 = JLT_FMA(t8, p[40], t11); /* (C*s*I1*M - gamma3*G*J1/R)/(Theta/(m*R^2))*2*G*J1*(I1 - I3)/(m*R^3) + t9*2*I3*(I1 - I3)/(m*R^2)*gamma3 */
+    out[0] = t12;
+    const double t13 = sin(x[1]); /* S = sin(psi) */
+    const double t14 = t8*p[41]; /* (C*s*I1*M - gamma3*G*J1/R)/(Theta/(m*R^2))*2*I1*M*(I1 - I3)/(m*R^2) */
+    const double t15 = x[2]*t13; /* s*S */
+    const double t16 = t14*t15; /* t14*s*S */
+    out[1] = t16;
+    const double t17 = t4*t14; /* C*t14 */
+    const double t18 = x[2]*p[42]; /* s*2*I1*(I1 - I3)/(m*R^2) */
+    const double t19 = JLT_FMS(t9, t18, t17); /* t9*s*2*I1*(I1 - I3)/(m*R^2) - C*t14 */
+    out[2] = t19;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -553,6 +618,10 @@ static const jlt_quantity params[] = {
     { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0), 0.0 },
 };
 
+static const jlt_region domains[] = {
+    { "motion", "F0 - (I1 - I3)*Theta*omega3^2 > 0", 0 },
+};
+
 static const jlt_pole poles[] = {
     { 0, "the symmetry axis is vertical" },
 };
@@ -567,7 +636,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
-    .state_count = 3, .param_count = 7, .prepared_count = 37,
+    .state_count = 3, .param_count = 7, .prepared_count = 43,
     .states = states,
     .params = params,
     .prepare = prepare,
@@ -575,7 +644,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*s*(I1*M) - gamma3*(G*J1/R), a part of d(gamma3)/dtau and of d(s)/dtau, v_slip - (M/(m*R))*S, C*gamma3*(I3*M) + s*(G*J3/R)" },
     .jacobian = { jacobian, 9, { 3, 39, 13, 2, 1, 2, 14, 11 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*s*(I1*M) - gamma3*(G*J1/R), a part of d(d(gamma3)/dtau)/d(gamma3) and of d(d(gamma3)/dtau)/d(psi) and of d(d(gamma3)/dtau)/d(s) and of d(d(s)/dtau)/d(gamma3) and of d(d(s)/dtau)/d(psi) and of d(d(s)/dtau)/d(s), v_slip - (M/(m*R))*S, a part of d(d(gamma3)/dtau)/d(psi) and of d(d(s)/dtau)/d(psi), a part of d(d(gamma3)/dtau)/d(gamma3) and of d(d(s)/dtau)/d(gamma3), a part of d(d(gamma3)/dtau)/d(s) and of d(d(s)/dtau)/d(s), gamma3*(I3*M)*C + s*(G*J3/R), a part of d(d(gamma3)/dtau)/d(s), a part of d(d(s)/dtau)/d(s), a part of d(d(s)/dtau)/d(gamma3), d(d(psi)/dtau)/d(gamma3), 1/2*G*J3/(m*R^3*I1) - s*((1)/Theta)*(gamma3*(I3*M)*C + s*(G*J3/R))" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 4, 41, 13, 2, 1, 2, 14, 12 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 4, 41, 13, 2, 1, 2, 14, 13 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*s*(I1*M) - (G*J1/R)*gamma3, a part of d(gamma3)/dtau and of d(s)/dtau and of d(d(gamma3)/dtau)/d(gamma3) and of d(d(gamma3)/dtau)/d(psi) and of d(d(gamma3)/dtau)/d(s) and of d(d(s)/dtau)/d(gamma3) and of d(d(s)/dtau)/d(psi) and of d(d(s)/dtau)/d(s), v_slip - (M/(m*R))*S, a part of d(d(gamma3)/dtau)/d(psi) and of d(d(s)/dtau)/d(psi), a part of d(d(gamma3)/dtau)/d(gamma3) and of d(d(s)/dtau)/d(gamma3), gamma3*(I3*M)*C + s*(G*J3/R), a part of d(d(gamma3)/dtau)/d(s) and of d(d(s)/dtau)/d(s), a part of d(d(gamma3)/dtau)/d(s), a part of d(d(s)/dtau)/d(s), a part of d(d(s)/dtau)/d(gamma3), d(d(psi)/dtau)/d(gamma3), 1/2*G*J3/(m*R^3*I1) - s*((1)/Theta)*(gamma3*(I3*M)*C + s*(G*J3/R))" },
     .divergence = { divergence, 1, { 0, 18, 10, 2, 1, 2, 13, 7 }, { 20, 82, 0, 15, 1, 2, 17, 12 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*s*(I1*M) - (G*J1/R)*gamma3, a part of the divergence, a part of the divergence, a part of the divergence, a part of the divergence, v_slip - S*(M/(m*R)), (m*R/J1)*(v_slip - S*(M/(m*R))) + S*((1)/Theta/(m*R^2))*(I3*M/(m*R^2)), the divergence" },
@@ -588,6 +657,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { domain_values, 1, { 0, 4, 4, 1, 0, 1, 5, 4 }, { 6, 17, 0, 2, 0, 1, 10, 5 },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in C*s*(I1*M) - gamma3*(G*J1/R), motion" },
+    .domain_gradients = { domain_gradients, 3, { 0, 12, 5, 1, 0, 2, 7, 5 }, { 15, 69, 0, 10, 0, 2, 12, 9 },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in C*s*(I1*M) - gamma3*(G*J1/R), d(motion)/d(gamma3), d(motion)/d(s)" },
+    .domain_count = 1, .domains = domains,
     .pole_count = 1, .poles = poles,
     .lifted = lifted,
     .tier = "plane", .tier_meaning = "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed",

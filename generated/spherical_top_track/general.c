@@ -1011,6 +1011,8 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .pole_count = 1, .poles = poles,
     .tier = "track", .tier_meaning = "the reduced system with attitude and track by quadratures",

@@ -1156,6 +1156,8 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .pole_count = 1, .poles = poles,
     .lifted = lifted,
     .tier = "track", .tier_meaning = "the reduced system with attitude and track by quadratures",

@@ -412,6 +412,8 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .eliminated = { .loses_digits = "" },
     .observe_values = { .loses_digits = "" },
     .valid_values = { .loses_digits = "" },
+    .domain_values = { .loses_digits = "" },
+    .domain_gradients = { .loses_digits = "" },
     .reversor_count = 1, .reversors = reversors,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,

@@ -45,7 +45,7 @@ typedef struct {
     const char *name;
     const jlt_kernel *kernel;
 } entry;
-enum { KERNELS = 12 };
+enum { KERNELS = 14 };
 
 static void list_kernels(entry out[KERNELS], const jlt_descriptor *d)
 {
@@ -62,6 +62,8 @@ static void list_kernels(entry out[KERNELS], const jlt_descriptor *d)
         { "eliminated", &d->eliminated },
         { "observe_values", &d->observe_values },
         { "valid_values", &d->valid_values },
+        { "domain_values", &d->domain_values },
+        { "domain_gradients", &d->domain_gradients },
     };
     memcpy(out, all, sizeof all);
 }
@@ -194,6 +196,8 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
         if (d->observe_count > 0) print_quantities(stream, "observed", d->observes, d->observe_count);
         for (unsigned i = 0; i < d->valid_count; i++)
             fprintf(stream, "%s    %-20s %s\n", i == 0 ? "  valid where\n" : "", d->valids[i].name, d->valids[i].meaning);
+        for (unsigned i = 0; i < d->domain_count; i++)
+            fprintf(stream, "%s    %-20s %s\n", i == 0 ? "  domain\n" : "", d->domains[i].name, d->domains[i].text);
         if (d->section_count > 0) fputs("  sections\n", stream);
         for (unsigned i = 0; i < d->section_count; i++) print_section(stream, d, &d->sections[i]);
         if (d->way_count > 0) fputs("  served by\n", stream);

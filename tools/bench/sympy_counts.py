@@ -41,7 +41,7 @@ class Model:
         self.symbols, self.values = {}, {}
         self.name, self.params, self.states, self.roots = "", [], [], {}
         self.fields, self.variants, self.times, self.eliminations = {}, [], [], []
-        self.integrals, self.measures, self.observed, self.valid = [], [], [], []
+        self.integrals, self.measures, self.observed, self.valid, self.domain = [], [], [], [], []
         for keyword, rest in records(path):
             handler = getattr(self, "read_" + keyword, None)
             if handler is not None:
@@ -116,6 +116,10 @@ class Model:
     def read_valid(self, rest):
         value = re.split(r"\[|\"", rest)[0].partition(":")[2].partition(">")[0]
         self.valid.append(self.expression(value))
+
+    def read_domain(self, rest):
+        value = re.split(r"\[|\"", rest)[0].partition(":")[2].partition(">")[0]
+        self.domain.append(self.expression(value))
 
     def read_eq(self, rest):
         name, _, value = rest.partition("=")
@@ -265,6 +269,9 @@ def kernels(model, variant, time, elimination):
     if not variant and not elimination:
         result["observe_values"] = [final(e) for e in model.observed]
         result["valid_values"] = [final(e) for e in model.valid]
+    if model.domain:
+        result["domain_values"] = [final(e) for e in model.domain]
+        result["domain_gradients"] = [sp.diff(v, s) for v in result["domain_values"] for s in states]
     if time:
         result["time_factor"] = [final(factor)]
     if elimination:
