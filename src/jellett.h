@@ -27,6 +27,7 @@ extern "C" {
 #include "kernel/link.h"
 #include "kernel/load.h"
 #include "kernel/observed.h"
+#include "kernel/region.h"
 #include "kernel/units.h"
 #include "kernel/way.h"
 

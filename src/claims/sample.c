@@ -3,6 +3,7 @@
 #include "analysis/density.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
+#include "kernel/region.h"
 
 #include <float.h>
 #include <math.h>
@@ -79,7 +80,8 @@ bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_s
     const unsigned kind = (unsigned)(number % 4);
 
     for (int attempt = 0; attempt < REDRAWS; attempt++) {
-        double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX];
+        double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX], value;
+        const jlt_region *region;
         size_t index;
         jlt_verify_draw_params(params, d, &run->random, kind);
         draw_states(x, d, &run->random, kind);
@@ -90,7 +92,8 @@ bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_s
                                      d->param_count) != JLT_OK)
             continue;
         if (jlt_descriptor_check_params(d, sample->params, &index) == JLT_OK &&
-            jlt_descriptor_check_state(d, sample->x, &index) == JLT_OK)
+            jlt_descriptor_check_state(d, sample->x, &index) == JLT_OK &&
+            jlt_region_check(&region, &value, d, sample->params, sample->x) == JLT_OK)
             return true;
     }
     return false;

@@ -129,9 +129,16 @@ jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, doubl
                             condition(q->sign));
 }
 
+jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value)
+{
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: outside the domain of %s: %s needs %s, and it is %.10g here", what, descriptor->model,
+                            region->name, region->text, value);
+}
+
 jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_assign_list *list)
 {
-    double *values;
+    const jlt_region *region;
+    double *values, value;
     size_t index = 0;
     jlt_exit code;
 
@@ -146,6 +153,8 @@ jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_a
                                     d->params[i].name, d->model, d->params[i].name);
     if (code == JLT_EXIT_DONE && jlt_descriptor_check_params(d, values, &index) != JLT_OK)
         code = jlt_assign_refuse(d, index, values[index]);
+    if (code == JLT_EXIT_DONE && jlt_region_check(&region, &value, d, values, NULL) != JLT_OK)
+        code = region == NULL ? jlt_command_no_memory() : jlt_assign_refuse_region("parameters", d, region, value);
     if (code != JLT_EXIT_DONE) {
         free(values);
         return code;

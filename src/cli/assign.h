@@ -3,7 +3,7 @@
 #define JLT_CLI_ASSIGN_H
 
 #include "cli/command.h"
-#include "kernel_abi.h"
+#include "kernel/region.h"
 
 #include <stdbool.h>
 
@@ -33,6 +33,9 @@ jlt_exit jlt_assign_apply(double *values, unsigned char *given, const jlt_assign
 
 /* The exact value given to a name, or NULL when there is none. */
 const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
+
+/** Say that `what` lies outside the table's domain, and by which condition. */
+jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value);
 
 /** Say that parameter number `index` must not have this value, and which the table allows. */
 jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value);

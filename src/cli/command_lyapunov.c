@@ -173,7 +173,7 @@ static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
         return JLT_EXIT_DONE;
     }
     if (st == JLT_ERR_DOMAIN && state.returns > 0) {
-        fprintf(stderr, "jellett: the orbit ends, at a pole or at rest, after %zu returns, t = %.10g: these are finite-time exponents\n",
+        fprintf(stderr, "jellett: the orbit ends, at a pole, at rest or where the domain does, after %zu returns, t = %.10g: these are finite-time exponents\n",
                 state.returns, state.t);
         return JLT_EXIT_DONE;
     }

@@ -78,7 +78,7 @@ static const struct argp parser = {
     "--section STATE=VALUE, in all its other states or, with --level and --solve, fewer."
     "\vColumns: orbit, return, t, the coordinates, quantities beside them (of the spherical top three velocities), fate. Return 0 is the "
     "start. An orbit that ends has a last row with its fate: pole+ or pole- (the axis is vertical; velocities are the limits), lost_contact, "
-    "equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (another model's, in plain time), "
+    "equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (the model's domain ends there), "
     "budget (one return took more than 100000 steps); or, where the method failed, nonfinite, no_convergence or no_progress: "
     "then the status is 4, and all other orbits are there. Coordinates of the section are empty in that row, and so is what the "
     "levels do not tell at a pole. With --check: trace and det of DP at that return, divergence (its integral on the levels), and defect, "

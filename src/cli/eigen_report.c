@@ -33,6 +33,9 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     else if (e->stage == JLT_EQUILIBRIUM_STATES)
         snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, 
                  row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
+    else if (e->stage == JLT_EQUILIBRIUM_DOMAIN && e->status == JLT_ERR_DOMAIN)
+        snprintf(text, size, "this state lies outside the domain of %s: %s needs %s, and it is %.10g here", d->model, e->region->name,
+                 e->region->text, e->region_value);
     else if (e->stage == JLT_EQUILIBRIUM_DIGITS)
         snprintf(text, size, "no number of digits can be given here: %s", e->status == JLT_ERR_NO_CONVERGENCE
                  ? "eigenvalues are multiple, or too close together, and there are no exact numbers (leave --digits out)" : jlt_status_text(e->status));

@@ -196,6 +196,19 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     return code;
 }
 
+/* A point that a plane section has, outside the domain, is named by the condition that fails there. */
+static jlt_exit refuse_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const jlt_region *region = NULL;
+    double x[JLT_CHART_STATES_MAX], value;
+
+    if (status == JLT_ERR_DOMAIN && system->surface == NULL && chart->lift(chart, x, NULL, q) == status &&
+        jlt_region_check(&region, &value, system->instance->descriptor, system->instance->params, x) == status && region != NULL)
+        return jlt_assign_refuse_region(start, system->instance->descriptor, region, value);
+    return jlt_motion_fail(status, system, start);
+}
+
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count)
 {
     jlt_section *section = NULL;
@@ -206,7 +219,7 @@ jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *st
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         code = jlt_motion_start(q, system, starts[i]);
         if (code == JLT_EXIT_DONE) st = jlt_section_start(section, NULL, q, 1);
-        if (code == JLT_EXIT_DONE && st != JLT_OK) code = jlt_motion_fail(st, system, starts[i]);
+        if (code == JLT_EXIT_DONE && st != JLT_OK) code = refuse_start(st, system, starts[i], q);
     }
     jlt_section_destroy(section);
     return code;

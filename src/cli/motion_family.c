@@ -20,6 +20,8 @@ static jlt_status make_at(void *context, jlt_system **out, double value)
 jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status, const char *option, const jlt_grid_axis *axes,
                                 size_t count)
 {
+    const jlt_region *region;
+    double value;
     char where[256];
     size_t used = (size_t)snprintf(where, sizeof where, "%s: at", option);
 
@@ -28,6 +30,8 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
     if (self->surface != NULL) return jlt_motion_refuse(self->surface, self->values, status, where);
     if (self->no_angle < self->plane.descriptor->state_count)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is no angle any more", where, self->plane.descriptor->states[self->no_angle].name);
+    if (status == JLT_ERR_DOMAIN && jlt_region_check(&region, &value, self->plane.descriptor, self->plane.params, NULL) == status)
+        return jlt_assign_refuse_region(where, self->plane.descriptor, region, value);
     return jlt_motion_fail(status, NULL, where);
 }
 

@@ -64,7 +64,9 @@ jlt_exit jlt_session_start(jlt_session *self)
 {
     const jlt_descriptor *d = self->descriptor;
     unsigned char *given = calloc(d->state_count, 1);
+    const jlt_region *region;
     jlt_exit code = JLT_EXIT_DONE;
+    double value;
     size_t index = 0;
 
     self->x = calloc(d->state_count, sizeof *self->x);
@@ -80,6 +82,8 @@ jlt_exit jlt_session_start(jlt_session *self)
     if (code == JLT_EXIT_DONE && jlt_descriptor_check_state(d, self->x, &index) != JLT_OK)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--start: %s must lie strictly between %g and %g", d->states[index].name,
                                 d->states[index].low, d->states[index].high);
+    if (code == JLT_EXIT_DONE && jlt_region_check(&region, &value, d, self->params, self->x) != JLT_OK)
+        code = region == NULL ? jlt_command_no_memory() : jlt_assign_refuse_region("--start", d, region, value);
 done:
     free(given);
     return code;

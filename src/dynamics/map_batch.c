@@ -70,7 +70,7 @@ static bool serves(const jlt_flow *flow)
     const jlt_chart *chart = flow->chart;
     const jlt_batch_map map = { .dim = chart->states, .tangents = chart->dim };
 
-    if (chart->turn != 0 || flow->t_max != 0) return false;
+    if (chart->turn != 0 || flow->t_max != 0 || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX) return false;
     return chart->states <= JLT_BATCH_STATES_MAX && jlt_batch_columns(&map) <= JLT_BATCH_COLUMNS_MAX;
 }
 
@@ -96,7 +96,7 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
     const jlt_batch_map map = {
         .kernels = kernels != NULL && serves(flow) ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states, .tangents = flow->chart->dim,
         .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
-        .method = method, .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
+        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .method = method, .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
         .max_steps = flow->max_steps != 0 && flow->max_steps < most_steps ? flow->max_steps : most_steps,
         .interrupt = flow->interrupt,
     };

@@ -75,7 +75,7 @@ const char *jlt_section_batch_obstacle(const jlt_flow *flow, const jlt_kernel_ba
     if (flow->chart->turn != 0) return "the section's state is an angle";
     if (flow->end_where_invalid && conditions > 0) return "orbits end where the model loses its conditions, between steps too";
     if (flow->t_max != 0) return "returns have an end in time";
-    if (conditions > JLT_BATCH_CONDITIONS_MAX) return "there are more conditions than lanes watch";
+    if (conditions > JLT_BATCH_CONDITIONS_MAX || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX) return "there are more conditions than lanes watch";
     if (conditions > 0 && jlt_observed_lanes(flow->observed, &p, &exponents, kernels->lanes) == NULL)
         return "its conditions have no kernels on vectors";
     return NULL;
@@ -117,7 +117,7 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         .kernels = jlt_section_batch_obstacle(flow, kernels) == NULL ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states,
         .clock = true, .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction,
         .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_rest = rest_at_pole(tolerance),
-        .root_least = root_least, .domain = flow->field->domain, .tolerance = tolerance,
+        .root_least = root_least, .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project, .interrupt = flow->interrupt,
     };

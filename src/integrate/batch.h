@@ -11,8 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/status.h"
-#include "kernel_abi.h"
+#include "integrate/field.h"
 
 enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
@@ -21,7 +20,7 @@ typedef enum {
     JLT_LANE_DONE,    /* all its returns are made */
     JLT_LANE_ROOT,    /* the lifted root fell below root_floor and all else has come to rest: near a pole; go on from there with a
                          scalar method */
-    JLT_LANE_DOMAIN,  /* a state would have left its interval: go on from there with a scalar method */
+    JLT_LANE_DOMAIN,  /* the orbit would have left the domain, or may have: go on from there with a scalar method */
     JLT_LANE_STALLED, /* the step fell below what time resolves, or a value is not finite */
     JLT_LANE_BUDGET   /* max_steps are spent on one return */
 } jlt_lane_end;
@@ -51,7 +50,8 @@ typedef struct {
     double root_rest;                /* 0: whatever the rates; it ends anyway after max_steps, and below 1e-100 */
     double root_least;               /* below it the root's error is measured against it: enough for an orbit that ends at the pole; the
                                         lane of one that comes back is stalled, from where it was less accurate. 0: against itself */
-    const jlt_quantity *domain;      /* (dim,), intervals in which states must stay, as in field.h; NULL: not watched */
+    const jlt_domain *domain;        /* which orbits do not leave, of the map's kernels; at most JLT_BATCH_CONDITIONS_MAX
+                                        conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one return, accepted and rejected */

@@ -2,9 +2,11 @@
 
 #include <math.h>
 
+#include "integrate/locate.h"
 #include "integrate/step_control.h"
 
 enum { SAMPLES = 16, BISECTIONS = 60 };
+static const double ahead = 1e-8; /* of the time that has passed: half of its digits */
 
 static double distance(double x, double end, double side, double scale)
 {
@@ -12,43 +14,197 @@ static double distance(double x, double end, double side, double scale)
     return (side * (x - end) - JLT_FIELD_NEAREST * fabs(end)) / size;
 }
 
-/* Of the point where theta is 1, else of the polynomial. NaN counts as outside. */
-static double distance_at(const jlt_stepper *stepper, double theta)
+/* The least distance of x (states,) from an interval's end. NaN counts as outside. */
+static double least_of_intervals(const jlt_stepper *stepper, const double *x)
 {
     const jlt_field *field = stepper->field;
+    const jlt_domain *domain = &field->domain;
     double least = INFINITY;
 
-    for (unsigned i = 0; field->domain != NULL && i < field->dim; i++) {
-        const double low = field->domain[i].low, high = field->domain[i].high, scale = field->scale != NULL ? field->scale[i] : 1;
-        if (!isfinite(low) && !isfinite(high)) continue;
-        const double x = theta == 1 ? stepper->x[i] : jlt_stepper_value(stepper, i, theta);
-        const double above = isfinite(low) ? distance(x, low, 1, scale) : INFINITY;
-        const double below = isfinite(high) ? distance(x, high, -1, scale) : INFINITY;
+    for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
+        const double low = domain->intervals[i].low, high = domain->intervals[i].high;
+        const double scale = field->scale != NULL ? field->scale[i] : 1;
+        const double above = isfinite(low) ? distance(x[i], low, 1, scale) : INFINITY;
+        const double below = isfinite(high) ? distance(x[i], high, -1, scale) : INFINITY;
         if (!(above >= least)) least = above;
         if (!(below >= least)) least = below;
     }
     return least;
 }
 
-double jlt_edge_distance(const jlt_stepper *stepper)
+/* The least value of a condition, in units of what it is at the step's start. */
+static double least_of_conditions(const jlt_stepper *stepper, const double *x)
 {
-    return distance_at(stepper, 1);
+    const jlt_domain *domain = &stepper->field->domain;
+    double before[JLT_REGION_CONDITIONS_MAX], here[JLT_REGION_CONDITIONS_MAX], least = INFINITY;
+
+    if (domain->conditions == 0) return least;
+    domain->values(stepper->x_start, domain->p, before);
+    domain->values(x, domain->p, here);
+    for (unsigned k = 0; k < domain->conditions; k++) {
+        const double value = before[k] > 0 ? here[k] / before[k] : here[k];
+        if (!(value >= least)) least = value;
+    }
+    return least;
 }
 
-double jlt_edge_near(const jlt_stepper *stepper)
+static double distance_of(const jlt_stepper *stepper, const double *x)
+{
+    const double a = least_of_intervals(stepper, x), b = least_of_conditions(stepper, x);
+    return !(a >= b) ? a : b;
+}
+
+/* Of the last step's polynomial. */
+static double distance_at(const jlt_stepper *stepper, double theta)
+{
+    double x[JLT_DOMAIN_STATES_MAX];
+
+    for (unsigned i = 0; i < stepper->field->domain.states; i++) x[i] = jlt_stepper_value(stepper, i, theta);
+    return distance_of(stepper, x);
+}
+
+static double near(const jlt_stepper *stepper)
 {
     return jlt_larger(stepper->asked, 0x1p-46); /* a distance from an end has no more digits */
 }
 
+bool jlt_edge_is_outside(const jlt_stepper *stepper)
+{
+    return stepper->watches && !(distance_of(stepper, stepper->x) > 0);
+}
+
+bool jlt_edge_reached(const jlt_stepper *stepper)
+{
+    return distance_of(stepper, stepper->x) <= near(stepper);
+}
+
+bool jlt_edge_is_ahead(const jlt_stepper *stepper)
+{
+    const double move = stepper->direction * ahead * fabs(stepper->tau);
+    double x[JLT_DOMAIN_STATES_MAX];
+
+    if (!stepper->watches) return false;
+    for (unsigned i = 0; i < stepper->field->domain.states; i++) x[i] = stepper->x[i] + move * stepper->f[i];
+    return !(distance_of(stepper, x) > 0);
+}
+
+/* The first zero of an event's function within the last step, which begins and ends on one side of it; at most *theta. */
+static jlt_status first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
+{
+    jlt_crossing list[JLT_CROSSINGS_MAX];
+    jlt_watch watch = { .event = *event, .side = side };
+    unsigned count;
+    const jlt_status st = jlt_locate_step(&watch, stepper, list, &count);
+
+    if (st == JLT_OK && count > 0) *theta = jlt_smaller(list[0].theta, *theta);
+    return st;
+}
+
+static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned state, double end, int side)
+{
+    const jlt_event event = { .column = state, .level = end };
+
+    return isfinite(end) ? first_zero(theta, stepper, &event, side) : JLT_OK;
+}
+
+typedef struct {
+    const jlt_stepper *stepper;
+    unsigned index;
+} condition;
+
+static double condition_value(void *context, const double *x)
+{
+    const condition *self = context;
+    const jlt_domain *domain = &self->stepper->field->domain;
+    double values[JLT_REGION_CONDITIONS_MAX];
+
+    domain->values(x, domain->p, values);
+    return values[self->index];
+}
+
+static double along(const double *gradient, const double *f, unsigned count)
+{
+    double sum = 0;
+    for (unsigned i = 0; i < count; i++) sum += gradient[i] * f[i];
+    return sum;
+}
+
+static double condition_rate(void *context, const double *x, const double *f)
+{
+    const condition *self = context;
+    const jlt_domain *domain = &self->stepper->field->domain;
+
+    domain->gradients(x, domain->p, self->stepper->gradients);
+    return along(self->stepper->gradients + self->index * domain->states, f, domain->states);
+}
+
+/* Whether a cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its terms of second and third
+ * order let it be off: what it leaves out is x""h^4/384 at most, a 192th of the former at x"" = x"/h^2. */
+static bool stays_above(double w0, double w1, double d0, double d1)
+{
+    const double bend = fabs(3 * (w1 - w0) - 2 * d0 - d1) + fabs(d0 + d1 - 2 * (w1 - w0));
+    const double least = jlt_smaller(jlt_smaller(w0, w1), jlt_smaller(w0 + d0 / 3, w1 - d1 / 3));
+    return least > bend / 32;
+}
+
+/* A method whose polynomial is free may take steps over which values and slopes at the ends tell nothing. */
+static bool has_polynomial(const jlt_method *method)
+{
+    return method->bernstein != NULL || method->needs_jet;
+}
+
+jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event)
+{
+    const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
+
+    if (!(w0 > 0) || !(w1 > 0)) return JLT_OK;
+    const double d0 = stepper->h * jlt_locate_slope(event, stepper, stepper->x_start, stepper->f_start);
+    const double d1 = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
+    const bool moves = d0 != 0 || d1 != 0 || w0 < w1 || w0 > w1;
+    if (has_polynomial(stepper->method) ? !moves : stays_above(w0, w1, d0, d1)) return JLT_OK;
+    return first_zero(theta, stepper, event, 1);
+}
+
+static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)
+{
+    jlt_status st = JLT_OK;
+
+    for (unsigned k = 0; st == JLT_OK && k < stepper->field->domain.conditions; k++) {
+        condition one = { stepper, k };
+        st = jlt_edge_first_loss(theta, stepper, &(jlt_event){ .value = condition_value, .rate = condition_rate, .context = &one });
+    }
+    return st;
+}
+
+jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
+{
+    const jlt_domain *domain = &stepper->field->domain;
+    jlt_status st = JLT_OK;
+
+    *theta = INFINITY;
+    if (!stepper->watches) return JLT_OK;
+    if (jlt_edge_is_outside(stepper)) {
+        *theta = 1;
+        return JLT_OK;
+    }
+    for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
+        JLT_TRY(leave_interval(theta, stepper, i, domain->intervals[i].low, 1));
+        JLT_TRY(leave_interval(theta, stepper, i, domain->intervals[i].high, -1));
+    }
+    st = leave_conditions(theta, stepper);
+done:
+    return st;
+}
+
 jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper)
 {
-    const double wanted = jlt_edge_near(stepper) / 2;
-    double inside = 0, outside = 1;
+    const double wanted = near(stepper) / 2, last = *theta;
+    double inside = 0, outside = last;
     const jlt_status st = jlt_stepper_dense(stepper);
 
     if (st != JLT_OK) return st;
     for (int k = 1; k < SAMPLES; k++) {
-        const double at = (double)k / SAMPLES;
+        const double at = last * k / SAMPLES;
         if (!(distance_at(stepper, at) > 0)) {
             outside = at;
             break;

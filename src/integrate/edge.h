@@ -1,18 +1,37 @@
-/** Ends of the intervals in which a field's states must stay. Used by stepper.c. */
+/** Where an orbit leaves the domain of its field: an end of a state's interval, or a condition that comes to zero. Used by
+ *  stepper.c.
+ *
+ *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are polynomials, all of
+ *  whose zeros are isolated as those of events are (event.h), so that an orbit which leaves and comes back within one step is
+ *  seen: where it is out by more than jlt_locate_noise, of a condition by more than rounding. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
-#include "integrate/method.h"
+#include "integrate/event.h"
 
-/** The least distance of the stepper's point from such an end, less JLT_FIELD_NEAREST of it, in units of the end or of what
- *  counts as small: it has left where this is not > 0. INFINITY where no interval is watched. */
-double jlt_edge_distance(const jlt_stepper *stepper);
+/** Out: *theta, at which of the last step the orbit is outside for the first time, as far as the polynomial tells: 1 for its
+ *  end, and INFINITY when the orbit stays inside. Cost: that of jlt_stepper_dense where the step comes near enough to an end
+ *  that its variation does not exclude it; of conditions, two evaluations of their values and gradients, and by methods with a
+ *  polynomial of their own 13 of values. Errors: those of jlt_stepper_dense and of partial steps. */
+JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 
-/** An orbit that is to leave is at its end where that distance is below this: the tolerance, or rounding. */
-double jlt_edge_near(const jlt_stepper *stepper);
+/** The same for any function of the state that an event has, where it is positive at both ends of the step: the first theta at
+ *  which it is not, if that is below *theta, else *theta as it was. */
+JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);
 
-/** Out: *theta, 0 <= theta < 1: where the polynomial of the last step, which led out, comes to half of jlt_edge_near before it leaves.
- *  Cost: that of jlt_stepper_dense. Errors: its own. */
+/** Whether the stepper's point is outside. */
+bool jlt_edge_is_outside(const jlt_stepper *stepper);
+
+/** Whether it is so near to the domain's end that it is there: within the tolerance, or rounding, of the end or of
+ *  what counts as small; of a condition, of the value that it had at the start of the step. */
+bool jlt_edge_reached(const jlt_stepper *stepper);
+
+/** Whether the orbit would be outside after going straight on for 1e-8 of the time that has passed: a field that grows beyond
+ *  bounds there, or has no values outside, may let no step come nearer. */
+bool jlt_edge_is_ahead(const jlt_stepper *stepper);
+
+/** In: *theta, from jlt_edge_left. Out: *theta, 0 <= theta < 1: where the polynomial of the last step comes to half of that
+ *  distance before it leaves. Cost: that of jlt_stepper_dense. Errors: its own. */
 JLT_CHECKED jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper);
 
 #endif

@@ -1,6 +1,26 @@
 #include "integrate/field.h"
 
+#include <math.h>
+
 #include "kernel/batch_isa.h"
+
+bool jlt_field_watches(const jlt_field *field)
+{
+    const jlt_domain *domain = &field->domain;
+    bool watches = domain->conditions > 0;
+
+    for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++)
+        watches |= isfinite(domain->intervals[i].low) || isfinite(domain->intervals[i].high);
+    return watches;
+}
+
+/* How many conditions orbits watch: none where all are of parameters alone. */
+static unsigned conditions_of(const jlt_descriptor *descriptor)
+{
+    for (unsigned i = 0; i < descriptor->domain_count; i++)
+        if (!descriptor->domains[i].of_params) return descriptor->domain_count;
+    return 0;
+}
 
 jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p)
 {
@@ -18,7 +38,12 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const 
         .jacobian = descriptor->jacobian.call,
         .jet = descriptor->jet,
         .batch = jlt_batch_isa_best(descriptor, 0),
-        .domain = descriptor->time_factor.call == NULL ? descriptor->states : NULL,
+        .domain = { .states = descriptor->state_count,
+                    .intervals = descriptor->lifted_count == 0 ? descriptor->states : NULL,
+                    .conditions = conditions_of(descriptor),
+                    .values = descriptor->domain_values.call,
+                    .gradients = descriptor->domain_gradients.call,
+                    .p = p },
         .root = has_root ? (int)last : -1,
     };
     return JLT_OK;

@@ -6,11 +6,24 @@
 #ifndef JLT_INTEGRATE_FIELD_H
 #define JLT_INTEGRATE_FIELD_H
 
+#include <stdbool.h>
+
 #include "core/status.h"
-#include "kernel_abi.h"
+#include "kernel/region.h"
 
 /* The largest field has 128 states, their derivatives by 128 coordinates, and one integral. */
 enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
+
+enum { JLT_DOMAIN_STATES_MAX = 256 }; /* as in a table, with lifted roots */
+
+/** Where a field means something: in open intervals of its states, and where conditions on them are positive. */
+typedef struct {
+    unsigned states;               /* leading columns that this speaks of, <= JLT_DOMAIN_STATES_MAX */
+    const jlt_quantity *intervals; /* (states,); NULL: not watched */
+    unsigned conditions;           /* <= JLT_REGION_CONDITIONS_MAX; 0: none */
+    jlt_kernel_function values, gradients; /* x, p -> (conditions,), > 0 inside; (conditions, states) */
+    const double *p;
+} jlt_domain;
 
 typedef struct {
     unsigned dim;                  /* 1 .. JLT_FIELD_DIM_MAX */
@@ -22,7 +35,7 @@ typedef struct {
     const jlt_kernel_batch *batch; /* the same field on vectors, for the method gauss; NULL where not known */
     unsigned controlled;           /* leading states in the error norm; 0: all of them */
     int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
-    const jlt_quantity *domain;    /* (dim,), the open intervals the states must stay in; NULL: not watched */
+    jlt_domain domain;             /* which orbits do not leave */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
 } jlt_field;
@@ -31,11 +44,13 @@ typedef struct {
  *  are left, and a field that divides by the root of that distance has no correct digits worth speaking of. */
 #define JLT_FIELD_NEAREST 0x1p-37
 
-/** Make the field of a generated kernel. In the model's own time t the field watches the domain of its states; in a time of its
- *  own, where a root is lifted to a state, it need not. The last state is taken for the root that vanishes at a pole when the
- *  kernel has a time of its own and that state is bounded below by 0.
- *  In: p, the prepared values, which must live as long as the field. Errors: UNSUPPORTED, the descriptor has no right-hand
- *  side. */
+/** Whether anything of the field's domain is to be watched: a finite interval, or a condition. */
+bool jlt_field_watches(const jlt_field *field);
+
+/** Make the field of a generated kernel. It watches the conditions of the table's domain and the intervals of its states;
+ *  the latter not in a time that lifts roots to states, where it need not. The last state is taken for the root that vanishes
+ *  at a pole when the kernel has a time of its own and that state is bounded below by 0. In: p, the prepared values, which must
+ *  live as long as the field. Errors: UNSUPPORTED, the descriptor has no right-hand side. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
 
 #endif

@@ -45,8 +45,10 @@ typedef struct {
     double dense_error;   /* estimate of the polynomial's error inside the step, relative to max(|x_i|, scale_i) */
     bool dense_ready;
 
+    double *gradients;    /* room for those of the field's conditions */
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
+    bool watches;         /* something of the field's domain */
     bool at_edge;         /* the orbit is about to leave the domain of its field, and no point of it is left to come to */
     unsigned approaches;  /* steps that were shortened because they would have left it */
     size_t steps, rejected;
@@ -104,7 +106,8 @@ JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
 
 /** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
  *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the orbit
- *  is at an end of the field's domain: within the tolerance of it, or of JLT_FIELD_NEAREST, and it goes on beyond. */
+ *  is at an end of the field's domain, as jlt_edge_reached says, and it goes on beyond; or it began outside;
+ *  or no step can be made, and jlt_edge_is_ahead. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
 
 /** Make the polynomial of the last step, once. Cost: none (gauss, taylor), 3 evaluations (dop853), 15

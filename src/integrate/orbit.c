@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/memory.h"
+#include "integrate/edge.h"
 #include "integrate/locate.h"
 #include "integrate/pole.h"
 #include "integrate/step_control.h"
@@ -99,6 +100,11 @@ void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context)
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
 {
     return self->stepper;
+}
+
+jlt_status jlt_orbit_first_loss(jlt_orbit *self, double *theta, const jlt_event *event)
+{
+    return jlt_edge_first_loss(theta, self->stepper, event);
 }
 
 void jlt_orbit_drift(const jlt_orbit *self, double *drift)

@@ -68,8 +68,8 @@ enum { JLT_ORBIT_EVENTS_MAX = 16 };
 /** Go on to the next crossing of one of the events, shape (count,), to physical time t_end (+-INFINITY: no end), or into the
  *  pole, whichever comes first; *out says which. Call again to go on from there: with the same events no crossing is lost or
  *  found twice; with others the search begins at the current point.
- *  Errors: ARG, count > JLT_ORBIT_EVENTS_MAX, or a level that is not finite; NONFINITE, NO_PROGRESS, BUDGET; DOMAIN, a field in
- *  the model's own time came to the edge of its domain. On these last four *out holds the last accepted point, with end
+ *  Errors: ARG, count > JLT_ORBIT_EVENTS_MAX, or a level that is not finite; NONFINITE, NO_PROGRESS, BUDGET; DOMAIN, the orbit
+ *  came to the edge of its field's domain. On these last four *out holds the last accepted point, with end
  *  JLT_END_TIME. */
 JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count,
                                       jlt_outcome *out);
@@ -84,6 +84,10 @@ JLT_CHECKED jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double
 JLT_CHECKED jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t *done, const double *times, size_t count);
 
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, the last step, counters */
+
+/** Where in the last step a function first comes to zero that is positive at both ends of it; theta: as jlt_edge_first_loss
+ *  (edge.h). The step's polynomial is there then. Errors: as it. */
+JLT_CHECKED jlt_status jlt_orbit_first_loss(jlt_orbit *self, double *theta, const jlt_event *event);
 
 /** Largest |F_i - F_i(start)| / max(1, |F_i(start)|) over accepted points since the start. drift: (invariants.count,). */
 void jlt_orbit_drift(const jlt_orbit *self, double *drift);

@@ -60,9 +60,11 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->tolerance = jlt_larger(tolerance * method->share, jlt_smaller(tolerance, finest));
     self->max_step = max_step;
     self->direction = 1;
+    self->watches = jlt_field_watches(field);
     self->columns = field->dim + (field->time_rate != NULL);
     self->stride = (self->columns + WIDTH - 1) / WIDTH * WIDTH;
-    block = jlt_memory_array((6 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride, sizeof *block);
+    block = jlt_memory_array((6 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride
+                                 + (size_t)field->domain.conditions * field->domain.states, sizeof *block);
     if (block == NULL) {
         st = JLT_ERR_NOMEM;
         goto done;
@@ -74,6 +76,7 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->f_start = self->x_start + self->stride;
     self->scale = self->f_start + self->stride;
     self->dense = self->scale + self->stride;
+    self->gradients = self->dense + (JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride;
     set_scales(self);
     JLT_TRY(method->create(self));
     *out = self;
@@ -113,12 +116,12 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->tau = t;
     self->tau_low = 0;
     self->approaches = 0;
-    self->at_edge = false;
     self->direction = direction < 0 ? -1 : 1;
     self->h_next = first_step > 0 ? first_step : 0;
     evaluate(self->field, self->x, self->f);
     self->evaluations++;
     forget_step(self);
+    self->at_edge = jlt_edge_is_outside(self);
     if (!all_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;
     return self->method->start(self);
 }
@@ -145,24 +148,23 @@ static jlt_status step_back(jlt_stepper *self)
     return self->method->start(self);
 }
 
-/* After a step that led out of an interval: one that ends before, and within the tolerance of the end where the polynomial of the longer
- * one was good enough. A point from where no such step can be made is at the end. */
-static jlt_status approach_edge(jlt_stepper *self)
+/* After a step that led out of the domain at theta: one that ends before, and within the tolerance of the end where the
+ * polynomial of the longer one was good enough. A point from where no such step can be made is at the end. */
+static jlt_status approach_edge(jlt_stepper *self, double theta)
 {
     jlt_status st = JLT_OK;
 
     for (int attempt = 0; attempt < ATTEMPTS_MAX && self->approaches < APPROACHES_MAX; attempt++) {
-        double theta;
         const double length = fabs(self->h);
-        self->dense_ready = false;
         JLT_TRY(jlt_edge_find(&theta, self));
         JLT_TRY(step_back(self));
         self->rejected++;
         if (!(theta > 0) || self->method->step(self, theta * length) != JLT_OK) return JLT_ERR_DOMAIN;
-        const double left = jlt_edge_distance(self);
-        if (left > 0) {
+        self->dense_ready = false;
+        JLT_TRY(jlt_edge_left(&theta, self));
+        if (theta > 1) {
             self->approaches++;
-            self->at_edge = left <= jlt_edge_near(self);
+            self->at_edge = jlt_edge_reached(self);
             return JLT_OK;
         }
     }
@@ -172,19 +174,31 @@ done:
     return st;
 }
 
+/* The step in hand, or a shorter one. On failure none is taken. */
+static jlt_status stay_inside(jlt_stepper *self)
+{
+    double left;
+
+    self->dense_ready = false;
+    jlt_status st = jlt_edge_left(&left, self);
+    if (st == JLT_OK) return left > 1 ? JLT_OK : approach_edge(self, left);
+    const jlt_status back = step_back(self);
+    return back != JLT_OK ? back : st;
+}
+
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
     static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
     jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : self->method->step(self, jlt_smaller(limit, longest));
-    if (st == JLT_OK && !(jlt_edge_distance(self) > 0)) st = approach_edge(self);
+    if (st == JLT_OK) st = stay_inside(self);
+    else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && jlt_edge_is_ahead(self)) st = JLT_ERR_DOMAIN;
     if (st != JLT_OK) return st;
 
     const double move = self->h + self->tau_low;
     self->tau_start = tau;
     self->tau = tau + move;
     self->tau_low = (tau - self->tau) + move;
-    self->dense_ready = false;
     self->steps++;
     return JLT_OK;
 }

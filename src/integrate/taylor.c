@@ -112,6 +112,7 @@ static bool follows_field(const taylor *self, const jlt_stepper *stepper, double
 {
     double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX];
     const unsigned dim = stepper->field->dim;
+    const jlt_domain *domain = &stepper->field->domain;
     const double allowed = 100 * self->order * jlt_larger(stepper->tolerance, 1e-15);
 
     memcpy(end, stepper->x, dim * sizeof *end);
@@ -122,7 +123,8 @@ static bool follows_field(const taylor *self, const jlt_stepper *stepper, double
         for (unsigned k = self->order; k >= 1; k--) slope += k * stepper->dense[k * (size_t)stepper->stride + i];
         const double size = jlt_larger(jlt_larger(fabs(stepper->x[i]), fabs(end[i])), stepper->scale[i]);
         if (!(fabs(slope - h * f[i]) <= allowed * size)) return false;
-        const double left = jlt_smaller(end[i] - stepper->field->domain[i].low, stepper->field->domain[i].high - end[i]);
+        if (domain->intervals == NULL || i >= domain->states) continue;
+        const double left = jlt_smaller(end[i] - domain->intervals[i].low, domain->intervals[i].high - end[i]);
         if (slope * (h * f[i]) < 0 && left < allowed * size) return false;
     }
     return true;
@@ -144,7 +146,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
 
     if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;
-    while (field->domain != NULL && !follows_field(self, stepper, h)) {
+    const bool has_end = field->domain.intervals != NULL || field->domain.conditions > 0;
+    while (has_end && !follows_field(self, stepper, h)) {
         h = stepper->direction * (size /= 2);
         if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_DOMAIN;
         if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;

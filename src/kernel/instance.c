@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
+#include "kernel/region.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,11 +19,14 @@ jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor 
 {
     jlt_status st = JLT_OK;
     jlt_instance *self = NULL;
+    const jlt_region *region;
+    double value;
     size_t index;
 
     *instance = NULL;
     if (descriptor == NULL || params == NULL) return JLT_ERR_ARG;
     JLT_TRY(jlt_descriptor_check_params(descriptor, params, &index));
+    JLT_TRY(jlt_region_check(&region, &value, descriptor, params, NULL));
     st = JLT_ERR_NOMEM;
     self = calloc(1, sizeof *self);
     if (self == NULL) goto done;
@@ -58,6 +62,24 @@ static double generic(const jlt_quantity *state, unsigned index, int round)
     return isfinite(state->high) ? state->high - size : size;
 }
 
+/* Whether the conditions of the domain have the same digits in both units, but for a power of two. */
+static bool conditions_scale(const jlt_descriptor *descriptor, const double *plain, const double *x, const double *counted,
+                             const double *y)
+{
+    double here[JLT_REGION_CONDITIONS_MAX], there[JLT_REGION_CONDITIONS_MAX];
+    bool scale = true;
+    int exponent;
+
+    if (descriptor->domain_count == 0) return true;
+    descriptor->domain_values.call(x, plain, here);
+    descriptor->domain_values.call(y, counted, there);
+    for (unsigned i = 0; i < descriptor->domain_count; i++) {
+        const double digits = frexp(here[i], &exponent), others = frexp(there[i], &exponent);
+        scale &= !isfinite(digits) || digits == others;
+    }
+    return scale;
+}
+
 jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params, const jlt_units *units)
 {
     const unsigned n = descriptor->state_count;
@@ -79,6 +101,7 @@ jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, c
             const double back = ldexp(g[i], jlt_units_exponent(units, descriptor->states[i].unit) - units->time);
             if (isfinite(f[i]) && back != f[i]) *scales = false;
         }
+        *scales = *scales && conditions_scale(descriptor, plain->prepared, x, counted->prepared, y);
     }
 done:
     jlt_instance_destroy(counted);
@@ -89,11 +112,13 @@ done:
 
 static jlt_status evaluate(const jlt_instance *instance, const jlt_kernel *kernel, double *out, const double *x)
 {
+    const jlt_descriptor *d = instance->descriptor;
     size_t index;
-    const jlt_status st = jlt_descriptor_check_state(instance->descriptor, x, &index);
+    const jlt_status st = jlt_descriptor_check_state(d, x, &index);
 
     if (st != JLT_OK) return st;
-    return jlt_kernel_eval(out, kernel, x, instance->descriptor->state_count, instance->prepared);
+    if (!jlt_region_holds(d->domain_count, d->domain_values.call, instance->prepared, x)) return JLT_ERR_DOMAIN;
+    return jlt_kernel_eval(out, kernel, x, d->state_count, instance->prepared);
 }
 
 jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x)

@@ -17,8 +17,8 @@ typedef struct {
  *  into the prepared values.
  *  Out: *instance, NULL on failure; destroy with jlt_instance_destroy. In: descriptor, which must live as long; params, shape
  *       (param_count,), in the order of descriptor->params, copied.
- *  Errors: ARG, a NULL; NONFINITE, a parameter or what is computed from them; DOMAIN, a parameter that breaks a condition of
- *  the table, such as m > 0 (jlt_descriptor_check_params tells which); NOMEM. */
+ *  Errors: ARG, a NULL; NONFINITE, a parameter or what is computed from them; DOMAIN, parameters that break a condition of
+ *  the table, such as m > 0 (jlt_descriptor_check_params and jlt_region_check tell which); NOMEM. */
 JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
                                            const double *params);
 
@@ -29,10 +29,10 @@ JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt
                                               const jlt_units *units);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 
-/** Whether the field may be evaluated in these units with the same bits: whether every term of an equation has the dimension of
- *  that equation, by the units that the table writes beside its states and parameters. Out: *scales. It is tested, not derived:
- *  the field is evaluated in both units at generic states of several sizes, and the results must agree to the bit. Errors: as
- *  jlt_instance_create. */
+/** Whether the field may be evaluated in these units with the same bits: whether every term of an equation, and of a
+ *  condition of the domain, has the dimension of that equation, by the units that the table writes beside its states and
+ *  parameters. Out: *scales. It is tested, not derived: the field is evaluated in both units at generic states of several
+ *  sizes, and the results must agree to the bit. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params,
                                            const jlt_units *units);
 

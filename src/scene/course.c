@@ -6,9 +6,8 @@
 #include <string.h>
 
 #include "kernel/descriptor.h"
-#include "kernel/observed.h"
+#include "scene/course_conditions.h"
 #include "scene/course_units.h"
-#include "scene/leg.h"
 #include "top/rod.h"
 
 enum { INTEGRALS_MAX = 8, CHANGES_MAX = 16 };
@@ -40,12 +39,8 @@ struct jlt_course {
     unsigned change_count;
     char edge[JLT_TIER_TEXT_MAX];
 
-    jlt_observed *observed; /* of the asked model's states */
-    double *seen; /* what it observes there */
-    double least, lost_at;
-    const char *lost; /* the condition, NULL: none */
-    double unknown_at;
-    const char *unknown;
+    jlt_course_conditions conditions;
+    double *seen; /* what the asked model observes at its states */
 
     double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX];
     double params[JLT_PLAN_PARAMS_MAX], start[JLT_PLAN_STATES_MAX];
@@ -93,8 +88,8 @@ static void integrals(const jlt_course *self, double *values, const double *x)
 
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities)
 {
-    if (quantities != NULL) *quantities = jlt_observed_quantities(self->observed);
-    return jlt_observed_count(self->observed);
+    if (quantities != NULL) *quantities = jlt_observed_quantities(self->conditions.observed);
+    return jlt_observed_count(self->conditions.observed);
 }
 
 /* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no value. */
@@ -109,18 +104,12 @@ static bool is_inside(const jlt_course *self, const double *x)
 
 static void note_conditions(jlt_course *self, double t, const double *x)
 {
-    unsigned condition = 0;
-    const double value = jlt_observed_least(self->observed, &condition, x);
+    jlt_course_conditions *conditions = &self->conditions;
+    const char *unknown;
 
-    if (isnan(value) && self->unknown == NULL && is_inside(self, x)) {
-        self->unknown_at = t;
-        self->unknown = jlt_observed_condition(self->observed, condition);
-    }
-    if (value < self->least) self->least = value;
-    if (value <= 0 && isnan(self->lost_at)) {
-        self->lost_at = t;
-        self->lost = jlt_observed_condition(self->observed, condition);
-    }
+    if (!jlt_course_conditions_note(conditions, &unknown, t, x) || conditions->unknown != NULL || !is_inside(self, x)) return;
+    conditions->unknown_at = t;
+    conditions->unknown = unknown;
 }
 
 static int watch_conditions(void *context, jlt_orbit *orbit)
@@ -130,6 +119,7 @@ static int watch_conditions(void *context, jlt_orbit *orbit)
     double x[JLT_PLAN_STATES_MAX];
 
     jlt_tier_extract(&self->leg->view, x, stepper->x);
+    jlt_course_conditions_look_within(&self->conditions, self->leg);
     note_conditions(self, jlt_leg_time(self->leg, jlt_stepper_time(stepper)), x);
     return 0;
 }
@@ -149,7 +139,7 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
                          o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
     if (self->leg != NULL) jlt_leg_close(self->leg);
     self->leg = next;
-    if (jlt_observed_conditions(self->observed) > 0) jlt_orbit_observe(self->leg->orbit, watch_conditions, self);
+    if (jlt_observed_conditions(self->conditions.observed) > 0) jlt_orbit_observe(self->leg->orbit, watch_conditions, self);
     self->taken = candidate;
 done:
     return st;
@@ -180,8 +170,6 @@ static void copy_question(jlt_course *self, const jlt_plan *plan, const jlt_ques
     self->question.params = self->told_params;
     self->question.start = self->told_start;
     self->states = question->model->state_count;
-    self->least = INFINITY;
-    self->lost_at = self->unknown_at = NAN;
     self->taken = plan->chosen;
     self->is_rod = plan->candidates[plan->chosen].tier.table == NULL;
 }
@@ -205,9 +193,9 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
     integrals(self, self->first, self->start);
-    JLT_TRY(jlt_observed_create(&self->observed, model, question->params, &self->units));
+    JLT_TRY(jlt_course_conditions_open(&self->conditions, model, question->params, &self->units));
     st = JLT_ERR_NOMEM;
-    self->seen = calloc(jlt_observed_count(self->observed) + 1, sizeof *self->seen);
+    self->seen = calloc(jlt_observed_count(self->conditions.observed) + 1, sizeof *self->seen);
     if (self->seen == NULL) goto done;
     st = JLT_OK;
     note_conditions(self, 0, self->start);
@@ -229,7 +217,7 @@ void jlt_course_destroy(jlt_course *self)
     if (self == NULL) return;
     if (self->leg != NULL) jlt_leg_close(self->leg);
     jlt_instance_destroy(self->watch);
-    jlt_observed_destroy(self->observed);
+    jlt_course_conditions_close(&self->conditions);
     free(self->seen);
     free(self);
 }
@@ -283,13 +271,13 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
-    jlt_observed_values(self->observed, self->seen, self->x);
+    jlt_observed_values(self->conditions.observed, self->seen, self->x);
     note_conditions(self, t, self->x);
-    row->least = self->least;
-    row->lost_at = self->lost_at;
-    row->lost = self->lost;
-    row->unknown_at = self->unknown_at;
-    row->unknown = self->unknown;
+    row->least = self->conditions.least;
+    row->lost_at = self->conditions.lost_at;
+    row->lost = self->conditions.lost;
+    row->unknown_at = self->conditions.unknown_at;
+    row->unknown = self->conditions.unknown;
     if (self->question.attitude) {
         row->has_attitude = true;
         jlt_attitude_of(&row->attitude, &self->top, self->leg->view.instance->descriptor, self->leg->y);

@@ -27,7 +27,8 @@ typedef struct {
     const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
     const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
-    double least;             /* least value of the model's conditions over accepted steps since the start; INFINITY: none */
+    double least;             /* least value of the model's conditions at ends of steps since the start, or within one
+                                 that ends where all hold; INFINITY: none */
     double lost_at;           /* time at which `least` was first seen not to be positive; NaN: never */
     const char *lost;         /* the condition that was broken then; NULL: none */
     double unknown_at;        /* time at which a condition was first seen to have no value, and none to be broken; NaN: never */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "kernel/descriptor.h"
+#include "kernel/region.h"
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
@@ -67,6 +68,8 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         const jlt_descriptor *target = i + 1 < tier->way_count ? tier->from[i + 1] : tier->table;
         const jlt_way_condition *broken = find_broken(view, i, at);
         double next[JLT_WAY_VALUES_MAX];
+        const jlt_region *region;
+        double value;
         size_t index;
 
         if (way->param_count > JLT_WAY_VALUES_MAX || way->state_count > JLT_WAY_VALUES_MAX) return refuse(refusal, "its table is too large");
@@ -86,6 +89,8 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         if (jlt_descriptor_check_params(target, view->params[i + 1], &index) != JLT_OK) return refuse_param(refusal, &target->params[index]);
         if (jlt_descriptor_check_state(target, next, &index) != JLT_OK)
             return refuse(refusal, "%s would lie outside its interval", target->states[index].name);
+        if (jlt_region_check(&region, &value, target, view->params[i + 1], next) != JLT_OK)
+            return refuse(refusal, "it would lie outside the domain of %s", target->model);
         memcpy(at, next, target->state_count * sizeof *at);
     }
     return st;

@@ -81,6 +81,9 @@ void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_questio
     out->stage = JLT_EQUILIBRIUM_STATES;
     out->status = jlt_descriptor_check_state(d, x, &out->index);
     if (out->status != JLT_OK) return;
+    out->stage = JLT_EQUILIBRIUM_DOMAIN;
+    out->status = jlt_region_check(&out->region, &out->region_value, d, params, x);
+    if (out->status != JLT_OK) return;
     out->stage = JLT_EQUILIBRIUM_SEARCH;
     if (q->find) out->status = jlt_linearization_find(x, d, params, q->order, q->held);
     if (out->status != JLT_OK) return;

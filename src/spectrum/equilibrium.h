@@ -4,6 +4,7 @@
 #define JLT_SPECTRUM_EQUILIBRIUM_H
 
 #include "analysis/linearization.h"
+#include "kernel/region.h"
 #include "spectrum/oracle.h"
 
 #include <stdbool.h>
@@ -22,13 +23,15 @@ typedef struct {
 
 /* What the status is about. */
 typedef enum {
-    JLT_EQUILIBRIUM_PARAMS, JLT_EQUILIBRIUM_STATES, JLT_EQUILIBRIUM_SEARCH, JLT_EQUILIBRIUM_POINT, JLT_EQUILIBRIUM_DIGITS
+    JLT_EQUILIBRIUM_PARAMS, JLT_EQUILIBRIUM_STATES, JLT_EQUILIBRIUM_DOMAIN, JLT_EQUILIBRIUM_SEARCH, JLT_EQUILIBRIUM_POINT, JLT_EQUILIBRIUM_DIGITS
 } jlt_equilibrium_stage;
 
 typedef struct {
     jlt_status status; /* of a point EMPTY: it is no equilibrium, and only the residual is there */
     jlt_equilibrium_stage stage;
     size_t index;      /* of the parameter or state that the table does not allow */
+    const jlt_region *region; /* of its domain, the condition that does not hold, NULL where memory is out */
+    double region_value;
     jlt_linearization result;
 } jlt_equilibrium;
 

@@ -54,7 +54,7 @@ static approach follow(const char *tier, const jlt_method *method, double tolera
 
     ride_open(&r, tier, &top_51, &reference[0][GAMMA3], method,
               &(jlt_options){ .tolerance = tolerance, .max_steps = BUDGET }, +1);
-    if (!watched) r.field.domain = NULL;
+    if (!watched) r.field.domain.intervals = NULL;
     const double past = reference[0][T] + 3;
     a.st = jlt_orbit_next(r.orbit, past, NULL, 0, &a.last); /* beyond the earlier times of small s */
     for (int k = 1; k <= LEVELS && a.st == JLT_OK; k++) {

@@ -1,0 +1,23 @@
+/** The conditions of a table's domain, from its records `domain`, at given values. Those that follow from intervals, signs and
+ *  lifted roots are not among them: jlt_descriptor_check_state and jlt_descriptor_check_params stand for these. */
+#ifndef JLT_KERNEL_REGION_H
+#define JLT_KERNEL_REGION_H
+
+#include <stdbool.h>
+
+#include "core/status.h"
+#include "kernel_abi.h"
+
+/** Out: *region, the first that does not hold, with its value, which may be NaN; NULL when all hold. In: params, shape
+ *  (param_count,); x, shape (state_count,), all in the table's units; x NULL: conditions on parameters alone. Errors: DOMAIN,
+ *  one does not hold; NOMEM. */
+JLT_CHECKED jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_descriptor *descriptor,
+                                        const double *params, const double *x);
+
+enum { JLT_REGION_CONDITIONS_MAX = 256 }; /* as in a table */
+
+/** Whether such conditions hold, shape (count,), at x in the units that the prepared values p are for. values: their kernel;
+ *  not called when count is 0. */
+bool jlt_region_holds(unsigned count, jlt_kernel_function values, const double *p, const double *x);
+
+#endif

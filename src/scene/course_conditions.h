@@ -1,0 +1,28 @@
+/** What a course sees of the conditions under which its model holds. Used by course.c. */
+#ifndef JLT_SCENE_COURSE_CONDITIONS_H
+#define JLT_SCENE_COURSE_CONDITIONS_H
+
+#include "kernel/observed.h"
+#include "scene/leg.h"
+
+typedef struct {
+    jlt_observed *observed; /* of the asked model's states; owned */
+    double least, lost_at;  /* as in course.h, in the course's units */
+    const char *lost;       /* the condition, NULL: none */
+    double unknown_at;
+    const char *unknown;
+} jlt_course_conditions;
+
+/** Errors: those of jlt_observed_create. */
+JLT_CHECKED jlt_status jlt_course_conditions_open(jlt_course_conditions *out, const jlt_descriptor *model, const double *params,
+                                                  const jlt_units *units);
+void jlt_course_conditions_close(jlt_course_conditions *self); /* legal on zeros */
+
+/** Note the values at x, at time t. The answer: no condition is known to be broken, and one, *unknown, has no value there. */
+bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x);
+
+/** Note a condition that holds at both ends of the last step of a leg, but not in between. Cost: for each condition 13 values
+ *  by methods with a polynomial of their own; by others two values and their slopes, and more where it comes near zero. */
+void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg);
+
+#endif

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Conditions of a table's `domain`: starts and parameters outside are refused, and orbits end where a condition, or an interval, does: at
+# the time of the closed form, also where they would be back within one step; one at a time by every method, and in lanes.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+methods="gauss dop853 taylor rk8pd rkf45 msadams"
+refuses() { # TEXT COMMAND...: status 3, and this text
+    local text=$1
+    shift
+    jellett "$@" > out 2> err
+    [ $? -eq 3 ] && grep -qF -- "$text" err || fail "jellett $* does not say '$text': $(cat err)"
+}
+ends() { # COMMAND-NAME FILE COLUMN-OF-T TIME ALLOWED: the last row is that of an orbit that has left the domain at this time
+    tail -1 "$2" | awk -F, -v c="$3" -v t="$4" -v e="$5" '/left_domain/ { off = $c - t; ok = off*off <= e*e } END { exit !ok }' ||
+        fail "$1 does not end at $4: $(tail -1 "$2")"
+}
+
+# u = cos t dips below -(1 - depth) for 2 arccos(1 - depth), which steps of a smooth motion pass over.
+motion='state v
+eq u = v
+eq v = - u
+eq z = w
+eq w = - z'
+table() { # NAME STATE-U CONDITION
+    printf 'model %s\nparam depth\nparam top\ndefault depth = 1e-6, top = 2\nstate z\nstate w\n%s\n%s\n%s\n' "$1" "$2" "$3" "$motion" > "$1.tt"
+}
+table linear 'state u' $'domain above : 1 - depth + u > 0\ndomain order : top - depth - 1 > 0'
+table curved 'state u' 'domain above : (1 - depth)^2 - u^2 + 3*(1 + u) > 0'
+table between 'state u in (-0.999999, 3)' 'domain trivial : 4 - u > 0'
+
+refuses "--start: outside the domain of linear: above needs 1 - depth + u > 0, and it is -0.500001 here" \
+    simulate ./linear.tt --start u=-1.5,v=0,z=0,w=1 --times 1
+refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -0.500001 here" \
+    section ./linear.tt --section z=0 --start u=-1.5,v=0,w=1
+refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -1.000001 here" eigen ./linear.tt --at u=-2,v=0,z=0,w=0
+for command in "simulate --start u=1,v=0,z=0,w=1 --times 1" "section --section z=0 --start u=1,v=0,w=1" "eigen --at u=0,v=0,z=0,w=0"; do
+    refuses "parameters: outside the domain of linear: order needs top - depth - 1 > 0, and it is -0.500001 here" \
+        ${command%% *} ./linear.tt --set top=0.5 ${command#* }
+done
+# What follows from an interval has no kernel.
+ttc cost --json between.tt > cost.json 2> err
+grep -q domain_values cost.json && fail "a condition that follows from an interval has a kernel"
+ttc cost --json linear.tt | grep -q domain_gradients || fail "a condition has no kernel"
+
+# The state errs by tolerances, 1e-12, of which ten are allowed, and is at the end of an interval from 2^-37 of it on; both divided by the
+# rate at which it comes there, 1.4e-3.
+allowed=1.2e-8
+time=$(awk 'BEGIN { d = 1e-6; printf "%.15g", atan2(0, -1) - atan2(sqrt(2*d - d*d), 1 - d) }')
+for method in $methods; do
+    for model in linear between; do
+        for sign in "" -; do
+            jellett simulate ./$model.tt --start u=1,v=0,z=0,w=1 --times "${sign}1,${sign}20" --method $method > rows.csv 2> err
+            ends "simulate $model $method" rows.csv 1 "$sign$time" $allowed
+        done
+    done
+    # The condition is u^2's too: (1 - depth)^2 - u^2 + 3 (1 + u) = 0 at a u near -1 + depth/5.
+    jellett simulate ./curved.tt --start u=1,v=0,z=0,w=1 --times 1,20 --method $method > rows.csv 2> err
+    ends "simulate curved $method" rows.csv 1 "$(awk 'BEGIN { d = 1e-6; q = 1 - d; u = (3 - sqrt(9 + 4*(q*q + 3)))/2
+                                                       printf "%.15g", atan2(sqrt(1 - u*u), u) }')" 2e-8
+    # A dip that ends as far above is none.
+    jellett simulate ./linear.tt --set depth=-1e-6 --start u=1,v=0,z=0,w=1 --times 1,20 --method $method > rows.csv 2> err
+    tail -1 rows.csv | grep -q '^20,.*,alive$' || fail "$method ends an orbit that stays inside: $(tail -1 rows.csv)"
+done
+
+# A condition of `valid` that is lost as shortly is told by simulate, with its time and depth.
+table short 'state u' 'valid contact : 1 - depth + u > 0'
+for method in gauss dop853 taylor rk8pd msadams; do
+    jellett simulate ./short.tt --start u=1,v=0,z=0,w=1 --times 2,4 --method $method > rows.csv 2> err
+    grep -q '^4,.*,lost_contact$' rows.csv && grep -qE 'contact is lost by t = 3.14017(8|9).*least value -(9.99|1e-06)' err ||
+        fail "simulate $method does not tell a short loss: $(cat rows.csv err)"
+done
+
+# Where the field grows beyond bounds methods give up just before the end: x" = 1/(1 - x) from rest at 0 is there at sqrt(pi/2).
+printf 'model wall\nstate x\nstate p\ndomain before : 1 - x > 0\neq x = p\neq p = 1/(1 - x)\n' > wall.tt
+for method in $methods; do
+    jellett simulate ./wall.tt --start x=0,p=0 --times 1,2 --method $method > rows.csv 2> err
+    ends "simulate wall $method" rows.csv 1 1.2533141373155003 1.3e-8
+done
+refuses "--sweep: at top=0.5: outside the domain of linear: order needs top - depth - 1 > 0" \
+    fates ./linear.tt --section z=0 --start u=0,v=0.5,w=1 --returns 1 --sweep top=2:0.5:2
+
+# Orbits of other amplitudes: those of A > 1 - depth leave, at arccos(-(1 - depth)/A); in lanes as one at a time.
+starts=()
+for a in 0.5 0.9999989 0.9999995 1 1.1 2; do starts+=(--start "u=$a,v=0,w=1"); done
+for model in linear between; do
+    for how in "" "--method gauss"; do
+        jellett section ./$model.tt --section z=0 --direction down --returns 3 $how "${starts[@]}" > rows.csv 2> err || fail "section: $(cat err)"
+        grep -v '^#' rows.csv | grep left_domain | cut -d, -f1-3 | awk -F, -v from=2 '
+            BEGIN { split("0.5 0.9999989 0.9999995 1 1.1 2", A, " "); b = 1 - 1e-6 }
+            { a = A[$1 + 1]; off = $3 - (atan2(0, -1) - atan2(sqrt(a*a - b*b), b)); if (off*off > (2^-37 + 1e-11)^2/(a*a - b*b) || $2 != 1) bad = 1; n++ }
+            END { exit bad || n < 3 }' || fail "section $model ${how:-in lanes}: $(grep left_domain rows.csv)"
+        grep -q '^0,3,.*alive' rows.csv && grep -q '^1,3,.*alive' rows.csv || fail "section $model ${how:-in lanes} ends an orbit inside"
+    done
+done
+exit $status
