@@ -21,7 +21,7 @@ void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const 
 {
     const jlt_chart *chart = system->flow.chart;
     const jlt_section_chart *section = ending_of(system);
-    const unsigned count = section != NULL ? section->ending_count : chart->states;
+    const unsigned count = section != NULL ? section->ending_count : chart->states - chart->roots;
 
     for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
     fputs("fate,t_end", file);
@@ -44,7 +44,7 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
     } else {
         memcpy(values + count, end->x, chart->states * sizeof *values);
         if (system->surface == NULL) jlt_chart_wrap_state(chart, values + count);
-        count += chart->states;
+        count += chart->states - chart->roots;
     }
     if (tells_contact(options)) values[count++] = end->least;
     jlt_csv_values(file, q, chart->dim);

@@ -40,6 +40,8 @@ void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *syste
     const jlt_descriptor *d = system->instance->descriptor;
 
     options->alone = options->many ? jlt_section_batch_obstacle(&system->flow, jlt_batch_isa_best(d, 0)) : NULL;
+    if (options->many && options->project && options->alone == NULL && system->flow.chart->roots > 0)
+        options->alone = "with --project its lifted root is put back after every step";
     options->in_lanes = options->many && options->alone == NULL;
 }
 

@@ -226,7 +226,7 @@ jlt_status jlt_motion_plane_make(const jlt_motion_plane *plane, jlt_system **sys
     jlt_status st = JLT_OK;
 
     *no_angle = d->state_count;
-    JLT_TRY(jlt_system_plane(system, d, plane->params, (unsigned)plane->column, plane->section.low,
+    JLT_TRY(jlt_system_plane(system, jlt_system_regular(d), plane->params, (unsigned)plane->column, plane->section.low,
                              plane->mirrored ? plane->signs : NULL, &plane->flow));
     if (has_angles(plane, d->state_count)) {
         unsigned state = 0;
@@ -267,8 +267,8 @@ jlt_exit jlt_motion_project(jlt_system *system)
     if (code != JLT_EXIT_DONE) return code;
     if (system->flow.method != NULL && system->flow.method->multistep)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method", system->flow.method->name);
-    system->flow.kept = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, system->field.p };
-    return JLT_EXIT_DONE;
+    const jlt_status st = jlt_system_invariants(&system->flow.kept, system);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--project");
 }
 
 void jlt_motion_plane_solved(FILE *stream, const jlt_system *system)

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "kernel/region.h"
+
 /* Reduced by the nearest multiple of the period, so that small differences keep their digits. */
 static double reduce(double value, double period)
 {
@@ -49,6 +51,26 @@ static double plane_flux(const jlt_chart *self, const double *x, const double *f
 {
     (void)x;
     return f[self->column];
+}
+
+int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsigned plain, double *x)
+{
+    const jlt_quantity *states = table->states;
+    double nearest = INFINITY;
+    int sign = 0;
+    unsigned at = 0;
+
+    for (unsigned i = 0; i < table->pole_count; i++) {
+        const unsigned state = table->poles[i].state;
+        const double below = fabs(x[state] - states[state].low), above = fabs(x[state] - states[state].high);
+        if (!(fmin(below, above) < nearest)) continue;
+        nearest = fmin(below, above);
+        at = state;
+        sign = above < below ? 1 : -1;
+    }
+    x[at] = sign > 0 ? states[at].high : states[at].low;
+    for (unsigned i = plain; i < self->states; i++) x[i] = 0;
+    return sign;
 }
 
 jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level, const char *const *names,
@@ -104,7 +126,7 @@ static bool is_solved(const jlt_chart *self, unsigned state)
 {
     for (unsigned i = 0; i < self->solved_count; i++)
         if (self->solved[i] == state) return true;
-    return false;
+    return state >= self->states - self->roots;
 }
 
 void jlt_chart_wrap_state(const jlt_chart *self, double *x)
@@ -120,7 +142,7 @@ bool jlt_chart_holds(const jlt_chart *self, const double *x)
 {
     for (unsigned i = 0; self->bounds != NULL && i < self->states; i++)
         if (!(x[i] > self->bounds[i].low && x[i] < self->bounds[i].high)) return false;
-    return true;
+    return self->domain == NULL || jlt_region_holds(self->domain->conditions, self->domain->values, self->domain->p, x);
 }
 
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p)

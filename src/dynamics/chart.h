@@ -25,7 +25,9 @@ struct jlt_chart {
                                             integer k; 0: it is none */
     unsigned solved_count;               /* states that the levels determine, and which they are */
     unsigned solved[JLT_INVARIANTS_MAX];
+    unsigned roots;                      /* the last states, which are lifted roots and follow from the others; of plane sections */
     const jlt_quantity *bounds;          /* (states,): a lift lies within their open intervals; NULL: anywhere */
+    const jlt_domain *domain;            /* whose conditions hold at a lift; NULL: none */
     bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
     int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
 
@@ -55,6 +57,10 @@ JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned
  *  (-period/2, period/2], and points whose coordinates differ by periods are the same point. For plane sections. */
 void jlt_chart_set_periods(jlt_chart *self, const double *periods);
 
+/** What `side` says by the poles of a table, whose general field has `plain` states: the end of a state's interval that is
+ *  nearest to x, shape (states,). State and roots are set to what they are there. */
+int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsigned plain, double *x);
+
 enum { JLT_CHART_EVENTS_MAX = 3 };
 
 /** The events whose crossings are those of the section. Out: events, shape (JLT_CHART_EVENTS_MAX,). Returns how many: one, or
@@ -68,7 +74,7 @@ void jlt_chart_turn_back(const jlt_chart *self, double *x);
 /** The same for every state that is an angle, on plane sections and on levels. */
 void jlt_chart_wrap_state(const jlt_chart *self, double *x);
 
-/** Whether a state lies within the bounds. */
+/** Whether a state lies within the bounds, and conditions of the domain hold. */
 bool jlt_chart_holds(const jlt_chart *self, const double *x);
 
 /** out = q - p, with differences of angles brought into (-pi, pi]. All of shape (dim,); out may be q or p. */

@@ -8,6 +8,9 @@
 
 enum { M = JLT_INVARIANTS_MAX, ROUNDS = 60, HALVINGS = 8 };
 
+/* Of what is solved for: the levels' states, and roots. */
+static unsigned unknowns(const jlt_chart *base) { return base->solved_count + base->roots; }
+
 static const double met = 1e-13;     /* of the size of an integral's terms: rounding */
 static const double singular = 1e-13; /* singular values below this part of the largest are none */
 static const double one_branch = 1e-6;
@@ -16,7 +19,7 @@ static const double one_branch = 1e-6;
  * when not NULL, by all (count, states). Returns the largest |F - value| over its size. */
 static double look(const jlt_chart_level *self, double *off, double *by_solved, double *by_all, const double *x)
 {
-    const unsigned n = self->base.states, count = self->base.solved_count;
+    const unsigned n = self->base.states, count = unknowns(&self->base);
     double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX], worst = 0;
 
     self->integrals.values(x, self->integrals.p, values);
@@ -37,7 +40,7 @@ static double look(const jlt_chart_level *self, double *off, double *by_solved, 
 /* Newton's method for the solved states in x, with steps halved until the levels are nearer. */
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {
-    const unsigned count = self->base.solved_count;
+    const unsigned count = unknowns(&self->base);
     double off[M], matrix[M * M], step[M], from[M], now = look(self, off, matrix, NULL, x), before;
 
     for (unsigned round = 0; round < ROUNDS && now > 0; round++) {
@@ -62,7 +65,7 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
 /* dx/dq: the coordinates' own, and of the solved states what keeps the levels. */
 static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const double *x)
 {
-    const unsigned n = self->base.states, d = self->base.dim, count = self->base.solved_count;
+    const unsigned n = self->base.states, d = self->base.dim, count = unknowns(&self->base);
     double off[M], matrix[M * M], gradients[M * JLT_CHART_STATES_MAX], column[M], solution[M];
     jlt_status st = JLT_OK;
 
@@ -78,6 +81,17 @@ done:
     return st;
 }
 
+/* What the lifted roots are at the states before them. */
+static void set_roots(const jlt_chart_level *self, double *x)
+{
+    const unsigned plain = self->base.states - self->base.roots;
+    double all[JLT_CHART_STATES_MAX];
+
+    if (self->base.roots == 0) return;
+    self->descriptor->lifted(x, self->params, all);
+    memcpy(x + plain, all + plain, self->base.roots * sizeof *x);
+}
+
 static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const double *q)
 {
     const jlt_chart_level *self = (const jlt_chart_level *)base;
@@ -89,7 +103,8 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
         x[self->free[k]] = q[k];
     }
     for (unsigned i = 0; i < base->solved_count; i++) x[base->solved[i]] = self->levels[i].guess;
-    JLT_TRY(solve(self, x));
+    set_roots(self, x);
+    if (base->solved_count > 0) JLT_TRY(solve(self, x));
     if (!jlt_chart_holds(base, x)) return JLT_ERR_DOMAIN;
     if (tangent != NULL) JLT_TRY(tangent_of(self, tangent, x));
 done:
@@ -114,23 +129,33 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
     double off[M], matrix[M * M];
 
     (void)look((const jlt_chart_level *)base, off, matrix, NULL, x);
-    return f[base->column] / jlt_linear_determinant(matrix, base->solved_count);
+    return f[base->column] / jlt_linear_determinant(matrix, unknowns(base));
 }
 
 static bool is_solved(const jlt_chart *base, unsigned state)
 {
-    for (unsigned i = 0; i < base->solved_count; i++)
+    for (unsigned i = 0; i < unknowns(base); i++)
         if (base->solved[i] == state) return true;
     return false;
 }
 
-jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
-                                const jlt_level *levels, unsigned count)
+/* The side of the pole at which an orbit has ended. */
+static int side(const jlt_chart *base, double *x)
 {
+    const jlt_chart_level *self = (const jlt_chart_level *)base;
+    return jlt_chart_pole_side(base, self->descriptor, base->states - base->roots, x);
+}
+
+jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
+                                const jlt_level *levels, unsigned count, const jlt_descriptor *descriptor, const double *params)
+{
+    const unsigned roots = plane->roots, solved = count + roots;
     unsigned k = 0, from = 0;
 
-    if (count == 0 || count > M || count >= plane->dim || integrals->count > JLT_CHART_INTEGRALS_MAX) return JLT_ERR_ARG;
-    *out = (jlt_chart_level){ .base = *plane, .integrals = *integrals };
+    if (solved == 0 || solved > M || solved >= plane->dim || integrals->count > JLT_CHART_INTEGRALS_MAX) return JLT_ERR_ARG;
+    *out = (jlt_chart_level){ .base = *plane, .descriptor = descriptor, .params = params, .integrals = *integrals };
+    out->base.roots = 0;
+    out->base.solved_count = 0;
     for (unsigned i = 0; i < count; i++) {
         if (levels[i].integral >= integrals->count || levels[i].state >= plane->states) return JLT_ERR_ARG;
         if (levels[i].state == plane->column || is_solved(&out->base, levels[i].state)) return JLT_ERR_ARG;
@@ -139,7 +164,13 @@ jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, co
         out->levels[i] = levels[i];
         out->base.solved[out->base.solved_count++] = levels[i].state;
     }
-    out->base.dim = plane->dim - count;
+    for (unsigned i = 0; i < roots; i++) {
+        const unsigned state = plane->states - roots + i;
+        out->levels[count + i] = (jlt_level){ .integral = integrals->count - roots + i, .state = state };
+        out->base.solved[count + i] = state;
+    }
+    out->base.roots = roots;
+    out->base.dim = plane->dim - solved;
     for (unsigned i = 0; i < plane->states; i++) {
         if (i == plane->column) continue;
         if (!is_solved(&out->base, i)) {
@@ -156,6 +187,7 @@ jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, co
     out->base.lift = lift;
     out->base.lower = lower;
     out->base.flux = flux;
+    out->base.side = roots > 0 ? side : NULL;
     return JLT_OK;
 }
 

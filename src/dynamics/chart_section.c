@@ -106,26 +106,9 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
     return f[base->column] * fabs(jlt_linear_determinant(matrix, width)) / roots;
 }
 
-/* The end of a state's interval that is nearest, and roots that vanish there. */
 static int side(const jlt_chart *base, double *x)
 {
-    const jlt_chart_section *self = of(base);
-    const jlt_quantity *states = self->table->states;
-    double nearest = INFINITY;
-    int sign = 0;
-    unsigned at = 0;
-
-    for (unsigned i = 0; i < self->table->pole_count; i++) {
-        const unsigned state = self->table->poles[i].state;
-        const double below = fabs(x[state] - states[state].low), above = fabs(x[state] - states[state].high);
-        if (!(fmin(below, above) < nearest)) continue;
-        nearest = fmin(below, above);
-        at = state;
-        sign = above < below ? 1 : -1;
-    }
-    x[at] = sign > 0 ? states[at].high : states[at].low;
-    for (unsigned i = self->plain; i < base->states; i++) x[i] = 0;
-    return sign;
+    return jlt_chart_pole_side(base, of(base)->table, of(base)->plain, x);
 }
 
 /* ---- points of the section ---- */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "integrate/conserved.h"
 #include "kernel/descriptor.h"
 
 jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
@@ -28,22 +29,81 @@ done:
     return st;
 }
 
+static bool is_proved(const jlt_descriptor *of, const char *kind, const char *name)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(of, kind, name);
+    return claim != NULL && claim->verdict == JLT_PROVED;
+}
+
+const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor)
+{
+    const jlt_descriptor *general = descriptor->family[0];
+
+    if (descriptor->time[0] != '\0' || descriptor->elimination[0] != '\0' || general->pole_count == 0) return descriptor;
+    for (unsigned i = 0; i < general->pole_count; i++)
+        if (!is_proved(general, "pole", general->states[general->poles[i].state].name)) return descriptor;
+    for (const jlt_descriptor *const *d = descriptor->family; *d != NULL; d++)
+        if ((*d)->lifted_count == 1 && strcmp((*d)->variant, descriptor->variant) == 0 && (*d)->elimination[0] == '\0'
+            && (*d)->integral_count + 1 <= JLT_INVARIANTS_MAX && (*d)->state_count <= JLT_CHART_STATES_MAX
+            && (*d)->unproved == NULL)
+            return *d;
+    return descriptor;
+}
+
+/* The base comes first, so that jlt_system_destroy frees it all. */
+typedef struct {
+    jlt_system base;
+    jlt_conserved conserved; /* with lifted roots */
+} plane_system;
+
+jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self)
+{
+    const jlt_instance *instance = self->instance;
+    const jlt_descriptor *d = instance->descriptor;
+
+    *out = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, self->field.p };
+    if (self->surface != NULL || d->lifted_count == 0) return JLT_OK;
+    return jlt_conserved_of(out, &((plane_system *)(void *)self)->conserved, d, instance->prepared, instance->params);
+}
+
+/* The plane of all states becomes one of those before lifted roots. */
+static jlt_status add_roots(jlt_system *self)
+{
+    const jlt_instance *instance = self->instance;
+    jlt_chart plane = self->chart.plane;
+    jlt_invariants invariants;
+    jlt_status st = JLT_OK;
+
+    plane.roots = instance->descriptor->lifted_count;
+    JLT_TRY(jlt_system_invariants(&invariants, self));
+    st = jlt_chart_level_init(&self->chart.level, &plane, &invariants, NULL, 0, instance->descriptor, instance->params);
+done:
+    return st;
+}
+
 jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params, unsigned column,
                             double level, const int *signs, const jlt_flow *options)
 {
     const char *state_names[JLT_CHART_STATES_MAX];
+    int all_signs[JLT_CHART_STATES_MAX];
     jlt_system *self = NULL;
     jlt_status st = JLT_OK;
     unsigned i;
 
     *out = NULL;
     if (descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
-    self = calloc(1, sizeof *self);
+    self = calloc(1, sizeof(plane_system));
     if (self == NULL) return JLT_ERR_NOMEM;
-    for (i = 0; i < descriptor->state_count; i++) state_names[i] = descriptor->states[i].name;
+    for (i = 0; i < descriptor->state_count; i++) {
+        state_names[i] = descriptor->states[i].name;
+        all_signs[i] = signs != NULL && i < descriptor->state_count - descriptor->lifted_count ? signs[i] : 1;
+    }
     JLT_TRY(jlt_system_bind(self, descriptor, params, &(jlt_units){ 0 }, options));
-    JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names, signs));
+    JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names,
+                            signs != NULL ? all_signs : NULL));
     self->chart.plane.bounds = descriptor->states;
+    self->chart.plane.domain = &self->field.domain;
+    if (descriptor->lifted_count > 0) JLT_TRY(add_roots(self));
     self->flow.chart = &self->chart.plane;
     *out = self;
     self = NULL;
@@ -135,13 +195,18 @@ static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const j
 
 jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count)
 {
-    const jlt_descriptor *d = self->instance->descriptor;
-    const jlt_invariants integrals = { d->integral_count, d->integral_values.call, d->integral_gradients.call, self->field.p };
-    const jlt_chart plane = self->chart.plane;
-    const jlt_status st = jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count);
+    const jlt_instance *instance = self->instance;
+    const jlt_chart before = self->chart.plane;
+    jlt_chart plane = before;
+    jlt_invariants integrals;
+    jlt_status st = JLT_OK;
 
-    if (st != JLT_OK) self->chart.plane = plane;
-    else if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
+    plane.dim += plane.roots; /* as before they were added */
+    JLT_TRY(jlt_system_invariants(&integrals, self));
+    JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, instance->descriptor, instance->params));
+    if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
+done:
+    if (st != JLT_OK) self->chart.plane = before;
     return st;
 }
 

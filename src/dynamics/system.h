@@ -26,11 +26,15 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
                                        const jlt_flow *options);
 
-/** The section x[column] = level of any kernel. Out: *out, NULL on failure; destroy with jlt_system_destroy. In: params, shape
- *  (param_count,), in the table's order and units; signs, +1 or -1 for each state, shape (state_count,), if the model is
- *  reversible by x -> signs * x, else NULL; options, of which chart, field and rhs_jacobian are not read; NULL: all defaults
- *  (upward crossings).
- *  Errors: ARG; UNSUPPORTED, no Jacobian; DOMAIN, NONFINITE; NOMEM. */
+/** The kernel on which orbits of `descriptor`, of a general field or a variant, are followed to plane sections: in the time
+ *  that lifts the root of its poles, where every pole is proved, so that orbits end there; else the same. */
+const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
+
+/** The section x[column] = level of any kernel. In a time that lifts roots these are not among the coordinates. Out: *out, NULL
+ *  on failure; destroy with jlt_system_destroy. In: params, shape (param_count,), in the table's order and units; signs, +1 or
+ *  -1 for each state but lifted roots, if the model is reversible by x -> signs * x, else NULL; options, of which chart, field
+ *  and rhs_jacobian are not read; NULL: all defaults (upward crossings). Errors: ARG; UNSUPPORTED, no Jacobian; DOMAIN,
+ *  NONFINITE; NOMEM. */
 JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params,
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
@@ -41,6 +45,10 @@ JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods
 
 /** Restrict a plane section to levels (count,) of its table's integrals. Errors: ARG, as jlt_chart_level_init. */
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
+
+/** What the system's field keeps: integrals, in the flow's units; on a plane section also the relations of lifted roots. *out
+ *  points into the system. Errors: UNSUPPORTED, more than JLT_INVARIANTS_MAX with relations. */
+JLT_CHECKED jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self);
 void jlt_system_destroy(jlt_system *self); /* NULL is legal */
 
 /** A family of systems in one value, with the system and the map of the value that was asked for last. Set `system` and `map`

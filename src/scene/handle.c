@@ -7,6 +7,7 @@
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/load.h"
+#include "kernel/region.h"
 #include "scene/course.h"
 #include "dynamics/surface.h"
 
@@ -36,8 +37,9 @@ static jlt_status find_model(const jlt_descriptor **out, const char *model)
 /* The table's parameters with what was given, checked; for free(). */
 static jlt_status read_params(double **out, const jlt_descriptor *d, const char *const *names, const double *values, size_t count)
 {
-    double *params = jlt_memory_array(d->param_count, sizeof *params);
+    double *params = jlt_memory_array(d->param_count, sizeof *params), value;
     jlt_status st = JLT_ERR_NOMEM;
+    const jlt_region *region;
     size_t index;
 
     if (params == NULL) goto done;
@@ -48,6 +50,7 @@ static jlt_status read_params(double **out, const jlt_descriptor *d, const char 
         params[index] = values[i];
     }
     JLT_TRY(jlt_descriptor_check_params(d, params, &index));
+    JLT_TRY(jlt_region_check(&region, &value, d, params, NULL));
     *out = params;
     params = NULL;
 done:
@@ -133,7 +136,7 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
     JLT_TRY(find_model(&d, model));
     if (!jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
     JLT_TRY(read_params(&params, d, names, values, count));
-    JLT_TRY(jlt_system_plane(&system, d, params, (unsigned)column, level, NULL, &options));
+    JLT_TRY(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
     JLT_TRY(set_angles(system, d));
     st = open_section(out, system);
     system = NULL;
@@ -257,7 +260,9 @@ jlt_status jlt_handle_motion_start(jlt_handle_motion *self, const double *x)
 {
     const jlt_question question = { .model = self->model, .params = self->params, .start = x };
     const jlt_course_options options = { .tolerance = self->tolerance };
+    const jlt_region *region;
     jlt_plan plan;
+    double value;
     size_t index;
     jlt_status st;
 
@@ -266,6 +271,7 @@ jlt_status jlt_handle_motion_start(jlt_handle_motion *self, const double *x)
     self->ended = false;
     self->fate = JLT_FATE_ALIVE;
     JLT_TRY(jlt_descriptor_check_state(self->model, x, &index));
+    JLT_TRY(jlt_region_check(&region, &value, self->model, self->params, x));
     JLT_TRY(jlt_plan_make(&plan, &question));
     st = jlt_course_create(&self->course, &plan, &question, &options);
 done:

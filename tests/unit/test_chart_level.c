@@ -42,7 +42,7 @@ static void solved_states_are_found_from_afar_and_follow_the_coordinates(void **
     jlt_chart_level chart;
     double x[N], tangent[N * 2], back[2], slope[2 * N];
 
-    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, levels, 2));
+    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, levels, 2, NULL, NULL));
     assert_int_equal(chart.base.dim, 2);
     assert_string_equal(chart.base.names[0], "z");
     assert_string_equal(chart.base.names[1], "phi");
@@ -78,7 +78,7 @@ static void levels_without_a_state_are_empty_and_coordinates_finite(void **unuse
     jlt_chart_level chart;
     double x[N], q[3] = { 0, 0, 0 };
 
-    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, &high, 1));
+    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, &high, 1, NULL, NULL));
     assert_int_equal(chart.base.dim, 3);
     assert_int_equal(chart.base.lift(&chart.base, x, NULL, q), JLT_ERR_EMPTY);
     q[0] = 1; /* atan(y) = 1 */
@@ -96,11 +96,11 @@ static void the_reversor_stays_where_it_keeps_what_is_solved_for(void **unused)
     jlt_chart plane = plane_of(0, keeps);
     jlt_chart_level chart;
 
-    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, &level, 1));
+    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, &level, 1, NULL, NULL));
     assert_true(chart.base.reversible);
     for (unsigned k = 0; k < 3; k++) assert_int_equal(chart.base.mirror[k], keeps[k + 2]);
     plane = plane_of(0, turns);
-    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, &level, 1));
+    assert_ok(jlt_chart_level_init(&chart, &plane, &integrals, &level, 1, NULL, NULL));
     assert_false(chart.base.reversible);
 }
 
@@ -117,9 +117,9 @@ static void levels_that_make_no_sense_are_refused(void **unused)
     jlt_chart_level chart;
 
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        assert_int_equal(jlt_chart_level_init(&chart, &plane, &integrals, wrong[i], 2), JLT_ERR_ARG);
-    assert_int_equal(jlt_chart_level_init(&chart, &plane, &integrals, many, 0), JLT_ERR_ARG);
-    assert_int_equal(jlt_chart_level_init(&chart, &plane, &integrals, many, 4), JLT_ERR_ARG);
+        assert_int_equal(jlt_chart_level_init(&chart, &plane, &integrals, wrong[i], 2, NULL, NULL), JLT_ERR_ARG);
+    assert_int_equal(jlt_chart_level_init(&chart, &plane, &integrals, many, 0, NULL, NULL), JLT_ERR_ARG);
+    assert_int_equal(jlt_chart_level_init(&chart, &plane, &integrals, many, 4, NULL, NULL), JLT_ERR_ARG);
 }
 
 int main(void)
