@@ -6,8 +6,8 @@
 The table is read by a parser of its own, differentiated symbolically, and integrated by Taylor's method in interval arithmetic on
 integers (tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's box,
 and what it encloses must meet what the certificate says. Taken on trust: that the table's integrals and reversor are what it claims,
-which `ttc prove` shows. Served are tables without functions but roots, with numbers for parameters and levels, one level at most, and two
-coordinates.
+which `ttc prove` shows. Served are cycles in tables without functions but roots, with numbers for parameters and levels, one level at most, and two
+coordinates. A leg takes some ten seconds.
 Exit status: 0 proved, 1 refused, 2 usage, 3 not a certificate that can be replayed here.
 """
 import hashlib
@@ -18,7 +18,7 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True
 from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, matadd, matmul, meet, plus, product, quotient, size,
-                          unit)
+                          sum_of, unit)
 from replay.flow import Flow, Refused
 from replay.series import CLOCK, Program
 from replay.table import Table, Unserved
@@ -51,15 +51,20 @@ def replay(certificate, table):
     given, shown, states = certificate["given"], certificate["shown"], table.states
     if any(isinstance(v, dict) for part in ("parameters", "levels") for v in given[part].values()):
         raise Unserved("parameters or levels are intervals")
+    if certificate["kind"] not in ("cycle", "obstruction", "sink"):
+        raise Unserved("it is of kind " + certificate["kind"])
     must(sorted(given["parameters"]) == sorted(table.params), "its parameters are not the table's")
     flow = Flow(table, {name: read_ball(value) for name, value in given["parameters"].items()})
     column, level = states.index(given["section"]["state"]), ball(Fraction(given["section"]["value"]))
     others = [i for i in range(len(states)) if i != column]
     kept = [states.index(name) for name in given["coordinates"]]
-    instant = int(Fraction(given["instant"]) * 2 ** CLOCK)
+    legs = given["legs"]
+    instants = [int(Fraction(leg["instant"]) * 2 ** CLOCK) for leg in legs]
     integrals = sorted(given["levels"])
     levels = Program(table, [table.integrals[name] for name in integrals]
                      + [table.graph.partial(table.integrals[name], s) for name in integrals for s in states], flow.full.params)
+    width = len(others)
+    unknowns = width * len(legs)
 
     def place(y):
         x = list(y)
@@ -72,43 +77,71 @@ def replay(certificate, table):
         return out[:m], [[out[m + j * n + i] for i in others] for j in range(m)]
 
     def equations(y):
-        state, D, tau, expansion, least = flow.arrive(place(y), instant, column, level)
-        values, slopes = gradients(y)
-        G = [[less(state[i], place(y)[i])] for i in kept]
-        DG = [[less(D[i][j], exact(int(i == j))) for j in others] for i in kept] + slopes
-        G += [[less(v, ball(Fraction(given["levels"][name])))] for v, name in zip(values, integrals)]
-        return G, DG, (state, D, tau, expansion, least)
+        """Of all legs: P_q(y_i) = q_(i+1), F(y_i) = c."""
+        G, DG, arrivals = [], [], []
+        for i, instant in enumerate(instants):
+            here, there = i * width, (i + 1) % len(legs) * width
+            start, end = y[here:here + width], place(y[there:there + width])
+            arrival = flow.arrive(place(start), instant, column, level, given["section"]["direction"])
+            arrivals.append(arrival)
+            values, slopes = gradients(start)
+            for q in kept:
+                row = [exact(0)] * unknowns
+                row[here:here + width] = [arrival[1][q][j] for j in others]
+                row[there + others.index(q)] = less(row[there + others.index(q)], exact(1))
+                DG.append(row)
+                G.append([less(arrival[0][q], end[q])])
+            for value, name, slope in zip(values, integrals, slopes):
+                row = [exact(0)] * unknowns
+                row[here:here + width] = slope
+                DG.append(row)
+                G.append([less(value, ball(Fraction(given["levels"][name])))])
+        return G, DG, arrivals
 
-    box = [read_ball(given["box"][states[i]]) for i in others]
+    box = [read_ball(leg["box"][states[i]]) for leg in legs for i in others]
     middle = [(a[0], 0) for a in box]
     G, DG, _ = equations(middle)
     M = inverse_of(DG)
     offset = matmul(M, G)
 
     def krawczyk(y):
-        _, DG, arrival = equations(y)
+        _, DG, arrivals = equations(y)
         rest = matadd(unit(len(y)), [[(-a, r) for a, r in row] for row in matmul(M, DG)])
         away = matmul(rest, [[less(a, b)] for a, b in zip(y, middle)])
-        return [plus(less(m, o[0]), a[0]) for m, o, a in zip(middle, offset, away)], arrival
+        return [plus(less(m, o[0]), a[0]) for m, o, a in zip(middle, offset, away)], arrivals
 
     K, _ = krawczyk(box)
     must(all(map(inside, K, box)), "Krawczyk's operator does not map the box into itself")
-    orbit, (state, D, tau, expansion, least) = krawczyk(K)
-    for i, value in zip(others, orbit):
-        must(meet(value, read_ball(shown["orbit"][states[i]])), "the orbit's point is elsewhere")
-    must(meet(plus((instant << (P - CLOCK), 0), tau), read_ball(shown["period"])), "the period is another one")
+    orbit, arrivals = krawczyk(K)
+    must(len(shown["orbit"]) == len(legs), "its points are not as many as its legs")
+    for i, point in enumerate(shown["orbit"]):
+        for j, value in zip(others, orbit[i * width:(i + 1) * width]):
+            must(meet(value, read_ball(point[states[j]])), "a point of the orbit is elsewhere")
+    period = sum_of(plus((instant << (P - CLOCK), 0), arrival[2]) for instant, arrival in zip(instants, arrivals))
+    must(meet(period, read_ball(shown["period"])), "the period is another one")
 
     # on the levels: dw = -F_w^-1 F_q dq; one level is what is served
     left = [i for i in others if i not in kept]
     if len(left) > 1 or len(kept) != 2:
         raise Unserved("more than one level, or not two coordinates")
-    wide = [hull(a, state[i]) if i in left else a for i, a in zip(others, K)]
-    slopes = gradients(wide)[1]
-    if left:
+
+    def follow(y):
+        """dw by dq"""
+        slopes = gradients(y)[1]
         by = slopes[0][others.index(left[0])]
         must(abs(by[0]) > by[1], "the integral does not determine the state left out")
-        follow = [quotient((-slopes[0][others.index(q)][0], slopes[0][others.index(q)][1]), by) for q in kept]
-    R = [[plus(D[i][q], product(D[i][left[0]], follow[k])) if left else D[i][q] for k, q in enumerate(kept)] for i in kept]
+        return [quotient((-slopes[0][others.index(q)][0], slopes[0][others.index(q)][1]), by) for q in kept]
+
+    R, expansion, least = unit(2), exact(0), None
+    for i, (state, D, _, more, low) in enumerate(arrivals):
+        there = (i + 1) % len(legs) * width
+        if left:
+            follow([hull(a, state[j]) if j in left else a for j, a in zip(others, K[there:there + width])])  # the legs meet
+            w = follow(K[i * width:(i + 1) * width])
+        D = [[plus(D[a][q], product(D[a][left[0]], w[k])) if left else D[a][q] for k, q in enumerate(kept)] for a in kept]
+        R = matmul(D, R)
+        expansion = plus(expansion, more)
+        least = low if least is None else list(map(min, least, low))
     trace = plus(R[0][0], R[1][1])
     determinant = exponential(expansion)
     matrix = less(product(R[0][0], R[1][1]), product(R[0][1], R[1][0]))
@@ -118,6 +151,8 @@ def replay(certificate, table):
     for name, low in zip(flow.valids, least):
         said = Fraction(shown["conditions"][name])
         must(said <= 0 or low > 0, "the condition " + name + " is not shown to hold")
+    if certificate["kind"] == "obstruction":
+        must(abs(determinant[0] - ONE) > determinant[1], "its determinant may be 1")
     if certificate["kind"] == "sink":
         must(size(determinant) < ONE and size(trace) < ONE + determinant[0] - determinant[1], "it is not shown to attract")
         must(table.reversor is not None, "the table claims no reversor without a condition")

@@ -1,7 +1,11 @@
 #include "cli/certify_given.h"
+#include "cli/certify_homoclinic.h"
 #include "dynamics/periodic.h"
+#include "kernel/descriptor.h"
 #include "report/json.h"
 #include "validated/certificate.h"
+#include "validated/given_homoclinic.h"
+#include "validated/theorem.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,18 +13,20 @@
 typedef struct {
     jlt_motion_options motion;
     const char *kind, *start;
-    size_t period, digits;
-    double radius;
+    size_t period, digits, which;
+    double radius, distance;
     jlt_assign_list spread;
 } options;
 
-enum { DIGITS = 2000, RADIUS, SPREAD };
+enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT };
 
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "The orbit closes after N returns, at most 64; default 1", 1 },
     { "start", 'a', "NAME=VALUE,...", 0, "Near a point of the orbit, as `jellett orbits` gives it", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
     { "radius", RADIUS, "R", 0, "Of the box, in units of the table's states; default 1e-10", 1 },
+    { "distance", DISTANCE, "VALUE", 0, "Of a homoclinic orbit's beginning from the saddle, in coordinates; default 1e-7", 1 },
+    { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is met, by returns; default 1", 1 },
     { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels have any value within this distance of theirs", 1 },
     { 0 },
 };
@@ -36,17 +42,21 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case DIGITS: jlt_common_count(&o->digits, value, 10, JLT_GIVEN_DIGITS_MAX, "--digits"); return 0;
     case RADIUS: jlt_common_positive(&o->radius, value, "--radius"); return 0;
+    case DISTANCE: jlt_common_positive(&o->distance, value, "--distance"); return 0;
+    case ORBIT: jlt_common_count(&o->which, value, 1, 1000, "--orbit"); return 0;
     case SPREAD: jlt_common_list(&o->spread, value, "--spread"); return 0;
     case 'a': o->start = value; return 0;
     case ARGP_KEY_ARG:
         if (o->kind != NULL) return ARGP_ERR_UNKNOWN;
         o->kind = value;
-        if (strcmp(value, "sink") != 0 && strcmp(value, "cycle") != 0)
-            argp_error(state, "'%s' is no kind of certificate: write sink or cycle", value);
+        if (!jlt_theorem_is_kind(value))
+            argp_error(state, "'%s' is no kind of certificate: write cycle, homoclinic, obstruction or sink", value);
         return 0;
     case ARGP_KEY_END:
-        if (o->kind == NULL) argp_error(state, "say what to certify: sink or cycle");
+        if (o->kind == NULL) argp_error(state, "say what to certify: cycle, homoclinic, obstruction or sink");
         if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
+        if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
+            argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
         if (o->start == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -56,23 +66,28 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
-    option_table, parse, "cycle|sink [MODEL]",
-    "Prove a periodic orbit in ball arithmetic, and write the certificate, from which `jellett check` replays the proof."
-    "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. sink: besides, all "
+    option_table, parse, "cycle|homoclinic|obstruction|sink [MODEL]",
+    "Prove a periodic or homoclinic orbit in ball arithmetic, and write the certificate, from which `jellett check` replays the proof."
+    "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. obstruction: besides, "
+    "the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. sink: besides, all "
     "multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no invariant measure has "
-    "a positive density near it. Values typed and defaults of tables are taken exactly. The orbit is "
-    "found in doubles first.\n\n"
+    "a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its unstable and stable manifolds "
+    "cross transversally at a point that the reversor keeps. Values typed and defaults of tables are taken exactly. Orbits are found in "
+    "doubles first.\n\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959",
     children, NULL, NULL,
 };
 
-/* A point of the orbit in doubles, x, shape (states,), and the time to come back to it. */
-static jlt_exit find(double *x, double *T, const options *o, const jlt_system *system)
+/* The orbit in doubles: its legs' starts, x, shape (legs, states), and times, T, shape (legs,). */
+static jlt_exit find(double *x, double *T, unsigned *legs, const options *o, const jlt_system *system)
 {
+    /* a field in another time may have more states, behind these */
+    const size_t states = jlt_descriptor_sibling(system->instance->descriptor, NULL, NULL, NULL)->state_count;
+    const size_t dim = system->flow.chart->dim;
     double q[JLT_CHART_DIM_MAX];
     jlt_map *map = NULL;
-    jlt_periodic orbit;
+    jlt_periodic orbit = { 0 };
     jlt_image image;
     jlt_exit code = jlt_motion_start(q, system, o->start);
     jlt_status st;
@@ -80,12 +95,14 @@ static jlt_exit find(double *x, double *T, const options *o, const jlt_system *s
     if (code != JLT_EXIT_DONE) return code;
     st = jlt_map_create(&map, &system->flow);
     if (st == JLT_OK) st = jlt_periodic_find(map, &orbit, q, o->period, NULL);
-    if (st == JLT_OK) st = jlt_map_apply(map, &image, orbit.points, orbit.period, 1);
+    for (size_t i = 0; st == JLT_OK && i < orbit.period; i++) {
+        st = jlt_map_point(map, &image, orbit.points + i * dim, 1, 1);
+        memcpy(x + (i + 1) % orbit.period * states, image.x, states * sizeof *x);
+        T[i] = image.T;
+    }
+    *legs = (unsigned)orbit.period;
     jlt_map_destroy(map);
-    if (st != JLT_OK) return jlt_motion_no_orbit(st, system, o->start);
-    memcpy(x, image.x, system->flow.chart->states * sizeof *x);
-    *T = image.T;
-    return JLT_EXIT_DONE;
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
 }
 
 static jlt_exit fail(const jlt_certificate_report *report)
@@ -98,28 +115,58 @@ static jlt_exit fail(const jlt_certificate_report *report)
     }
 }
 
-/* The question, with a box around the orbit, refined in balls. */
+/* An orbit homoclinic to the saddle at q, in doubles; then in balls. */
+static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
+{
+    const jlt_descriptor *d = question->question.descriptor;
+    const jlt_reversor *reversor = jlt_theorem_reversor(d);
+    double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), T[JLT_CERTIFY_RETURNS_MAX], q[JLT_CHART_DIM_MAX];
+    double saddle[JLT_CHART_STATES_MAX] = { 0 };
+    const jlt_certify_search search = { .states = d->state_count, .signs = reversor == NULL ? NULL : reversor->signs,
+                                        .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
+    unsigned legs = 0;
+    jlt_status st = JLT_ERR_NOMEM;
+
+    if (x == NULL) goto done;
+    for (unsigned i = 0, k = 0; i < d->state_count; i++)
+        saddle[i] = i == question->question.column ? system->flow.chart->level
+                                                   : arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR);
+    system->flow.chart->lower(system->flow.chart, q, NULL, saddle);
+    JLT_TRY(jlt_certify_homoclinic_find(x, T, &legs, &system->flow, &search));
+    st = jlt_given_homoclinic_make(question, given, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
+done:
+    free(x);
+    return st == JLT_OK ? JLT_EXIT_DONE
+                        : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s", o->start,
+                                           jlt_status_text(st));
+}
+
+/* The question, with boxes around the orbit, refined in balls. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, const jlt_system *system)
 {
-    double x[JLT_CHART_STATES_MAX], T = 0;
+    double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX];
+    unsigned legs = 0;
     char problem[JLT_GIVEN_PROBLEM_MAX];
     jlt_given question;
     jlt_status st;
-    jlt_exit code = find(x, &T, o, system);
+    jlt_exit code = x == NULL ? jlt_command_no_memory() : find(x, T, &legs, o, system);
 
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
-    if (code != JLT_EXIT_DONE) return code;
+    if (code != JLT_EXIT_DONE) goto done;
     if (!jlt_given_read(&question, *given, *d, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
-    else if ((st = jlt_given_make_box(&question, *given, x, T, o->radius)) != JLT_OK)
+    else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, o->radius)) != JLT_OK)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
                                 jlt_status_text(st));
+    else if (strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
     jlt_given_clear(&question);
+done:
+    free(x);
     return code;
 }
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .digits = 20, .radius = 1e-10 };
+    options o = { .period = 1, .digits = 20, .radius = 1e-10, .distance = 1e-7, .which = 1 };
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     const jlt_descriptor *d = NULL;
@@ -152,5 +199,5 @@ done:
 }
 
 const jlt_command jlt_command_certify = {
-    "certify", "cycle|sink [MODEL] [OPTION...]", "Prove a periodic orbit, and write the certificate", run, NULL
+    "certify", "cycle|homoclinic|obstruction|sink [MODEL] [OPTION...]", "Prove a periodic or homoclinic orbit, and write the certificate", run, NULL
 };

@@ -22,14 +22,14 @@ void jlt_arrival_clear(jlt_arrival *self)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
 
-/* Steps shorter than this part of the way, 2^-16, mean that enclosures grow faster than the set can be carried. */
+/* Steps shorter than this part of the way, 2^-22, mean that enclosures grow faster than the set can be carried. */
 static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
 {
     arf_t least;
     bool enough;
 
     arf_init(least);
-    arf_mul_2exp_si(least, instant, -16);
+    arf_mul_2exp_si(least, instant, -22);
     enough = arf_cmp(h, least) > 0 || arf_sgn(left) == 0;
     arf_clear(least);
     return enough;

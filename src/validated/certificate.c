@@ -1,6 +1,8 @@
 #include "validated/certificate.h"
 
 #include "base/sha256.h"
+#include "validated/given_homoclinic.h"
+#include "validated/shown.h"
 #include "validated/theorem.h"
 
 #include <stdio.h>
@@ -9,89 +11,9 @@
 
 static const char format_name[] = "jellett 1";
 
-json_t *jlt_certificate_ball(const arb_t ball, unsigned digits)
-{
-    char *text = arb_get_str(ball, (slong)digits, ARB_STR_MORE);
-    char *between = strstr(text, " +/- "), *end = strchr(text, ']');
-    json_t *out = NULL;
-
-    if (between == NULL || end == NULL) out = json_pack("{s:s,s:s}", "middle", text, "radius", "0");
-    else {
-        *between = *end = '\0';
-        out = json_pack("{s:s,s:s}", "middle", text + 1, "radius", between + 5);
-    }
-    flint_free(text);
-    return out;
-}
-
-/* A decimal below the bound. */
-static json_t *lower_bound(const arf_t bound)
-{
-    json_t *out = NULL;
-    char text[64];
-    double value = arf_get_d(bound, ARF_RND_FLOOR);
-    arb_t read;
-
-    arb_init(read);
-    for (unsigned i = 0; i < 3; i++) { /* five digits, lowered until they are below */
-        snprintf(text, sizeof text, "%.5g", value);
-        arb_set_str(read, text, 64);
-        arb_get_lbound_arf(arb_midref(read), read, 64);
-        if (arf_cmp(arb_midref(read), bound) <= 0) {
-            out = json_string(text);
-            break;
-        }
-        value -= 1e-5 * (value < 0 ? -value : value);
-    }
-    arb_clear(read);
-    return out;
-}
-
 static bool set(json_t *object, const char *key, json_t *value)
 {
     return json_object_set_new(object, key, value) == 0;
-}
-
-static json_t *claims_of(const jlt_given *given, const char *kind)
-{
-    const jlt_reversor *reversor = jlt_theorem_reversor(given->question.descriptor);
-    json_t *claims = json_array();
-    char text[160];
-
-    for (unsigned i = 0; i < given->question.level_count; i++) {
-        snprintf(text, sizeof text, "integral %s", given->levels[i]);
-        json_array_append_new(claims, json_string(text));
-    }
-    if (reversor != NULL && strcmp(kind, "sink") == 0) json_array_append_new(claims, json_string("reversor"));
-    return claims;
-}
-
-static json_t *shown_by(const jlt_cycle_result *result, const jlt_given *given, const char *kind)
-{
-    const jlt_descriptor *d = given->question.descriptor;
-    const unsigned digits = given->question.digits;
-    json_t *shown = json_object(), *orbit = json_object(), *conditions = json_object(), *multipliers = json_array();
-    bool good = true;
-
-    for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        if (i != given->question.column)
-            good = good && set(orbit, d->states[i].name, jlt_certificate_ball(result->solution + k++, digits));
-    for (unsigned i = 0; i < result->multipliers && result->multipliers <= 2; i++)
-        good = good && json_array_append_new(multipliers,
-                   json_pack("{s:o,s:o}", "re", jlt_certificate_ball(acb_realref(result->multiplier + i), digits), "im",
-                             jlt_certificate_ball(acb_imagref(result->multiplier + i), digits))) == 0;
-    for (unsigned i = 0; i < d->valid_count; i++) good = good && set(conditions, d->valids[i].name, lower_bound(result->least + i));
-    good = set(shown, "orbit", orbit) && good;
-    good = set(shown, "period", jlt_certificate_ball(result->period, digits)) && good;
-    good = set(shown, "determinant", jlt_certificate_ball(result->determinant, digits)) && good;
-    good = set(shown, "determinant_of_matrix", jlt_certificate_ball(result->matrix_determinant, digits)) && good;
-    good = set(shown, "trace", jlt_certificate_ball(result->trace, digits)) && good;
-    good = set(shown, "multipliers", multipliers) && good;
-    good = set(shown, "conditions", conditions) && good;
-    good = set(shown, "claims", claims_of(given, kind)) && good;
-    if (good) return shown;
-    json_decref(shown);
-    return NULL;
 }
 
 static jlt_certificate_report say(jlt_certificate_verdict verdict, const char *problem)
@@ -115,7 +37,75 @@ static jlt_certificate_report judge(const jlt_cycle_result *result, const char *
     if (strcmp(kind, "sink") == 0 && !result->sink)
         return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but not shown to attract: its multipliers are not all proved "
                                             "to be inside the unit circle");
+    if (strcmp(kind, "obstruction") == 0 && arb_contains_si(result->determinant, 1))
+        return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but its determinant may be 1: it excludes no measure");
     return say(JLT_CERTIFICATE_GOOD, "");
+}
+
+static jlt_certificate_report fail(jlt_status status)
+{
+    jlt_certificate_report report = say(JLT_CERTIFICATE_FAILED, jlt_status_text(status));
+
+    report.status = status;
+    return report;
+}
+
+/* The cycle that a certificate of these kinds begins with. */
+static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const jlt_given *given, jlt_cycle *cycle)
+{
+    jlt_cycle_result result;
+    json_t *shown = NULL;
+    jlt_status st;
+
+    jlt_cycle_result_init(&result, cycle, given->legs.count);
+    st = jlt_cycle_prove(cycle, &result, given->legs.box, given->legs.instants, given->kept);
+    *report = st == JLT_OK ? judge(&result, kind) : fail(st);
+    if (report->verdict == JLT_CERTIFICATE_GOOD) {
+        shown = jlt_shown_cycle(&result, given, strcmp(kind, "sink") == 0);
+        if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
+    }
+    jlt_cycle_result_clear(&result);
+    return shown;
+}
+
+static jlt_certificate_report judge_homoclinic(const jlt_homoclinic_result *result)
+{
+    static const char *const reasons[] = {
+        [JLT_HOMOCLINIC_NO_SADDLE] = "no saddle is shown to be in the box",
+        [JLT_HOMOCLINIC_ASYMMETRIC] = "the saddle, or the section, is not shown to be its own mirror image under a proved reversor that "
+                                      "flips one coordinate",
+        [JLT_HOMOCLINIC_NO_CONE] = "the cone is not mapped into itself (try a smaller distance)",
+        [JLT_HOMOCLINIC_UNSHOWN] = "Krawczyk's operator does not map the boxes into themselves: no homoclinic orbit is shown to be "
+                                   "there (try a smaller distance, or more digits)",
+        [JLT_HOMOCLINIC_OPEN] = "the orbit is not shown to begin on the unstable manifold, or its legs to meet",
+        [JLT_HOMOCLINIC_TANGENT] = "the orbit is there, but the manifolds may be tangent",
+    };
+
+    if (result->verdict == JLT_HOMOCLINIC_PROVED) return say(JLT_CERTIFICATE_GOOD, "");
+    if (result->verdict == JLT_HOMOCLINIC_CONTRADICTED)
+        return say(JLT_CERTIFICATE_FAILED, "enclosures of one orbit exclude each other, which is an error of this program");
+    return say(JLT_CERTIFICATE_REFUSED, reasons[result->verdict]);
+}
+
+static json_t *prove_homoclinic(jlt_certificate_report *report, const json_t *json, const jlt_given *given, jlt_cycle *cycle)
+{
+    jlt_given_homoclinic homoclinic;
+    jlt_homoclinic_result result;
+    json_t *shown = NULL;
+    jlt_status st;
+
+    if (jlt_given_homoclinic_read(&homoclinic, given, json, report->problem)) {
+        jlt_homoclinic_result_init(&result, cycle, homoclinic.question.legs);
+        st = jlt_homoclinic_prove(cycle, &result, &homoclinic.question);
+        *report = st == JLT_OK ? judge_homoclinic(&result) : fail(st);
+        if (report->verdict == JLT_CERTIFICATE_GOOD) {
+            shown = jlt_shown_homoclinic(&result, given);
+            if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
+        }
+        jlt_homoclinic_result_clear(&result);
+    }
+    jlt_given_homoclinic_clear(&homoclinic);
+    return shown;
 }
 
 /* What follows from `given`, as an object `shown`; NULL where the report is not GOOD. */
@@ -123,33 +113,16 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
 {
     jlt_given given;
     jlt_cycle *cycle = NULL;
-    jlt_cycle_result result;
     json_t *shown = NULL;
-    bool has_result = false;
+    jlt_status st;
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
-    if (!jlt_given_read(&given, json, d, report->problem) || !jlt_given_read_box(&given, json, report->problem)) goto done;
-    report->status = jlt_cycle_create(&cycle, &given.question);
-    if (report->status == JLT_OK) {
-        jlt_cycle_result_init(&result, cycle);
-        has_result = true;
-        report->status = jlt_cycle_prove(cycle, &result, given.box, given.instant, given.kept);
+    if (jlt_given_read(&given, json, d, report->problem) && jlt_given_read_legs(&given, json, report->problem)) {
+        st = jlt_cycle_create(&cycle, &given.question);
+        if (st != JLT_OK) *report = fail(st);
+        else if (strcmp(kind, "homoclinic") == 0) shown = prove_homoclinic(report, json, &given, cycle);
+        else shown = prove_cycle(report, kind, &given, cycle);
     }
-    if (report->status != JLT_OK) {
-        const jlt_status status = report->status;
-        *report = say(JLT_CERTIFICATE_FAILED, jlt_status_text(status));
-        report->status = status;
-        goto done;
-    }
-    *report = judge(&result, kind);
-    if (report->verdict != JLT_CERTIFICATE_GOOD) goto done;
-    shown = shown_by(&result, &given, kind);
-    if (shown == NULL) {
-        *report = say(JLT_CERTIFICATE_FAILED, jlt_status_text(JLT_ERR_NOMEM));
-        report->status = JLT_ERR_NOMEM;
-    }
-done:
-    if (has_result) jlt_cycle_result_clear(&result);
     jlt_cycle_destroy(cycle);
     jlt_given_clear(&given);
     return shown;
@@ -171,11 +144,6 @@ static bool digest_of(char digest[65], json_t *certificate)
     return text != NULL;
 }
 
-static bool is_kind(const char *kind)
-{
-    return kind != NULL && (strcmp(kind, "sink") == 0 || strcmp(kind, "cycle") == 0);
-}
-
 json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, json_t *given, const jlt_descriptor *own)
 {
     const jlt_descriptor *d;
@@ -189,8 +157,7 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
     certificate = json_pack("{s:s,s:s,s:o,s:O,s:o}", "certificate", format_name, "kind", kind, "theorem",
                             jlt_theorem_words(kind, d, given, shown), "given", given, "shown", shown);
     if (certificate == NULL || !digest_of(digest, certificate) || !set(certificate, "digest", json_string(digest))) {
-        *report = say(JLT_CERTIFICATE_FAILED, jlt_status_text(JLT_ERR_NOMEM));
-        report->status = JLT_ERR_NOMEM;
+        *report = fail(JLT_ERR_NOMEM);
         json_decref(certificate);
         certificate = NULL;
     }
@@ -220,7 +187,7 @@ static bool covers(const json_t *said, const json_t *proved)
         arb_init(outer);
         arb_init(inner);
         good = json_equal(said, proved)
-               || (jlt_given_ball(outer, said, bits) && jlt_given_ball(inner, proved, bits) && arb_contains(outer, inner));
+               || (jlt_given_legs_ball(outer, said, bits) && jlt_given_legs_ball(inner, proved, bits) && arb_contains(outer, inner));
         arb_clear(outer);
         arb_clear(inner);
         return good;
@@ -243,7 +210,7 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     char found[65];
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "it is no certificate of this program's form");
-    if (form == NULL || strcmp(form, format_name) != 0 || !is_kind(kind) || digest == NULL || !json_is_object(given)
+    if (form == NULL || strcmp(form, format_name) != 0 || kind == NULL || !jlt_theorem_is_kind(kind) || digest == NULL || !json_is_object(given)
         || !json_is_object(said))
         return;
     d = jlt_given_table(given, own, report->problem);

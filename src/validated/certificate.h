@@ -1,12 +1,13 @@
 /** Certificates: a theorem about a periodic orbit as a JSON object that can be replayed from itself alone.
  *
- *      {"certificate": "jellett 1", "kind": "cycle" or "sink", "theorem": [SENTENCE, ...], "given": {...},
- *       "shown": {...}, "digest": SHA-256}
+ *      {"certificate": "jellett 1", "kind": KIND, "theorem": [SENTENCE, ...], "given": {...}, "shown": {...},
+ *       "digest": SHA-256}
  *
- *  `given` is described in given.h. `shown` is what was proved of it: the orbit's point, period, determinant, trace and multipliers
- *  as balls, bounds of the model's conditions along it, and the claims of the table that the theorem rests on. The digest is that
- *  of all the rest as compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind `sink`: it attracts, and a
- *  reversor has an image that repels. */
+ *  `given` is described in given.h. `shown` is what was proved of it: the orbit's points, period, determinant, trace and
+ *  multipliers as balls, bounds of the model's conditions along it, and the claims of the table that the theorem rests on. The digest is that
+ *  of all the rest as compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind
+ *  `obstruction`: its determinant is not 1. Kind `sink`: it attracts, and a reversor has an image that repels. Kind `homoclinic`:
+ *  it is a saddle whose manifolds cross transversally, at a point that a reversor keeps. */
 #ifndef JLT_VALIDATED_CERTIFICATE_H
 #define JLT_VALIDATED_CERTIFICATE_H
 
@@ -31,8 +32,5 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
 
 /** Replay. In: certificate, borrowed; own, as above. */
 void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, const jlt_descriptor *own);
-
-/** A ball as {"middle": DECIMAL, "radius": DECIMAL} that contains it, with so many digits; a new reference. */
-json_t *jlt_certificate_ball(const arb_t ball, unsigned digits);
 
 #endif

@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { NEWTON_STEPS = 12 };
-
 jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *question)
 {
     jlt_cycle *self = calloc(1, sizeof *self);
@@ -80,83 +78,105 @@ jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y)
     return JLT_OK;
 }
 
-/* G and DG at or over y, by one arrival. */
-static jlt_status equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y, const arf_t instant, const unsigned *kept)
-{
-    const jlt_status st = jlt_cycle_map_arrive(self, y, instant);
+/* The legs of a cycle: what their equations need, and what the evaluation last made tells of the orbit. */
+typedef struct {
+    jlt_cycle *cycle;
+    const unsigned *kept;
+    arb_ptr instants;
+    unsigned legs;
+    bool adjusts;         /* instants follow the arrivals */
+    bool closes;          /* the legs meet */
+    arb_t time, expansion;
+    arb_mat_t D;          /* of all legs, (kept, kept) */
+    arf_struct least[JLT_ARRIVAL_VALIDS_MAX];
+} shooting;
 
-    if (st == JLT_OK) jlt_cycle_map_equations(self, G, DG, y, kept);
+static void shooting_init(shooting *self, jlt_cycle *cycle, arb_ptr instants, unsigned legs, const unsigned *kept)
+{
+    const slong k = (slong)(cycle->unknowns - cycle->question->level_count);
+
+    *self = (shooting){ .cycle = cycle, .kept = kept, .instants = instants, .legs = legs };
+    arb_init(self->time);
+    arb_init(self->expansion);
+    arb_mat_init(self->D, k, k);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_init(self->least + i);
+}
+
+static void shooting_clear(shooting *self)
+{
+    arb_clear(self->time);
+    arb_clear(self->expansion);
+    arb_mat_clear(self->D);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
+}
+
+/* Add a leg to what is told of the orbit. */
+static void follow(shooting *self, arb_srcptr y, arb_srcptr next)
+{
+    const jlt_arrival *arrival = &self->cycle->arrival;
+    const slong bits = jlt_step_bits(self->cycle->step);
+    arb_mat_t D;
+
+    arb_mat_init(D, arb_mat_nrows(self->D), arb_mat_ncols(self->D));
+    self->closes = jlt_cycle_map_restrict(self->cycle, D, y, self->kept) && jlt_cycle_map_meets(self->cycle, next, self->kept)
+                   && self->closes;
+    arb_mat_mul(self->D, D, self->D, bits);
+    arb_add(self->time, self->time, arrival->time, bits);
+    arb_add(self->expansion, self->expansion, arrival->expansion, bits);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++)
+        if (arf_is_nan(arrival->least + i) || arf_cmp(arrival->least + i, self->least + i) < 0)
+            arf_set(self->least + i, arrival->least + i);
+    arb_mat_clear(D);
+}
+
+static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
+{
+    shooting *self = context;
+    const slong n = (slong)self->cycle->unknowns;
+
+    self->closes = true;
+    arb_zero(self->time);
+    arb_zero(self->expansion);
+    arb_mat_one(self->D);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
+    for (slong i = 0; i < (slong)self->legs; i++) {
+        const slong to = (i + 1) % (slong)self->legs * n;
+        const jlt_status st = jlt_cycle_map_arrive(self->cycle, y + i * n, arb_midref(self->instants + i),
+                                                    self->cycle->question->direction);
+        if (st != JLT_OK) return st;
+        jlt_cycle_map_equations(self->cycle, G, DG, i * n, i * n, to, y + i * n, y + to, self->kept);
+        follow(self, y + i * n, y + to);
+        if (self->adjusts) arb_get_mid_arb(self->instants + i, self->cycle->arrival.time);
+    }
+    return JLT_OK;
+}
+
+static jlt_krawczyk problem_of(shooting *self)
+{
+    return (jlt_krawczyk){ .n = (slong)(self->legs * self->cycle->unknowns), .bits = jlt_step_bits(self->cycle->step),
+                           .equations = shoot, .context = self };
+}
+
+jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsigned legs, const unsigned *kept)
+{
+    jlt_krawczyk problem;
+    shooting orbit;
+    jlt_status st;
+
+    shooting_init(&orbit, self, instants, legs, kept);
+    orbit.adjusts = true;
+    problem = problem_of(&orbit);
+    /* the error of what comes out is about the square of the last correction, that of the instants the correction itself */
+    st = jlt_krawczyk_refine(&problem, y, 2.6 * self->question->digits);
+    shooting_clear(&orbit);
     return st;
 }
 
-/* The inverse of the middle, exact; false where it has none. */
-static bool invert_middle(arb_mat_t M, const arb_mat_t DG, slong bits)
+void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs)
 {
-    arb_mat_t middle;
-    bool regular;
-
-    arb_mat_init(middle, arb_mat_nrows(DG), arb_mat_ncols(DG));
-    arb_mat_get_mid(middle, DG);
-    regular = arb_mat_inv(M, middle, bits);
-    arb_mat_get_mid(M, M);
-    arb_mat_clear(middle);
-    return regular;
-}
-
-/* log2 of the largest entry. */
-static double size_of(const arb_mat_t column)
-{
-    double size = -INFINITY;
-    mag_t bound;
-
-    mag_init(bound);
-    for (slong i = 0; i < arb_mat_nrows(column); i++) {
-        arb_get_mag(bound, arb_mat_entry(column, i, 0));
-        size = fmax(size, mag_get_d_log2_approx(bound));
-    }
-    mag_clear(bound);
-    return size;
-}
-
-jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arf_t instant, const unsigned *kept)
-{
-    const slong n = (slong)self->unknowns, bits = jlt_step_bits(self->step);
-    /* the error of what comes out is about the square of the last correction, that of the instant the correction itself */
-    const double enough = -2.6 * self->question->digits;
-    jlt_status st = JLT_ERR_NO_CONVERGENCE;
-    double size = INFINITY;
-    arb_mat_t G, DG, M, correction;
-
-    arb_mat_init(G, n, 1);
-    arb_mat_init(correction, n, 1);
-    arb_mat_init(DG, n, n);
-    arb_mat_init(M, n, n);
-    for (unsigned attempt = 0; attempt < NEWTON_STEPS && size > enough; attempt++) {
-        JLT_TRY(equations(self, G, DG, y, instant, kept));
-        arf_set_round(instant, arb_midref(self->arrival.time), bits, ARF_RND_DOWN);
-        st = JLT_ERR_NO_CONVERGENCE;
-        if (!invert_middle(M, DG, bits)) goto done;
-        arb_mat_mul(correction, M, G, bits);
-        size = size_of(correction);
-        if (!(size < 0)) goto done;
-        for (slong i = 0; i < n; i++) {
-            arb_sub(y + i, y + i, arb_mat_entry(correction, i, 0), bits);
-            arb_get_mid_arb(y + i, y + i);
-        }
-    }
-    st = size <= enough ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
-done:
-    arb_mat_clear(G);
-    arb_mat_clear(correction);
-    arb_mat_clear(DG);
-    arb_mat_clear(M);
-    return st;
-}
-
-void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of)
-{
-    *result = (jlt_cycle_result){ .unknowns = of->unknowns, .multipliers = of->unknowns - of->question->level_count };
-    result->solution = _arb_vec_init((slong)of->unknowns);
+    *result = (jlt_cycle_result){ .legs = legs, .unknowns = of->unknowns,
+                                  .multipliers = of->unknowns - of->question->level_count };
+    result->solution = _arb_vec_init((slong)(legs * of->unknowns));
     arb_init(result->period);
     arb_init(result->trace);
     arb_init(result->determinant);
@@ -167,7 +187,7 @@ void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of)
 
 void jlt_cycle_result_clear(jlt_cycle_result *result)
 {
-    _arb_vec_clear(result->solution, (slong)result->unknowns);
+    _arb_vec_clear(result->solution, (slong)(result->legs * result->unknowns));
     arb_clear(result->period);
     arb_clear(result->trace);
     arb_clear(result->determinant);
@@ -176,115 +196,8 @@ void jlt_cycle_result_clear(jlt_cycle_result *result)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
 }
 
-/* Krawczyk's operator, see cycle.h: y0, M and M G(y0) are those of the first box for all. */
-typedef struct {
-    slong n, bits;
-    arb_ptr middle;
-    arb_mat_t M, offset, DG, unused;
-} operator;
-
-static void operator_clear(operator *self)
-{
-    _arb_vec_clear(self->middle, self->n);
-    arb_mat_clear(self->M);
-    arb_mat_clear(self->offset);
-    arb_mat_clear(self->DG);
-    arb_mat_clear(self->unused);
-}
-
-/* At the middle of the box; M is the inverse near it. *regular: there is one. */
-static jlt_status operator_init(operator *self, jlt_cycle *cycle, bool *regular, arb_srcptr box, const arf_t instant,
-                                const unsigned *kept)
-{
-    const slong n = (slong)cycle->unknowns;
-    arb_mat_t G;
-    jlt_status st;
-
-    *self = (operator){ .n = n, .bits = jlt_step_bits(cycle->step), .middle = _arb_vec_init(n) };
-    arb_mat_init(self->M, n, n);
-    arb_mat_init(self->offset, n, 1);
-    arb_mat_init(self->DG, n, n);
-    arb_mat_init(self->unused, n, 1);
-    arb_mat_init(G, n, 1);
-    for (slong i = 0; i < n; i++) arb_get_mid_arb(self->middle + i, box + i);
-    st = equations(cycle, G, self->DG, self->middle, instant, kept);
-    *regular = st == JLT_OK && invert_middle(self->M, self->DG, self->bits);
-    arb_mat_mul(self->offset, self->M, G, self->bits);
-    arb_mat_clear(G);
-    return st;
-}
-
-/* K(y), by one arrival from all of y, which the cycle keeps. */
-static jlt_status operator_apply(operator *self, jlt_cycle *cycle, arb_ptr K, arb_srcptr y, const arf_t instant,
-                                 const unsigned *kept)
-{
-    const slong n = self->n;
-    arb_mat_t rest, away;
-    jlt_status st;
-
-    arb_mat_init(rest, n, n);
-    arb_mat_init(away, n, 1);
-    JLT_TRY(equations(cycle, self->unused, self->DG, y, instant, kept));
-    arb_mat_mul(rest, self->M, self->DG, self->bits);
-    arb_mat_neg(rest, rest);
-    for (slong i = 0; i < n; i++) {
-        arb_add_ui(arb_mat_entry(rest, i, i), arb_mat_entry(rest, i, i), 1, self->bits);
-        arb_sub(arb_mat_entry(away, i, 0), y + i, self->middle + i, self->bits);
-    }
-    arb_mat_mul(away, rest, away, self->bits);
-    arb_mat_sub(away, away, self->offset, self->bits);
-    for (slong i = 0; i < n; i++) arb_add(K + i, arb_mat_entry(away, i, 0), self->middle + i, self->bits);
-done:
-    arb_mat_clear(rest);
-    arb_mat_clear(away);
-    return st;
-}
-
-static bool all_inside(arb_srcptr outer, arb_srcptr inner, slong n)
-{
-    for (slong i = 0; i < n; i++)
-        if (!arb_is_finite(inner + i) || !arb_contains_interior(outer + i, inner + i)) return false;
-    return true;
-}
-
-/* log2 of the longest edge. */
-static double width_of(arb_srcptr box, slong n)
-{
-    double width = -INFINITY;
-
-    for (slong i = 0; i < n; i++) width = fmax(width, mag_get_d_log2_approx(arb_radref(box + i)));
-    return width;
-}
-
-/* The box proved, then smaller and smaller ones around the zero, as long as they shrink; the last arrival is from the result. */
-static jlt_status krawczyk(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, const arf_t instant, const unsigned *kept)
-{
-    const slong n = (slong)self->unknowns;
-    arb_ptr K = _arb_vec_init(n);
-    bool regular = false;
-    operator op;
-    jlt_status st;
-
-    result->verdict = JLT_CYCLE_UNSHOWN;
-    JLT_TRY(operator_init(&op, self, &regular, box, instant, kept));
-    if (!regular) goto done;
-    JLT_TRY(operator_apply(&op, self, K, box, instant, kept));
-    if (!all_inside(box, K, n)) goto done;
-    result->verdict = JLT_CYCLE_PROVED;
-    for (double before = INFINITY; width_of(K, n) < before - 3;) {
-        before = width_of(K, n);
-        _arb_vec_set(result->solution, K, n);
-        JLT_TRY(operator_apply(&op, self, K, result->solution, instant, kept));
-        for (slong i = 0; i < n; i++)
-            if (!arb_intersection(K + i, K + i, result->solution + i, op.bits)) result->verdict = JLT_CYCLE_CONTRADICTED;
-    }
-done:
-    operator_clear(&op);
-    _arb_vec_clear(K, n);
-    return st;
-}
-
-/* Roots of mu^2 - trace mu + determinant; and Jury's conditions that both lie inside the unit circle. */
+/* Roots of mu^2 - trace mu + determinant; Jury's conditions that both lie inside the unit circle; and |trace| > |1 + determinant|,
+ * where 1 or -1 lies between them. */
 static void solve(jlt_cycle_result *result, slong bits)
 {
     acb_t half, root;
@@ -313,34 +226,45 @@ static void solve(jlt_cycle_result *result, slong bits)
         arb_abs(size, result->determinant);
         arb_sub_ui(size, size, 1, bits);
         result->sink = result->sink && arb_is_negative(size);
+        arb_add_ui(size, result->determinant, 1, bits);
+        acb_set_arb(half, result->trace);
+        arb_mul(acb_realref(half), acb_realref(half), acb_realref(half), bits);
+        arb_submul(acb_realref(half), size, size, bits);
+        result->saddle = arb_is_positive(acb_realref(half)) && arb_is_positive(result->determinant);
     }
     acb_clear(half);
     acb_clear(root);
     arb_clear(size);
 }
 
-jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, const arf_t instant, const unsigned *kept)
+jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, arb_srcptr instants,
+                           const unsigned *kept)
 {
     const slong bits = jlt_step_bits(self->step);
-    arb_mat_t D;
+    arb_ptr own = _arb_vec_init((slong)result->legs);
+    jlt_krawczyk_verdict verdict;
+    jlt_krawczyk problem;
+    shooting orbit;
     jlt_status st;
 
-    arb_mat_init(D, result->multipliers, result->multipliers);
-    JLT_TRY(krawczyk(self, result, box, instant, kept));
-    if (result->verdict != JLT_CYCLE_PROVED) goto done;
-    result->steps = self->arrival.steps;
-    if (!jlt_cycle_map_restrict(self, D, result->solution, kept)) {
-        result->verdict = JLT_CYCLE_OPEN;
-        goto done;
-    }
-    arb_set(result->period, self->arrival.time);
-    arb_mat_trace(result->trace, D, bits);
-    arb_mat_det(result->matrix_determinant, D, bits);
-    arb_exp(result->determinant, self->arrival.expansion, bits);
-    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_set(result->least + i, self->arrival.least + i);
-    if (!arb_overlaps(result->determinant, result->matrix_determinant)) result->verdict = JLT_CYCLE_CONTRADICTED;
+    _arb_vec_set(own, instants, (slong)result->legs);
+    shooting_init(&orbit, self, own, result->legs, kept);
+    problem = problem_of(&orbit);
+    result->verdict = JLT_CYCLE_UNSHOWN;
+    JLT_TRY(jlt_krawczyk_prove(&problem, &verdict, result->solution, box));
+    if (verdict == JLT_KRAWCZYK_UNSHOWN) goto done;
+    result->verdict = orbit.closes ? JLT_CYCLE_PROVED : JLT_CYCLE_OPEN;
+    if (!orbit.closes) goto done;
+    arb_set(result->period, orbit.time);
+    arb_mat_trace(result->trace, orbit.D, bits);
+    arb_mat_det(result->matrix_determinant, orbit.D, bits);
+    arb_exp(result->determinant, orbit.expansion, bits);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_set(result->least + i, orbit.least + i);
+    if (verdict == JLT_KRAWCZYK_CONTRADICTED || !arb_overlaps(result->determinant, result->matrix_determinant))
+        result->verdict = JLT_CYCLE_CONTRADICTED;
     solve(result, bits);
 done:
-    arb_mat_clear(D);
+    shooting_clear(&orbit);
+    _arb_vec_clear(own, (slong)result->legs);
     return st;
 }

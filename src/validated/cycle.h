@@ -1,13 +1,13 @@
 /** Periodic orbits proved: existence and uniqueness in a box on a section, period, and multipliers on the levels of integrals.
  *
- *  Unknowns y are the states but the section's. With P the arrival on the section, F integrals of the motion, c their levels, y =
- *  (q, w) with as many w as there are levels, the equations are G(y) = (P_q(y) - q, F(y) - c) = 0. Krawczyk's operator
- *      K = y0 - M G(y0) + (1 - M DG(Y)) (Y - y0),  y0 the middle of Y, M near DG(y0)^-1,
- *  within the interior of Y shows that G has exactly one zero in Y, and that it lies in K (R. Krawczyk 1969; W. Tucker, Validated
- *  Numerics, 2011). There F(q, P_w) = F(P) = F(q, w): where dF/dw is regular over the hull of both, P_w = w, so that the orbit
- *  closes.
+ *  The orbit is cut where it crosses the section, into legs that are enclosed one by one (multiple shooting), so that no error grows
+ *  for longer than a leg. Unknowns of a point y are the states but the section's. With P the arrival on the section, F integrals of
+ *  the motion, c their levels, y = (q, w) with as many w as there are levels, the equations are P_q(y_i) = q_(i+1), F(y_i) = c for
+ *  all legs i, the last of which ends where the first begins; Krawczyk's operator (krawczyk.h) shows that there is one solution.
+ *  There F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): where dF/dw is regular over the hull of both, P_w(y_i) = w_(i+1), so that
+ *  the legs meet.
  *
- *  On the levels dw = -F_w^-1 F_q dq, which gives the derivative D of the map in q. Its determinant is also
+ *  On the levels dw = -F_w^-1 F_q dq, which gives the derivative D of the map in q, leg by leg. Its determinant is also
  *      det D = exp(integral of div f over the orbit),
  *  for the flux of volume through the section is the same at both ends: div has none of the dependencies of a matrix of intervals,
  *  and is far tighter. Both must overlap.
@@ -17,8 +17,9 @@
 #define JLT_VALIDATED_CYCLE_H
 
 #include "validated/arrival.h"
+#include "validated/krawczyk.h"
 
-enum { JLT_CYCLE_STATES_MAX = 32 };
+enum { JLT_CYCLE_STATES_MAX = 32, JLT_CYCLE_LEGS_MAX = 128 };
 
 typedef struct {
     const jlt_descriptor *descriptor; /* general field, in its own time */
@@ -42,13 +43,13 @@ typedef enum {
 
 typedef struct {
     jlt_cycle_verdict verdict;
-    unsigned unknowns, multipliers; /* the first of both counts states but the section's, the second coordinates on the levels */
-    arb_ptr solution;               /* (unknowns,): encloses the zero */
+    unsigned legs, unknowns, multipliers; /* unknowns: states but the section's; multipliers: coordinates on the levels */
+    arb_ptr solution;               /* (legs, unknowns): encloses the zero */
     arb_t period, trace, determinant, matrix_determinant; /* determinant: by the divergence */
     acb_struct multiplier[2];       /* where there are one or two */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* the model's conditions along the orbit, bounds from below */
     bool sink;                      /* proved: all multipliers are inside the unit circle */
-    unsigned steps;
+    bool saddle;                    /* proved: two real ones, one inside, one outside */
 } jlt_cycle_result;
 
 typedef struct jlt_cycle jlt_cycle;
@@ -63,15 +64,16 @@ void jlt_cycle_destroy(jlt_cycle *cycle); /* legal on NULL */
  *  on each other. */
 JLT_CHECKED jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y);
 
-/** Newton's method, at middles: a guess, in which nothing is rigorous, made better. In and out: y, shape (states - 1,), and
- *  instant, when the orbit is near the section again. Errors: as jlt_arrival_compute; NO_CONVERGENCE. */
-JLT_CHECKED jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arf_t instant, const unsigned *kept);
+/** Newton's method, at middles: a guess, in which nothing is rigorous, made better. In and out: y, shape (legs, states - 1), and
+ *  instants, shape (legs,), exact, when each leg is near the section again. Errors: as jlt_arrival_compute; NO_CONVERGENCE. */
+JLT_CHECKED jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsigned legs, const unsigned *kept);
 
-void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of); /* ends with jlt_cycle_result_clear */
+void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs); /* ends with jlt_cycle_result_clear */
 void jlt_cycle_result_clear(jlt_cycle_result *result);
 
-/** The proof. In: box, shape (states - 1,); instant > 0, exact; kept, as above. Errors: as jlt_arrival_compute. */
-JLT_CHECKED jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, const arf_t instant,
+/** The proof. In: box, shape (legs, states - 1); instants, shape (legs,), > 0, exact; kept, as above. Errors: as
+ *  jlt_arrival_compute. */
+JLT_CHECKED jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, arb_srcptr instants,
                                        const unsigned *kept);
 
 #endif

@@ -14,12 +14,12 @@ static void place(jlt_cycle *self, arb_srcptr y)
     for (unsigned i = 0; i < q->free_count; i++) arb_set(self->state + self->formulas->states + i, q->params + q->free[i]);
 }
 
-jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant)
+jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant, int direction)
 {
     const jlt_cycle_question *q = self->question;
 
     place(self, y);
-    return jlt_arrival_compute(&self->arrival, self->step, self->state, q->column, q->section, instant, q->direction);
+    return jlt_arrival_compute(&self->arrival, self->step, self->state, q->column, q->section, instant, direction);
 }
 
 void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr values, arb_srcptr y)
@@ -36,40 +36,50 @@ void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr value
     }
 }
 
-void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y, const unsigned *kept)
+void jlt_cycle_map_level_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, arb_srcptr y)
 {
-    const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
-    const slong bits = jlt_step_bits(self->step);
+    const unsigned m = self->question->level_count, n = self->unknowns;
     arb_ptr values = _arb_vec_init(m + 1);
     arb_mat_t gradients;
 
     arb_mat_init(gradients, m, n);
     jlt_cycle_map_gradients(self, gradients, values, y);
-    for (unsigned i = 0; i < k; i++) {
-        arb_sub(arb_mat_entry(G, i, 0), self->arrival.x + kept[i], self->state + kept[i], bits);
-        for (unsigned l = 0; l < n; l++) {
-            arb_ptr out = arb_mat_entry(DG, i, l);
-            arb_set(out, arb_mat_entry(self->arrival.slope, kept[i], jlt_cycle_map_state(self, l)));
-            if (jlt_cycle_map_state(self, l) == kept[i]) arb_sub_ui(out, out, 1, bits);
-        }
-    }
     for (unsigned j = 0; j < m; j++) {
-        arb_sub(arb_mat_entry(G, k + j, 0), values + j, self->question->level_values + j, bits);
-        for (unsigned l = 0; l < n; l++) arb_set(arb_mat_entry(DG, k + j, l), arb_mat_entry(gradients, j, l));
+        arb_sub(arb_mat_entry(G, row + j, 0), values + j, self->question->level_values + j, jlt_step_bits(self->step));
+        for (unsigned l = 0; l < n; l++) arb_set(arb_mat_entry(DG, row + j, from + l), arb_mat_entry(gradients, j, l));
     }
     arb_mat_clear(gradients);
     _arb_vec_clear(values, m + 1);
 }
 
-static bool is_kept(const jlt_cycle *self, unsigned state, const unsigned *kept)
+void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, slong to, arb_srcptr y,
+                             arb_srcptr next, const unsigned *kept)
+{
+    const unsigned n = self->unknowns, k = n - self->question->level_count;
+    const slong bits = jlt_step_bits(self->step);
+
+    for (unsigned i = 0; i < k; i++) {
+        for (unsigned l = 0; l < n; l++) {
+            const unsigned state = jlt_cycle_map_state(self, l);
+            arb_ptr out = arb_mat_entry(DG, row + i, from + l);
+            arb_add(out, out, arb_mat_entry(self->arrival.slope, kept[i], state), bits);
+            if (state != kept[i]) continue;
+            arb_sub(arb_mat_entry(G, row + i, 0), self->arrival.x + state, next + l, bits);
+            out = arb_mat_entry(DG, row + i, to + l);
+            arb_sub_ui(out, out, 1, bits);
+        }
+    }
+    jlt_cycle_map_level_equations(self, G, DG, row + k, from, y);
+}
+
+bool jlt_cycle_map_is_kept(const jlt_cycle *self, unsigned state, const unsigned *kept)
 {
     for (unsigned i = 0; i < self->unknowns - self->question->level_count; i++)
         if (kept[i] == state) return true;
     return false;
 }
 
-/* -F_w^-1 F_q, (levels, kept), over the box y; false where F_w may be singular. */
-static bool solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const unsigned *kept)
+bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const unsigned *kept)
 {
     const unsigned m = self->question->level_count, n = self->unknowns;
     const slong bits = jlt_step_bits(self->step);
@@ -84,7 +94,7 @@ static bool solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const u
     for (unsigned j = 0; j < m; j++) {
         unsigned left = 0, held = 0;
         for (unsigned i = 0; i < n; i++) {
-            const bool keeps = is_kept(self, jlt_cycle_map_state(self, i), kept);
+            const bool keeps = jlt_cycle_map_is_kept(self, jlt_cycle_map_state(self, i), kept);
             arb_set(keeps ? arb_mat_entry(by_kept, j, held) : arb_mat_entry(by_left, j, left), arb_mat_entry(gradients, j, i));
             if (keeps) held++;
             else left++;
@@ -100,21 +110,35 @@ static bool solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const u
     return regular;
 }
 
-bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const unsigned *kept)
+bool jlt_cycle_map_meets(jlt_cycle *self, arb_srcptr next, const unsigned *kept)
 {
-    const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
-    const slong bits = jlt_step_bits(self->step);
+    const unsigned m = self->question->level_count, n = self->unknowns;
     arb_ptr hull = _arb_vec_init(n);
     arb_mat_t slope;
     bool regular;
 
-    arb_mat_init(slope, m, k);
+    arb_mat_init(slope, m, n - m);
     for (unsigned i = 0; i < n; i++) {
         const unsigned state = jlt_cycle_map_state(self, i);
-        arb_set(hull + i, y + i);
-        if (!is_kept(self, state, kept)) arb_union(hull + i, y + i, self->arrival.x + state, bits);
+        arb_set(hull + i, next + i);
+        if (!jlt_cycle_map_is_kept(self, state, kept))
+            arb_union(hull + i, next + i, self->arrival.x + state, jlt_step_bits(self->step));
     }
-    regular = solve_levels(self, slope, hull, kept);
+    regular = jlt_cycle_map_solve_levels(self, slope, hull, kept);
+    arb_mat_clear(slope);
+    _arb_vec_clear(hull, n);
+    return regular;
+}
+
+bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const unsigned *kept)
+{
+    const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
+    const slong bits = jlt_step_bits(self->step);
+    arb_mat_t slope;
+    bool regular;
+
+    arb_mat_init(slope, m, k);
+    regular = jlt_cycle_map_solve_levels(self, slope, y, kept);
     for (unsigned i = 0; regular && i < k; i++)
         for (unsigned l = 0; l < k; l++) {
             arb_ptr out = arb_mat_entry(D, i, l);
@@ -122,12 +146,11 @@ bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const un
             arb_set(out, arb_mat_entry(self->arrival.slope, kept[i], kept[l]));
             for (unsigned u = 0; u < n; u++) {
                 const unsigned state = jlt_cycle_map_state(self, u);
-                if (is_kept(self, state, kept)) continue;
+                if (jlt_cycle_map_is_kept(self, state, kept)) continue;
                 arb_addmul(out, arb_mat_entry(self->arrival.slope, kept[i], state), arb_mat_entry(slope, left, l), bits);
                 left++;
             }
         }
     arb_mat_clear(slope);
-    _arb_vec_clear(hull, n);
     return regular;
 }

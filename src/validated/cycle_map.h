@@ -1,4 +1,5 @@
-/** Inside of cycle.c: the equations of a periodic orbit, and the map on the levels. */
+/** Inside of cycle.c and homoclinic.c: one leg of an orbit, from the section to the section, its equations, and its map on the
+ *  levels. */
 #ifndef JLT_VALIDATED_CYCLE_MAP_H
 #define JLT_VALIDATED_CYCLE_MAP_H
 
@@ -9,23 +10,38 @@ struct jlt_cycle {
     jlt_formulas *formulas;
     jlt_step *step;
     jlt_jets *levels;     /* of the program of integrals, order 0 */
-    unsigned unknowns;    /* states - 1 */
+    unsigned unknowns;    /* of a point: states - 1 */
     arb_ptr state;        /* (dim,) */
     jlt_arrival arrival;
 };
 
-/* The state that unknown i is. */
+/* The state that unknown i of a point is. */
 unsigned jlt_cycle_map_state(const jlt_cycle *self, unsigned i);
 
-/** Arrival from y, shape (unknowns,): fills self->state and self->arrival. */
-JLT_CHECKED jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant);
+/** Arrival from y, shape (unknowns,), crossing in this direction: fills self->state and self->arrival. */
+JLT_CHECKED jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant, int direction);
 
-/** G, shape (unknowns, 1), where that arrival was from, whose states stand in y; and DG, shape (unknowns, unknowns). */
-void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y, const unsigned *kept);
+/** The part that this arrival has in G and DG, where they are zero before: from row on, P_q(y) - q of next, then F(y) - c; y begins
+ *  at column from, next at column to, and may be y. In: y, where the arrival was from, and next, shape (unknowns,). */
+void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, slong to, arb_srcptr y,
+                             arb_srcptr next, const unsigned *kept);
 
-/** The derivative in the kept coordinates, D, shape (kept, kept), and whether the states left out come back to what they were: see
- *  the opening of cycle.h. False where that is not shown. */
+/** F(y) - c alone, and its gradients, from row on. */
+void jlt_cycle_map_level_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, arb_srcptr y);
+
+/** The derivative of the arrival from y in the kept coordinates, D, shape (kept, kept). False where the integrals do not determine
+ *  the states left out all over y. */
 bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const unsigned *kept);
+
+/** Whether the states left out of an arrival whose kept states are those of next are those of next as well: see the opening of
+ *  cycle.h. */
+bool jlt_cycle_map_meets(jlt_cycle *self, arb_srcptr next, const unsigned *kept);
+
+/** Derivatives of the states left out by those kept, -F_w^-1 F_q, (level_count, kept), over the box y; false where F_w may be
+ *  singular. */
+bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const unsigned *kept);
+
+bool jlt_cycle_map_is_kept(const jlt_cycle *self, unsigned state, const unsigned *kept);
 
 /** Gradients of the integrals at y, by unknowns: (level_count, unknowns); values, (level_count,), or NULL. */
 void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr values, arb_srcptr y);

@@ -2,7 +2,6 @@
 
 #include "kernel/descriptor.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,36 +17,6 @@ static bool refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...)
     vsnprintf(problem, JLT_GIVEN_PROBLEM_MAX, format, arguments);
     va_end(arguments);
     return false;
-}
-
-bool jlt_given_number(arb_t out, const char *text, slong bits)
-{
-    bool good = text != NULL && text[0] != '\0' && text[strspn(text, "0123456789+-./eE")] == '\0';
-
-    if (good && strchr(text, '/') != NULL) {
-        fmpq_t fraction;
-        fmpq_init(fraction);
-        good = fmpq_set_str(fraction, text, 10) == 0 && !fmpz_is_zero(fmpq_denref(fraction));
-        if (good) fmpq_canonicalise(fraction);
-        if (good) arb_set_fmpq(out, fraction, bits);
-        fmpq_clear(fraction);
-    } else if (good) {
-        good = strlen(text) < 4096 && arb_set_str(out, text, bits) == 0;
-    }
-    return good && arb_is_finite(out);
-}
-
-bool jlt_given_ball(arb_t out, const json_t *ball, slong bits)
-{
-    arb_t radius;
-    bool good;
-
-    arb_init(radius);
-    good = jlt_given_number(radius, json_string_value(json_object_get(ball, "radius")), bits)
-           && jlt_given_number(out, json_string_value(json_object_get(ball, "middle")), bits) && !arb_is_negative(radius);
-    if (good) arb_add_error(out, radius);
-    arb_clear(radius);
-    return good;
 }
 
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX])
@@ -87,8 +56,8 @@ static bool read_params(jlt_given *self, const json_t *given, slong bits, char *
     for (unsigned i = 0; i < d->param_count; i++) {
         const json_t *value = json_object_get(params, d->params[i].name);
         const bool is_ball = json_is_object(value);
-        if (!(is_ball ? jlt_given_ball(self->params + i, value, bits)
-                      : jlt_given_number(self->params + i, json_string_value(value), bits)))
+        if (!(is_ball ? jlt_given_legs_ball(self->params + i, value, bits)
+                      : jlt_given_legs_number(self->params + i, json_string_value(value), bits)))
             return refuse(problem, "parameter %s: no number", d->params[i].name);
         if (!allows(&d->params[i], self->params + i))
             return refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
@@ -112,7 +81,7 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
     self->question.column = (unsigned)column;
     if (direction != 1 && direction != -1) return refuse(problem, "section: the direction is 1 or -1");
     self->question.direction = (int)direction;
-    return jlt_given_number(self->section, json_string_value(json_object_get(section, "value")), bits)
+    return jlt_given_legs_number(self->section, json_string_value(json_object_get(section, "value")), bits)
            || refuse(problem, "section: no value");
 }
 
@@ -130,7 +99,7 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         if (claim == NULL || claim->verdict != JLT_PROVED || claim->condition[0] != '\0')
             return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
-        if (!(json_is_object(value) ? jlt_given_ball(out, value, bits) : jlt_given_number(out, json_string_value(value), bits)))
+        if (!(json_is_object(value) ? jlt_given_legs_ball(out, value, bits) : jlt_given_legs_number(out, json_string_value(value), bits)))
             return refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }
@@ -155,35 +124,14 @@ static bool read_coordinates(jlt_given *self, const json_t *given, char *problem
     return true;
 }
 
-static bool read_box(jlt_given *self, const json_t *given, slong bits, char *problem)
-{
-    const jlt_descriptor *d = self->question.descriptor;
-    const json_t *box = json_object_get(given, "box");
-    arb_t instant;
-    bool good;
-
-    for (unsigned i = 0, k = 0; i < d->state_count; i++) {
-        if (i == self->question.column) continue;
-        if (!jlt_given_ball(self->box + k++, json_object_get(box, d->states[i].name), bits))
-            return refuse(problem, "box: %s has no middle and radius", d->states[i].name);
-    }
-    arb_init(instant);
-    good = jlt_given_number(instant, json_string_value(json_object_get(given, "instant")), bits) && arb_is_positive(instant);
-    arf_set(self->instant, arb_midref(instant));
-    arb_clear(instant);
-    return good || refuse(problem, "instant: a time > 0");
-}
-
 bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const json_int_t digits = json_integer_value(json_object_get(given, "digits"));
 
     *self = (jlt_given){ .question = { .descriptor = descriptor } };
     self->params = _arb_vec_init(descriptor->param_count + 1);
-    self->box = _arb_vec_init(descriptor->state_count);
     self->level_values = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     arb_init(self->section);
-    arf_init(self->instant);
     self->question.params = self->params;
     self->question.section = self->section;
     self->question.levels = self->levels;
@@ -199,40 +147,24 @@ bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *
                || refuse(problem, "levels: too many for %u states", descriptor->state_count));
 }
 
-bool jlt_given_read_box(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX])
+bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
-    const slong bits = jlt_step_accuracy_for(self->question.digits).bits;
-
-    return read_coordinates(self, given, problem) && read_box(self, given, bits, problem);
+    return read_coordinates(self, given, problem)
+           && jlt_given_legs_read(&self->legs, &self->question, json_object_get(given, "legs"), problem);
 }
 
-/* A number's middle as a decimal. */
-static json_t *decimal(const arb_t value, unsigned digits)
-{
-    char *text = arb_get_str(value, (slong)digits, ARB_STR_NO_RADIUS);
-    json_t *out = json_string(text);
-
-    flint_free(text);
-    return out;
-}
-
-jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, double T, double radius)
+jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T, double radius)
 {
     const jlt_descriptor *d = self->question.descriptor;
-    const unsigned digits = self->question.digits;
-    json_t *names = json_array(), *box = json_object();
+    json_t *names = json_array();
     jlt_cycle_question middle = self->question; /* where parameters and levels are intervals, at their middles */
     arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     char width[32];
-    jlt_status st;
-    arb_t time;
+    jlt_status st = JLT_ERR_ARG;
 
-    arb_init(time);
-    snprintf(width, sizeof width, "%.3g", radius);
-    for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        if (i != self->question.column) arb_set_d(self->box + k++, x[i]);
-    arf_set_d(self->instant, T);
+    if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX) goto done;
+    jlt_given_legs_guess(&self->legs, &self->question, legs, x, T);
     self->kept_count = d->state_count - 1 - self->question.level_count;
     for (unsigned i = 0; i < d->param_count; i++) arb_get_mid_arb(params + i, self->params + i);
     for (unsigned i = 0; i < self->question.level_count; i++) arb_get_mid_arb(levels + i, self->level_values + i);
@@ -240,23 +172,18 @@ jlt_status jlt_given_make_box(jlt_given *self, json_t *given, const double *x, d
     middle.level_values = levels;
     middle.free_count = 0;
     JLT_TRY(jlt_cycle_create(&cycle, &middle));
-    JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->box));
-    JLT_TRY(jlt_cycle_refine(cycle, self->box, self->instant, self->kept));
+    JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->legs.box));
+    JLT_TRY(jlt_cycle_refine(cycle, self->legs.box, self->legs.instants, legs, self->kept));
     for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
-    for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        if (i != self->question.column)
-            json_object_set_new(box, d->states[i].name, json_pack("{s:o,s:s}", "middle", decimal(self->box + k++, digits),
-                                                                  "radius", width));
-    arb_set_arf(time, self->instant);
-    st = json_object_set(given, "coordinates", names) == 0 && json_object_set(given, "box", box) == 0
-         && json_object_set_new(given, "instant", decimal(time, digits)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+    for (unsigned i = 0; i < legs * (d->state_count - 1); i++) mag_set_d(arb_radref(self->legs.box + i), radius);
+    snprintf(width, sizeof width, "%.3g", radius);
+    st = json_object_set(given, "coordinates", names) == 0
+         && json_object_set_new(given, "legs", jlt_given_legs_write(&self->legs, &self->question, width)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
 done:
-    arb_clear(time);
     jlt_cycle_destroy(cycle);
     _arb_vec_clear(params, d->param_count + 1);
     _arb_vec_clear(levels, JLT_FORMULAS_LEVELS_MAX);
     json_decref(names);
-    json_decref(box);
     return st;
 }
 
@@ -265,8 +192,7 @@ void jlt_given_clear(jlt_given *self)
     const jlt_descriptor *d = self->question.descriptor;
 
     _arb_vec_clear(self->params, d->param_count + 1);
-    _arb_vec_clear(self->box, d->state_count);
     _arb_vec_clear(self->level_values, JLT_FORMULAS_LEVELS_MAX);
     arb_clear(self->section);
-    arf_clear(self->instant);
+    jlt_given_legs_clear(&self->legs, &self->question);
 }

@@ -4,8 +4,8 @@
  *  [0,h]^K c_K(Y), Z within the interior of Y shows that solutions from X exist for all of [0,h] and stay in Z, as by Taylor's
  *  theorem none can reach the border of Y first (G. F. Corliss, R. Rihm, Validating an a priori enclosure using high-order Taylor
  *  series, 1996; Picard's iteration with inflation is K = 1). c_K(Y) h^K is then Lagrange's remainder. Of the derivative V' = Df V,
- *  V(0) = 1: |V - 1| <= e^(|Df(Y)| h) - 1 in the norm of the largest row sum is its rough enclosure W, and V_K(Y) W h^K its
- *  remainder.
+ *  V(0) = 1: with A the matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 entry by entry, as Picard's series of V is majorized by
+ *  that of e^(A h). This is its rough enclosure W, and V_K(Y) W h^K its remainder.
  *
  *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces.
  *  */

@@ -47,7 +47,8 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
 {
     const json_t *section = json_object_get(given, "section"), *levels = json_object_get(given, "levels");
 
-    fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s) with ", d->model, d->title, d->sha256);
+    fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s)", d->model, d->title, d->sha256);
+    if (d->param_count > 0) fputs(" with ", out);
     write_named(out, json_object_get(given, "parameters"), ", ");
     fputc('.', out);
     if (json_object_size(levels) > 0) {
@@ -63,14 +64,30 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
               "balls that hold for all of them.", out);
 }
 
+/* The sum of the legs' instants, as it stands in doubles. */
+static double way(const json_t *legs)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < json_array_size(legs); i++)
+        sum += strtod(json_string_value(json_object_get(json_array_get(legs, i), "instant")), NULL);
+    return sum;
+}
+
 static void write_orbit(FILE *out, const json_t *given, const json_t *shown)
 {
+    const json_t *legs = json_object_get(given, "legs"), *first = json_array_get(legs, 0);
+    const size_t count = json_array_size(legs);
+
     fputs("Through the box ", out);
-    write_named(out, json_object_get(given, "box"), ", ");
-    fputs(" of the section there is exactly one orbit on these levels that is back at its point after a time near ", out);
-    fputs(json_string_value(json_object_get(given, "instant")), out);
-    fputs(". That point is ", out);
-    write_named(out, json_object_get(shown, "orbit"), ", ");
+    write_named(out, json_object_get(first, "box"), ", ");
+    fputs(" of the section", out);
+    if (count > 1) fprintf(out, ", and in turn through %zu more of it that are listed under \"legs\",", count - 1);
+    fputs(" there is exactly one orbit on these levels that is back at its point after a time near ", out);
+    if (count > 1) fprintf(out, "%.17g, from box to box in the times listed", way(legs));
+    else fputs(json_string_value(json_object_get(first, "instant")), out);
+    fputs(count > 1 ? ". Its first point is " : ". That point is ", out);
+    write_named(out, json_array_get(json_object_get(shown, "orbit"), 0), ", ");
     fputs(", the time T = ", out);
     write_ball(out, json_object_get(shown, "period"));
     fputc('.', out);
@@ -95,20 +112,20 @@ static void write_multipliers(FILE *out, const json_t *shown)
     fputc('.', out);
 }
 
-static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *shown)
+static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *conditions, const char *where)
 {
     const char *name;
     json_t *bound;
     bool first = true;
 
-    json_object_foreach(json_object_get(shown, "conditions"), name, bound) {
+    json_object_foreach((json_t *)(uintptr_t)conditions, name, bound) {
         const char *meaning = "";
         for (unsigned i = 0; i < d->valid_count; i++)
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
         if (json_string_value(bound)[0] == '-')
             fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
-        else fprintf(out, "%sThe condition %s (%s) holds all along the orbit: its quantity is above %s.",
-                     first ? "" : " ", name, meaning, json_string_value(bound));
+        else fprintf(out, "%sThe condition %s (%s) holds all along %s: its quantity is above %s.", first ? "" : " ", name, meaning, where,
+                     json_string_value(bound));
         first = false;
     }
 }
@@ -145,35 +162,104 @@ typedef struct {
     const json_t *given, *shown;
 } subject;
 
-static void sentence(FILE *out, const subject *s, unsigned which)
+typedef enum { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, EXPANDS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE,
+               END } sentence;
+
+/* What each kind says, in this order. */
+static const struct {
+    const char *kind;
+    sentence sentences[10];
+} contents[] = {
+    { "cycle", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, END } },
+    { "homoclinic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE, END } },
+    { "obstruction", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, EXPANDS, END } },
+    { "sink", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, END } },
+};
+
+bool jlt_theorem_is_kind(const char *kind)
 {
+    for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
+        if (strcmp(contents[i].kind, kind) == 0) return true;
+    return false;
+}
+
+static void write_homoclinic(FILE *out, const subject *s)
+{
+    const json_t *asked = json_object_get(s->given, "homoclinic"), *found = json_object_get(s->shown, "homoclinic");
+
+    fputs("Through its unstable manifold, within ", out);
+    write_ball(out, json_object_get(asked, "reach"));
+    fprintf(out, " of it, and in turn through the %zu boxes of the section listed under \"homoclinic\", there is exactly one orbit that "
+                 "goes on to meet %s = 0 %s at a point where all states that the reversor flips are 0. It begins at ",
+            json_array_size(json_object_get(asked, "legs")), json_string_value(json_object_get(json_object_get(s->given, "section"), "state")),
+            json_integer_value(json_object_get(asked, "landing")) > 0 ? "upwards" : "downwards");
+    write_named(out, json_object_get(found, "first"), ", ");
+    fputs("; the symmetric point is ", out);
+    write_named(out, json_object_get(found, "point"), ", ");
+    fputs(". It is not the saddle's. As the reversor takes the unstable manifold to the stable one, the orbit lies on both: it is "
+          "homoclinic.", out);
+}
+
+static void write_tangent(FILE *out, const subject *s)
+{
+    fputs("At the symmetric point a tangent of the unstable manifold on the section is ", out);
+    write_named(out, json_object_get(json_object_get(s->shown, "homoclinic"), "tangent"), ", ");
+    fputs("; that of the stable manifold has the opposite sign in what the reversor flips. They differ: the manifolds cross "
+          "transversally in their levels.", out);
+}
+
+static void write_sentence(FILE *out, const subject *s, sentence which)
+{
+    const json_t *homoclinic = json_object_get(s->shown, "homoclinic");
+
     switch (which) {
-    case 0: write_setting(out, s->descriptor, s->given); break;
-    case 1: write_orbit(out, s->given, s->shown); break;
-    case 2: write_multipliers(out, s->shown); break;
-    case 3: write_conditions(out, s->descriptor, s->shown); break;
-    case 4:
+    case SETTING: write_setting(out, s->descriptor, s->given); break;
+    case ORBIT: write_orbit(out, s->given, s->shown); break;
+    case MULTIPLIERS: write_multipliers(out, s->shown); break;
+    case CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "the orbit"); break;
+    case ATTRACTS:
         fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, "
               "what begins near it on its levels, and so do its continuations on all levels nearby.", out); break;
-    case 5: write_image(out, s->descriptor); break;
-    default:
+    case IMAGE: write_image(out, s->descriptor); break;
+    case SINK_MEASURE:
         fputs("Hence no measure that has a continuous positive density is invariant under this flow, nor one that has a density "
               "positive almost everywhere near the orbit and is finite there: a neighbourhood, made up of these basins, shrinks "
               "under the flow to the cycles alone, a set of measure zero.", out); break;
+    case EXPANDS:
+        fputs("The flow over T multiplies volumes at a point x of the orbit by this determinant, which is not 1. Hence no measure "
+              "whose density rho is continuous and positive at that orbit is invariant under this flow, nor one with such a density "
+              "on its levels: rho(phi_T x) det Dphi_T(x) = rho(x) would hold at x = phi_T x.", out); break;
+    case SADDLE:
+        fputs("Both multipliers are real, one outside the unit circle, one inside: a saddle. Its image under the reversor passes "
+              "through the same box after the same time, hence is the orbit itself.", out); break;
+    case HOMOCLINIC: write_homoclinic(out, s); break;
+    case TRANSVERSAL: write_tangent(out, s); break;
+    case WAY:
+        write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"), "that orbit from its first point to the "
+                         "symmetric one, hence to its mirror image"); break;
+    case HORSESHOE:
+        fputs("Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return map "
+              "with a horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic orbits of "
+              "saddle type. A transversal crossing remains on all levels nearby, so that no real-analytic function that is defined on "
+              "a connected neighbourhood of both orbits is a further integral: it depends on those named (J. Moser, Stable and Random "
+              "Motions, 1973).", out); break;
+    case END: break;
     }
 }
 
 json_t *jlt_theorem_words(const char *kind, const jlt_descriptor *descriptor, const json_t *given, const json_t *shown)
 {
     const subject s = { descriptor, given, shown };
-    const unsigned count = strcmp(kind, "sink") == 0 ? 7 : 4;
+    const sentence *which = NULL;
     json_t *words = json_array();
 
-    for (unsigned i = 0; words != NULL && i < count; i++) {
+    for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
+        if (strcmp(contents[i].kind, kind) == 0) which = contents[i].sentences;
+    for (; words != NULL && *which != END; which++) {
         char *text = NULL;
         size_t size = 0;
         FILE *out = open_memstream(&text, &size);
-        if (out != NULL) sentence(out, &s, i);
+        if (out != NULL) write_sentence(out, &s, *which);
         if (out == NULL || !add(words, &out, &text)) {
             json_decref(words);
             words = NULL;

@@ -44,7 +44,7 @@ change radius 'c["shown"]["trace"]["radius"] = "1e-40"' digest
 expect 1 "$scratch/radius.json" 'does not follow'
 change theorem 'c["theorem"][1] = c["theorem"][1].replace("exactly one", "no")' digest
 expect 1 "$scratch/theorem.json" 'its theorem is not what its numbers say'
-change box 'c["given"]["box"]["x"]["middle"] = "-13.763610"' digest
+change box 'c["given"]["legs"][1]["box"]["x"]["middle"] = "13.763620"' digest
 expect 1 "$scratch/box.json" 'no orbit is shown to be there'
 change parameter 'c["given"]["parameters"]["rho"] = "28001/1000"' digest
 expect 1 "$scratch/parameter.json" 'no orbit is shown to be there'
@@ -58,8 +58,14 @@ change level 'c["given"]["levels"]["E"] = "1"' digest
 expect 3 "$scratch/level.json" 'no integral of lorenz'
 change number 'c["given"]["parameters"]["rho"] = "nan"' digest
 expect 3 "$scratch/number.json" 'parameter rho: no number'
-change instant 'c["given"]["instant"] = "-1"' digest
+change instant 'c["given"]["legs"][0]["instant"] = "-1"' digest
 expect 3 "$scratch/instant.json" 'instant: a time > 0'
+change legs 'c["given"]["legs"] = []' digest
+expect 3 "$scratch/legs.json" 'legs: 1 to 128'
+change order 'c["given"]["legs"].reverse()' digest
+expect 1 "$scratch/order.json" 'does not follow'
+change fewer 'c["given"]["legs"].pop()' digest
+expect 1 "$scratch/fewer.json" 'no orbit is shown to be there'
 change form 'del c["given"]' digest
 expect 3 "$scratch/form.json" 'no certificate'
 head -c 1000 $certificate > "$scratch/half.json"

@@ -127,7 +127,7 @@ class Flow:
     def values(self, x):
         return [s[0] for s in self.full.run(x, 1, 1)[1]]
 
-    def arrive(self, x, instant, column, level):
+    def arrive(self, x, instant, column, level, direction):
         """On the section: state, derivative, time after `instant`, integral of the divergence, bounds of the conditions."""
         n = self.n
         x, V, expansion, least = self.carry(x, instant)
@@ -138,8 +138,8 @@ class Flow:
         out = self.values(y)
         if not all(inside(plus(a, product(f, span)), b) for a, f, b in zip(x, out, y)) or not self.allowed(y):
             raise Refused("the crossing of the section is not enclosed")
-        if abs(out[column][0]) <= out[column][1]:
-            raise Refused("the section may be met tangentially")
+        if out[column][0] * direction <= out[column][1]:
+            raise Refused("the section may be met tangentially, or from the other side")
         tau = quotient(less(level, x[column]), out[column])
         if size(tau) > span[1]:
             raise Refused("the crossing of the section is not enclosed")

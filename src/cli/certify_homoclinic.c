@@ -1,0 +1,151 @@
+#include "cli/certify_homoclinic.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { SAMPLES = 48, BISECTIONS = 60 };
+
+typedef struct {
+    const jlt_certify_search *search;
+    const jlt_chart *chart;
+    jlt_map *whole, *half; /* from the section to the section in its direction, and in either */
+    unsigned flipped;
+    double direction[2], growth; /* unstable, of length 1; multiplier */
+} chase;
+
+/* The unstable direction at the saddle. */
+static jlt_status aim(chase *self)
+{
+    jlt_image image;
+    const jlt_status st = jlt_map_apply(self->whole, &image, self->search->saddle, 1, 1);
+    double half, root, b, a;
+
+    if (st != JLT_OK) return st;
+    half = (image.slope[0] + image.slope[3]) / 2;
+    root = sqrt(half * half - image.determinant);
+    if (!(root > 0)) return JLT_ERR_NO_CONVERGENCE;
+    self->growth = half < 0 ? half - root : half + root;
+    a = self->growth - image.slope[3];
+    b = image.slope[2];
+    if (fabs(a) + fabs(b) < 1e-9) a = image.slope[1], b = self->growth - image.slope[0];
+    self->direction[0] = a / hypot(a, b);
+    self->direction[1] = b / hypot(a, b);
+    return JLT_OK;
+}
+
+static void start_at(double q[2], const chase *self, double away)
+{
+    for (unsigned i = 0; i < 2; i++) q[i] = self->search->saddle[i] + away * self->direction[i];
+}
+
+/* What the flipped state is at the crossing after q, and when that is. */
+static jlt_status cross(double *value, double *T, const chase *self, const double q[2])
+{
+    jlt_image image;
+    const jlt_status st = jlt_map_point(self->half, &image, q, 1, 1);
+
+    if (st != JLT_OK) return st;
+    *value = image.x[self->flipped];
+    *T = image.T;
+    return JLT_OK;
+}
+
+/* The value after so many returns; and all points and times on the way, where x is not NULL. */
+static jlt_status follow(double *value, double *x, double *T, const chase *self, double away, unsigned returns)
+{
+    const unsigned states = self->search->states;
+    double q[2], lifted[JLT_CHART_STATES_MAX], last;
+    jlt_image image;
+    jlt_status st;
+
+    start_at(q, self, away);
+    for (unsigned i = 0; i <= returns; i++) {
+        if (x != NULL) {
+            JLT_TRY(self->chart->lift(self->chart, lifted, NULL, q));
+            memcpy(x + i * states, lifted, states * sizeof *x);
+        }
+        if (i == returns) break;
+        JLT_TRY(jlt_map_point(self->whole, &image, q, 1, 1));
+        memcpy(q, image.q, sizeof q);
+        if (T != NULL) T[i] = image.T;
+    }
+    st = cross(value, T != NULL ? T + returns : &last, self, q);
+done:
+    return st;
+}
+
+/* The number of returns at which neighbours first differ in sign, for the pair of them that does so as the wanted one, counted from
+ * 1; then from and to. NO_CONVERGENCE: there are not so many. */
+static jlt_status scan(const chase *self, unsigned *returns, double *from, double *to)
+{
+    const double step = pow(fabs(self->growth), 2.0 / SAMPLES); /* twice mapped, the direction is itself again */
+    double q[SAMPLES + 1][2], away[SAMPLES + 1];
+    bool seen[SAMPLES + 1] = { false };
+    unsigned count = 0;
+
+    for (unsigned j = 0; j <= SAMPLES; j++) {
+        away[j] = self->search->distance * pow(step, j);
+        start_at(q[j], self, away[j]);
+    }
+    for (*returns = 0; *returns < JLT_CERTIFY_RETURNS_MAX; (*returns)++) {
+        double before = NAN;
+        for (unsigned j = 0; j <= SAMPLES; j++) {
+            jlt_image image;
+            double value, T;
+            jlt_status st = cross(&value, &T, self, q[j]);
+            if (st == JLT_OK) st = jlt_map_point(self->whole, &image, q[j], 1, 1);
+            if (st != JLT_OK) return st;
+            memcpy(q[j], image.q, sizeof q[j]);
+            if (before * value < 0 && !seen[j]) {
+                seen[j] = true;
+                *from = away[j - 1];
+                *to = away[j];
+                if (++count == self->search->which) return JLT_OK;
+            }
+            before = value;
+        }
+    }
+    return JLT_ERR_NO_CONVERGENCE;
+}
+
+static jlt_status find(chase *self, double *x, double *T, unsigned *legs)
+{
+    unsigned returns;
+    double from, to, low;
+    jlt_status st;
+
+    JLT_TRY(aim(self));
+    JLT_TRY(scan(self, &returns, &from, &to));
+    JLT_TRY(follow(&low, NULL, NULL, self, from, returns));
+    for (unsigned i = 0; i < BISECTIONS; i++) {
+        const double middle = (from + to) / 2;
+        double value;
+        JLT_TRY(follow(&value, NULL, NULL, self, middle, returns));
+        if (value * low > 0) from = middle;
+        else to = middle;
+    }
+    JLT_TRY(follow(&low, x, T, self, (from + to) / 2, returns));
+    *legs = returns + 1;
+done:
+    return st;
+}
+
+jlt_status jlt_certify_homoclinic_find(double *x, double *T, unsigned *legs, const jlt_flow *flow, const jlt_certify_search *search)
+{
+    chase self = { .search = search, .chart = flow->chart };
+    jlt_flow either = *flow;
+    jlt_status st = JLT_ERR_UNSUPPORTED;
+
+    if (flow->chart->dim != 2 || search->signs == NULL) goto done;
+    for (unsigned i = 0; i < search->states; i++)
+        if (search->signs[i] < 0 && i != flow->chart->column) self.flipped = i;
+    either.direction = JLT_BOTH;
+    JLT_TRY(jlt_map_create(&self.whole, flow));
+    JLT_TRY(jlt_map_create(&self.half, &either));
+    st = find(&self, x, T, legs);
+done:
+    jlt_map_destroy(self.whole);
+    jlt_map_destroy(self.half);
+    return st;
+}

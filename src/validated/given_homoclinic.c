@@ -1,0 +1,106 @@
+#include "validated/given_homoclinic.h"
+
+#include "validated/theorem.h"
+
+#include <stdio.h>
+
+static bool refuse(char *problem, const char *text)
+{
+    snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "%s", text);
+    return false;
+}
+
+/* All but the legs. */
+static void begin(jlt_given_homoclinic *self, const jlt_given *of, int landing)
+{
+    const jlt_reversor *reversor = jlt_theorem_reversor(of->question.descriptor);
+
+    *self = (jlt_given_homoclinic){ .frame = _arb_vec_init(4) };
+    arb_init(self->reach);
+    arb_init(self->slope);
+    self->question = (jlt_homoclinic_question){
+        .question = &of->question, .signs = reversor == NULL ? NULL : reversor->signs, .saddle_box = of->legs.box,
+        .saddle_instant = of->legs.instants, .kept = of->kept, .frame = self->frame, .reach = self->reach, .slope = self->slope,
+        .landing = landing,
+    };
+}
+
+static void take_legs(jlt_given_homoclinic *self)
+{
+    self->question.legs = self->legs.count;
+    self->question.box = self->legs.box;
+    self->question.instants = self->legs.instants;
+}
+
+void jlt_given_homoclinic_clear(jlt_given_homoclinic *self)
+{
+    _arb_vec_clear(self->frame, 4);
+    arb_clear(self->reach);
+    arb_clear(self->slope);
+    jlt_given_legs_clear(&self->legs, self->question.question);
+}
+
+bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, const json_t *given,
+                               char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    const json_t *part = json_object_get(given, "homoclinic"), *frame = json_object_get(part, "frame");
+    const slong bits = jlt_step_accuracy_for(of->question.digits).bits;
+    const json_int_t landing = json_integer_value(json_object_get(part, "landing"));
+    bool good = true;
+
+    begin(self, of, (int)landing);
+    if (part == NULL || of->legs.count != 1) return refuse(problem, "homoclinic: it needs a saddle of one leg, and an orbit");
+    if (of->kept_count != 2) return refuse(problem, "homoclinic: two coordinates on the levels are served");
+    if (of->question.free_count > 0) return refuse(problem, "homoclinic: parameters are numbers, not intervals");
+    if (landing != 1 && landing != -1) return refuse(problem, "homoclinic: landing is 1 or -1");
+    for (unsigned i = 0; i < 4; i++)
+        good = good && jlt_given_legs_number(self->frame + i, json_string_value(json_array_get(json_array_get(frame, i / 2), i % 2)), bits);
+    if (!good) return refuse(problem, "homoclinic: the frame is two rows of two numbers");
+    good = jlt_given_legs_number(self->reach, json_string_value(json_object_get(part, "reach")), bits)
+           && jlt_given_legs_number(self->slope, json_string_value(json_object_get(part, "slope")), bits)
+           && arb_is_positive(self->reach) && arb_is_positive(self->slope);
+    if (!good) return refuse(problem, "homoclinic: reach and slope are numbers > 0");
+    good = jlt_given_legs_read(&self->legs, &of->question, json_object_get(part, "legs"), problem);
+    take_legs(self);
+    return good;
+}
+
+/* A bound of five digits, no less than the value. */
+static json_t *upper(const arb_t value)
+{
+    char text[32];
+
+    snprintf(text, sizeof text, "%.4e", 1.0001 * arf_get_d(arb_midref(value), ARF_RND_UP));
+    return json_string(text);
+}
+
+static json_t *write(const jlt_given_homoclinic *self)
+{
+    const unsigned digits = self->question.question->digits;
+    json_t *frame = json_array();
+
+    for (unsigned i = 0; i < 2; i++)
+        json_array_append_new(frame, json_pack("[o,o]", jlt_given_legs_decimal(self->frame + 2 * i, digits),
+                                               jlt_given_legs_decimal(self->frame + 2 * i + 1, digits)));
+    return json_pack("{s:o,s:o,s:o,s:i,s:o}", "frame", frame, "reach", upper(self->reach), "slope", upper(self->slope), "landing",
+                     self->question.landing, "legs", jlt_given_legs_write(&self->legs, self->question.question, NULL));
+}
+
+jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x, const double *T, int landing)
+{
+    jlt_given_homoclinic self;
+    jlt_cycle *cycle = NULL;
+    jlt_status st = JLT_ERR_ARG;
+
+    begin(&self, of, landing);
+    if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX || of->legs.count != 1 || of->kept_count != 2 || of->question.free_count > 0) goto done;
+    jlt_given_legs_guess(&self.legs, &of->question, legs, x, T);
+    take_legs(&self);
+    JLT_TRY(jlt_cycle_create(&cycle, &of->question));
+    JLT_TRY(jlt_homoclinic_make(cycle, &self.question));
+    st = json_object_set_new(given, "homoclinic", write(&self)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+done:
+    jlt_cycle_destroy(cycle);
+    jlt_given_homoclinic_clear(&self);
+    return st;
+}

@@ -1,0 +1,36 @@
+/** Legs of an orbit as certificates have them, and exact numbers written as text: see given.h. */
+#ifndef JLT_VALIDATED_GIVEN_LEGS_H
+#define JLT_VALIDATED_GIVEN_LEGS_H
+
+#include "validated/cycle.h"
+
+#include <jansson.h>
+
+enum { JLT_GIVEN_PROBLEM_MAX = 256 };
+
+typedef struct {
+    unsigned count;        /* 0 before they are read or made */
+    arb_ptr box, instants; /* (count, states - 1); (count,), exact */
+} jlt_given_legs;
+
+/** Read them from an array. Ends with jlt_given_legs_clear in any case. False: it is not of this form; problem says why. */
+bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *question, const json_t *legs,
+                         char problem[JLT_GIVEN_PROBLEM_MAX]);
+void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question);
+
+/** Points of the section, x, shape (count, states), and times, T, shape (count,). Ends with jlt_given_legs_clear. */
+void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x, const double *T);
+
+/** A new reference. radius: of all boxes, as text; NULL: their own. */
+json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius);
+
+/** A number's middle as a decimal; a new reference. */
+json_t *jlt_given_legs_decimal(const arb_t value, unsigned digits);
+
+/** One NUMBER, rounded outwards to so many bits; false: it is none. */
+bool jlt_given_legs_number(arb_t out, const char *text, slong bits);
+
+/** {"middle": NUMBER, "radius": NUMBER}, as the least ball that surely holds it. */
+bool jlt_given_legs_ball(arb_t out, const json_t *ball, slong bits);
+
+#endif

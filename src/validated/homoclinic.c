@@ -1,0 +1,132 @@
+#include "validated/homoclinic_chain.h"
+
+void jlt_homoclinic_result_init(jlt_homoclinic_result *result, const jlt_cycle *of, unsigned legs)
+{
+    *result = (jlt_homoclinic_result){ .legs = legs, .unknowns = of->unknowns, .states = of->formulas->dim };
+    jlt_cycle_result_init(&result->saddle, of, 1);
+    result->solution = _arb_vec_init((slong)(legs * of->unknowns));
+    result->point = _arb_vec_init((slong)result->states);
+    result->tangent = _arb_vec_init((slong)result->states);
+    arb_init(result->start);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_init(result->least + i);
+}
+
+void jlt_homoclinic_result_clear(jlt_homoclinic_result *result)
+{
+    jlt_cycle_result_clear(&result->saddle);
+    _arb_vec_clear(result->solution, (slong)(result->legs * result->unknowns));
+    _arb_vec_clear(result->point, (slong)result->states);
+    _arb_vec_clear(result->tangent, (slong)result->states);
+    arb_clear(result->start);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
+}
+
+bool jlt_homoclinic_flipped(unsigned *state, const jlt_homoclinic_question *question)
+{
+    const jlt_cycle_question *q = question->question;
+    unsigned count = 0;
+
+    if (question->signs == NULL || question->signs[q->column] > 0 || !arb_is_zero(q->section)) return false;
+    for (unsigned i = 0; i < q->descriptor->state_count; i++)
+        if (i != q->column && question->signs[i] < 0) *state = i, count++;
+    return count == 1 && (*state == question->kept[0] || *state == question->kept[1]);
+}
+
+/* Its mirror image lies in the box, hence is the same: it is a cycle that is back at the section at the same time. */
+static bool is_symmetric(const jlt_homoclinic_chain *chain, const jlt_cycle_result *saddle)
+{
+    bool inside = true;
+    arb_t image;
+
+    arb_init(image);
+    for (unsigned i = 0; i < chain->of->unknowns; i++) {
+        arb_set(image, saddle->solution + i);
+        if (jlt_cycle_map_state(chain->of, i) == chain->flipped) arb_neg(image, image);
+        inside = inside && arb_contains(chain->question->saddle_box + i, image);
+    }
+    arb_clear(image);
+    return inside;
+}
+
+/* The orbit begins on the piece of the manifold that the cone gives, not at the saddle. */
+static bool begins_in(const jlt_homoclinic_chain *chain, arb_srcptr around, arb_srcptr solution)
+{
+    bool inside = chain->inside && !arb_contains_zero(chain->start);
+
+    for (unsigned i = 0; i < chain->of->unknowns; i++) inside = inside && arb_contains(around + i, solution + i);
+    return inside;
+}
+
+/* The tangent at p, from DG dy = (0, ..., 0, 1). False where DG is not shown to be regular, or all but the flipped state may be at
+ * rest. */
+static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_chain *chain)
+{
+    const slong n = arb_mat_nrows(chain->DG), width = (slong)result->unknowns, bits = jlt_step_bits(chain->of->step);
+    bool crosses = false;
+    arb_mat_t right, dy;
+
+    arb_mat_init(right, n, 1);
+    arb_mat_init(dy, n, 1);
+    arb_one(arb_mat_entry(right, n - 1, 0));
+    if (arb_mat_solve_precond(dy, chain->DG, right, bits))
+        for (unsigned i = 0; i < result->states; i++) {
+            arb_zero(result->tangent + i);
+            for (slong l = 0; l < width; l++)
+                arb_addmul(result->tangent + i, arb_mat_entry(chain->landing, i, l), arb_mat_entry(dy, n - width + l, 0), bits);
+            crosses = crosses || (i != chain->flipped && i != chain->question->question->column
+                                  && arb_is_nonzero(result->tangent + i));
+        }
+    arb_mat_clear(right);
+    arb_mat_clear(dy);
+    return crosses;
+}
+
+/* Cone, orbit, tangent, with the saddle known. */
+static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *result)
+{
+    const jlt_homoclinic_question *question = chain->question;
+    arb_ptr around = _arb_vec_init((slong)result->unknowns);
+    jlt_krawczyk_verdict verdict;
+    jlt_krawczyk problem;
+    bool regular;
+    arb_mat_t A;
+    jlt_status st;
+
+    arb_mat_init(A, 2, 2);
+    result->verdict = JLT_HOMOCLINIC_NO_CONE;
+    JLT_TRY(jlt_homoclinic_chain_local(chain, A, around, &regular));
+    if (!regular || !jlt_homoclinic_chain_is_cone(chain, A)) goto done;
+    result->verdict = JLT_HOMOCLINIC_UNSHOWN;
+    problem = jlt_homoclinic_chain_equations(chain);
+    JLT_TRY(jlt_krawczyk_prove(&problem, &verdict, result->solution, question->box));
+    if (verdict == JLT_KRAWCZYK_UNSHOWN) goto done;
+    result->verdict = JLT_HOMOCLINIC_CONTRADICTED;
+    if (verdict == JLT_KRAWCZYK_CONTRADICTED) goto done;
+    result->verdict = JLT_HOMOCLINIC_OPEN;
+    if (!begins_in(chain, around, result->solution) || !chain->meets) goto done;
+    result->verdict = find_tangent(result, chain) ? JLT_HOMOCLINIC_PROVED : JLT_HOMOCLINIC_TANGENT;
+    arb_set(result->start, chain->start);
+    _arb_vec_set(result->point, chain->point, (slong)result->states);
+    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_set(result->least + i, chain->least + i);
+done:
+    arb_mat_clear(A);
+    _arb_vec_clear(around, (slong)result->unknowns);
+    return st;
+}
+
+jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, const jlt_homoclinic_question *question)
+{
+    jlt_homoclinic_chain chain;
+    jlt_status st = JLT_OK;
+
+    if (of->unknowns - question->question->level_count != 2 || question->question->free_count != 0) return JLT_ERR_ARG;
+    result->verdict = JLT_HOMOCLINIC_NO_SADDLE;
+    JLT_TRY(jlt_cycle_prove(of, &result->saddle, question->saddle_box, question->saddle_instant, question->kept));
+    if (result->saddle.verdict != JLT_CYCLE_PROVED || !result->saddle.saddle) goto done;
+    result->verdict = JLT_HOMOCLINIC_ASYMMETRIC;
+    if (jlt_homoclinic_chain_init(&chain, of, question, result->saddle.solution) && is_symmetric(&chain, &result->saddle))
+        st = prove(&chain, result);
+    jlt_homoclinic_chain_clear(&chain);
+done:
+    return st;
+}

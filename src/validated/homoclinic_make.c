@@ -1,0 +1,135 @@
+#include "validated/homoclinic_chain.h"
+
+#include <math.h>
+
+enum { CONES = 12 };
+
+static double middle(const arb_t value) { return arf_get_d(arb_midref(value), ARF_RND_NEAR); }
+
+/* Columns of length 1 near the eigenvectors of D, of the larger multiplier first. */
+static bool choose_frame(arb_ptr frame, const arb_mat_t D)
+{
+    const double a = middle(arb_mat_entry(D, 0, 0)), b = middle(arb_mat_entry(D, 0, 1)), c = middle(arb_mat_entry(D, 1, 0)),
+                 d = middle(arb_mat_entry(D, 1, 1)), half = (a + d) / 2, root = sqrt(half * half - a * d + b * c);
+    const double values[] = { half + (half < 0 ? -root : root), half - (half < 0 ? -root : root) };
+
+    for (unsigned k = 0; k < 2; k++) {
+        const bool first = fabs(a - values[k]) + fabs(b) > fabs(c) + fabs(d - values[k]); /* the longer row of D - value */
+        const double x = first ? -b : d - values[k], y = first ? a - values[k] : -c, length = hypot(x, y);
+        arb_set_d(frame + k, x / length);
+        arb_set_d(frame + 2 + k, y / length);
+        if (!(length > 0)) return false;
+    }
+    return true;
+}
+
+/* The saddle's derivative at the middle of its box. */
+static jlt_status look(jlt_cycle *of, arb_mat_t D, const jlt_homoclinic_question *q)
+{
+    arb_ptr y = _arb_vec_init((slong)of->unknowns);
+    jlt_status st;
+
+    for (unsigned i = 0; i < of->unknowns; i++) arb_get_mid_arb(y + i, q->saddle_box + i);
+    JLT_TRY(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction));
+    if (!jlt_cycle_map_restrict(of, D, y, q->kept)) st = JLT_ERR_NO_CONVERGENCE;
+done:
+    _arb_vec_clear(y, (slong)of->unknowns);
+    return st;
+}
+
+/* A slope for which the cone is one: what it must be above is seen from N itself, which grows with it. */
+static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
+{
+    arb_ptr around = _arb_vec_init((slong)chain->of->unknowns);
+    jlt_status st = JLT_OK;
+    bool regular, is_cone = false;
+    arb_mat_t A;
+
+    arb_mat_init(A, 2, 2);
+    arb_set(q->slope, q->reach);
+    for (unsigned attempt = 0; attempt < CONES && !is_cone; attempt++) {
+        mag_t least;
+        JLT_TRY(jlt_homoclinic_chain_local(chain, A, around, &regular));
+        is_cone = regular && jlt_homoclinic_chain_is_cone(chain, A);
+        if (is_cone) break;
+        mag_init(least);
+        arb_get_mag(least, arb_mat_entry(A, 1, 0));
+        mag_mul_2exp_si(least, least, 2);
+        arb_mul_2exp_si(q->slope, q->slope, 1);
+        if (mag_cmp_2exp_si(least, 0) < 0 && regular) {
+            arf_set_mag(arb_midref(around), least);
+            mag_zero(arb_radref(around));
+            arb_max(q->slope, q->slope, around, 53);
+        }
+        mag_clear(least);
+    }
+    if (!is_cone) st = JLT_ERR_NO_CONVERGENCE;
+done:
+    arb_mat_clear(A);
+    _arb_vec_clear(around, (slong)chain->of->unknowns);
+    return st;
+}
+
+/* Radii that the operator needs at the least, times 4; and what rounding makes of the middles. */
+static jlt_status choose_radii(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
+{
+    const jlt_krawczyk problem = jlt_homoclinic_chain_equations(chain);
+    const slong n = problem.n;
+    jlt_status st;
+    arb_mat_t G, DG, M;
+
+    arb_mat_init(G, n, 1);
+    arb_mat_init(DG, n, n);
+    arb_mat_init(M, n, n);
+    JLT_TRY(problem.equations(problem.context, G, DG, q->box));
+    if (!jlt_krawczyk_invert(M, DG, problem.bits)) st = JLT_ERR_NO_CONVERGENCE;
+    arb_mat_mul(G, M, G, problem.bits);
+    for (slong i = 0; i < n; i++) {
+        mag_t rounding;
+        mag_init(rounding);
+        arb_get_mag(arb_radref(q->box + i), arb_mat_entry(G, i, 0));
+        mag_mul_2exp_si(arb_radref(q->box + i), arb_radref(q->box + i), 2);
+        mag_set_ui_2exp_si(rounding, 1, -(slong)(3 * q->question->digits));
+        mag_add(arb_radref(q->box + i), arb_radref(q->box + i), rounding);
+        mag_clear(rounding);
+    }
+done:
+    arb_mat_clear(G);
+    arb_mat_clear(DG);
+    arb_mat_clear(M);
+    return st;
+}
+
+jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *q)
+{
+    jlt_homoclinic_chain chain;
+    jlt_cycle_result saddle;
+    jlt_krawczyk problem;
+    bool has_chain = false;
+    jlt_status st;
+    arb_mat_t D;
+
+    arb_mat_init(D, 2, 2);
+    jlt_cycle_result_init(&saddle, of, 1);
+    JLT_TRY(jlt_cycle_prove(of, &saddle, q->saddle_box, q->saddle_instant, q->kept));
+    JLT_TRY(look(of, D, q));
+    st = JLT_ERR_NO_CONVERGENCE;
+    if (saddle.verdict != JLT_CYCLE_PROVED || !saddle.saddle || !choose_frame(q->frame, D)) goto done;
+    arb_one(q->reach);
+    arb_zero(q->slope);
+    has_chain = true;
+    if (!jlt_homoclinic_chain_init(&chain, of, q, saddle.solution)) goto done;
+    chain.adjusts = true;
+    problem = jlt_homoclinic_chain_equations(&chain);
+    JLT_TRY(jlt_krawczyk_refine(&problem, q->box, 2.6 * q->question->digits));
+    chain.adjusts = false;
+    _arb_vec_set(q->instants, chain.own_instants, (slong)q->legs);
+    arb_set_d(q->reach, 1.25 * fabs(middle(chain.start)));
+    JLT_TRY(choose_cone(&chain, q));
+    st = choose_radii(&chain, q);
+done:
+    if (has_chain) jlt_homoclinic_chain_clear(&chain);
+    jlt_cycle_result_clear(&saddle);
+    arb_mat_clear(D);
+    return st;
+}

@@ -1,0 +1,176 @@
+#include "validated/krawczyk.h"
+
+#include <math.h>
+
+enum { NEWTON_STEPS = 12 };
+
+bool jlt_krawczyk_invert(arb_mat_t M, const arb_mat_t DG, slong bits)
+{
+    arb_mat_t middle;
+    bool regular;
+
+    arb_mat_init(middle, arb_mat_nrows(DG), arb_mat_ncols(DG));
+    arb_mat_get_mid(middle, DG);
+    regular = arb_mat_inv(M, middle, bits);
+    arb_mat_get_mid(M, M);
+    arb_mat_clear(middle);
+    return regular;
+}
+
+static jlt_status evaluate(const jlt_krawczyk *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
+{
+    arb_mat_zero(G);
+    arb_mat_zero(DG);
+    return self->equations(self->context, G, DG, y);
+}
+
+/* log2 of the largest entry. */
+static double size_of(const arb_mat_t column)
+{
+    double size = -INFINITY;
+    mag_t bound;
+
+    mag_init(bound);
+    for (slong i = 0; i < arb_mat_nrows(column); i++) {
+        arb_get_mag(bound, arb_mat_entry(column, i, 0));
+        size = fmax(size, mag_get_d_log2_approx(bound));
+    }
+    mag_clear(bound);
+    return size;
+}
+
+jlt_status jlt_krawczyk_refine(const jlt_krawczyk *self, arb_ptr y, double accuracy)
+{
+    const slong n = self->n;
+    jlt_status st = JLT_ERR_NO_CONVERGENCE;
+    double size = INFINITY;
+    arb_mat_t G, DG, M, correction;
+
+    arb_mat_init(G, n, 1);
+    arb_mat_init(correction, n, 1);
+    arb_mat_init(DG, n, n);
+    arb_mat_init(M, n, n);
+    for (unsigned attempt = 0; attempt < NEWTON_STEPS && size > -accuracy; attempt++) {
+        JLT_TRY(evaluate(self, G, DG, y));
+        st = JLT_ERR_NO_CONVERGENCE;
+        if (!jlt_krawczyk_invert(M, DG, self->bits)) goto done;
+        arb_mat_mul(correction, M, G, self->bits);
+        size = size_of(correction);
+        if (!(size < 0)) goto done;
+        for (slong i = 0; i < n; i++) {
+            arb_sub(y + i, y + i, arb_mat_entry(correction, i, 0), self->bits);
+            arb_get_mid_arb(y + i, y + i);
+        }
+    }
+    st = size <= -accuracy ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
+done:
+    arb_mat_clear(G);
+    arb_mat_clear(correction);
+    arb_mat_clear(DG);
+    arb_mat_clear(M);
+    return st;
+}
+
+/* y0, M and M G(y0) are those of the first box for all. */
+typedef struct {
+    const jlt_krawczyk *of;
+    arb_ptr middle;
+    arb_mat_t M, offset, DG, unused;
+} operator;
+
+static void operator_clear(operator *self)
+{
+    _arb_vec_clear(self->middle, self->of->n);
+    arb_mat_clear(self->M);
+    arb_mat_clear(self->offset);
+    arb_mat_clear(self->DG);
+    arb_mat_clear(self->unused);
+}
+
+/* At the middle of the box; M is the inverse near it. *regular: there is one. */
+static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *regular, arb_srcptr box)
+{
+    const slong n = of->n;
+    arb_mat_t G;
+    jlt_status st;
+
+    *self = (operator){ .of = of, .middle = _arb_vec_init(n) };
+    arb_mat_init(self->M, n, n);
+    arb_mat_init(self->offset, n, 1);
+    arb_mat_init(self->DG, n, n);
+    arb_mat_init(self->unused, n, 1);
+    arb_mat_init(G, n, 1);
+    for (slong i = 0; i < n; i++) arb_get_mid_arb(self->middle + i, box + i);
+    st = evaluate(of, G, self->DG, self->middle);
+    *regular = st == JLT_OK && jlt_krawczyk_invert(self->M, self->DG, of->bits);
+    arb_mat_mul(self->offset, self->M, G, of->bits);
+    arb_mat_clear(G);
+    return st;
+}
+
+static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
+{
+    const slong n = self->of->n, bits = self->of->bits;
+    arb_mat_t rest, away;
+    jlt_status st;
+
+    arb_mat_init(rest, n, n);
+    arb_mat_init(away, n, 1);
+    JLT_TRY(evaluate(self->of, self->unused, self->DG, y));
+    arb_mat_mul(rest, self->M, self->DG, bits);
+    arb_mat_neg(rest, rest);
+    for (slong i = 0; i < n; i++) {
+        arb_add_ui(arb_mat_entry(rest, i, i), arb_mat_entry(rest, i, i), 1, bits);
+        arb_sub(arb_mat_entry(away, i, 0), y + i, self->middle + i, bits);
+    }
+    arb_mat_mul(away, rest, away, bits);
+    arb_mat_sub(away, away, self->offset, bits);
+    for (slong i = 0; i < n; i++) arb_add(K + i, arb_mat_entry(away, i, 0), self->middle + i, bits);
+done:
+    arb_mat_clear(rest);
+    arb_mat_clear(away);
+    return st;
+}
+
+static bool all_inside(arb_srcptr outer, arb_srcptr inner, slong n)
+{
+    for (slong i = 0; i < n; i++)
+        if (!arb_is_finite(inner + i) || !arb_contains_interior(outer + i, inner + i)) return false;
+    return true;
+}
+
+/* log2 of the longest edge. */
+static double width_of(arb_srcptr box, slong n)
+{
+    double width = -INFINITY;
+
+    for (slong i = 0; i < n; i++) width = fmax(width, mag_get_d_log2_approx(arb_radref(box + i)));
+    return width;
+}
+
+jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *verdict, arb_ptr solution, arb_srcptr box)
+{
+    const slong n = self->n;
+    arb_ptr K = _arb_vec_init(n);
+    bool regular = false;
+    operator op;
+    jlt_status st;
+
+    *verdict = JLT_KRAWCZYK_UNSHOWN;
+    JLT_TRY(operator_init(&op, self, &regular, box));
+    if (!regular) goto done;
+    JLT_TRY(operator_apply(&op, K, box));
+    if (!all_inside(box, K, n)) goto done;
+    *verdict = JLT_KRAWCZYK_PROVED;
+    for (double before = INFINITY; width_of(K, n) < before - 3;) {
+        before = width_of(K, n);
+        _arb_vec_set(solution, K, n);
+        JLT_TRY(operator_apply(&op, K, solution));
+        for (slong i = 0; i < n; i++)
+            if (!arb_intersection(K + i, K + i, solution + i, self->bits)) *verdict = JLT_KRAWCZYK_CONTRADICTED;
+    }
+done:
+    operator_clear(&op);
+    _arb_vec_clear(K, n);
+    return st;
+}

@@ -1,0 +1,140 @@
+#include "validated/shown.h"
+
+#include "validated/theorem.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static json_t *write_ball(const arb_t ball, unsigned digits)
+{
+    char *text = arb_get_str(ball, (slong)digits, ARB_STR_MORE);
+    char *between = strstr(text, " +/- "), *end = strchr(text, ']');
+    json_t *out = NULL;
+
+    if (between == NULL || end == NULL) out = json_pack("{s:s,s:s}", "middle", text, "radius", "0");
+    else {
+        *between = *end = '\0';
+        out = json_pack("{s:s,s:s}", "middle", text + 1, "radius", between + 5);
+    }
+    flint_free(text);
+    return out;
+}
+
+/* A decimal below the bound. */
+static json_t *lower_bound(const arf_t bound)
+{
+    json_t *out = NULL;
+    char text[64];
+    double value = arf_get_d(bound, ARF_RND_FLOOR);
+    arb_t read;
+
+    arb_init(read);
+    for (unsigned i = 0; i < 3; i++) { /* five digits, lowered until they are below */
+        snprintf(text, sizeof text, "%.5g", value);
+        arb_set_str(read, text, 64);
+        arb_get_lbound_arf(arb_midref(read), read, 64);
+        if (arf_cmp(arb_midref(read), bound) <= 0) {
+            out = json_string(text);
+            break;
+        }
+        value -= 1e-5 * (value < 0 ? -value : value);
+    }
+    arb_clear(read);
+    return out;
+}
+
+static bool set(json_t *object, const char *key, json_t *value)
+{
+    return json_object_set_new(object, key, value) == 0;
+}
+
+static json_t *claims_of(const jlt_given *given, bool with_reversor)
+{
+    const jlt_reversor *reversor = jlt_theorem_reversor(given->question.descriptor);
+    json_t *claims = json_array();
+    char text[160];
+
+    for (unsigned i = 0; i < given->question.level_count; i++) {
+        snprintf(text, sizeof text, "integral %s", given->levels[i]);
+        json_array_append_new(claims, json_string(text));
+    }
+    if (reversor != NULL && with_reversor) json_array_append_new(claims, json_string("reversor"));
+    return claims;
+}
+
+static json_t *write_conditions(const arf_struct *least, const jlt_descriptor *d)
+{
+    json_t *conditions = json_object();
+
+    for (unsigned i = 0; i < d->valid_count; i++) json_object_set_new(conditions, d->valids[i].name, lower_bound(least + i));
+    return conditions;
+}
+
+/* A point of the section by names. */
+static json_t *point_of(arb_srcptr y, const jlt_given *given)
+{
+    const jlt_descriptor *d = given->question.descriptor;
+    json_t *point = json_object();
+    bool good = true;
+
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (i != given->question.column)
+            good = set(point, d->states[i].name, write_ball(y++, given->question.digits)) && good;
+    if (good) return point;
+    json_decref(point);
+    return NULL;
+}
+
+/* States by names: those that are not the section's, of an array of all of them. */
+static json_t *states_of(arb_srcptr x, const jlt_given *given)
+{
+    const jlt_descriptor *d = given->question.descriptor;
+    json_t *point = json_object();
+    bool good = true;
+
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (i != given->question.column) good = set(point, d->states[i].name, write_ball(x + i, given->question.digits)) && good;
+    if (good) return point;
+    json_decref(point);
+    return NULL;
+}
+
+json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, bool with_reversor)
+{
+    const unsigned digits = given->question.digits;
+    json_t *shown = json_object(), *orbit = json_array(), *multipliers = json_array();
+    bool good = true;
+
+    for (unsigned i = 0; i < result->legs; i++)
+        good = good && json_array_append_new(orbit, point_of(result->solution + i * result->unknowns, given)) == 0;
+    for (unsigned i = 0; i < result->multipliers && result->multipliers <= 2; i++)
+        good = good && json_array_append_new(multipliers,
+                   json_pack("{s:o,s:o}", "re", write_ball(acb_realref(result->multiplier + i), digits), "im",
+                             write_ball(acb_imagref(result->multiplier + i), digits))) == 0;
+    good = set(shown, "orbit", orbit) && good;
+    good = set(shown, "period", write_ball(result->period, digits)) && good;
+    good = set(shown, "determinant", write_ball(result->determinant, digits)) && good;
+    good = set(shown, "determinant_of_matrix", write_ball(result->matrix_determinant, digits)) && good;
+    good = set(shown, "trace", write_ball(result->trace, digits)) && good;
+    good = set(shown, "multipliers", multipliers) && good;
+    good = set(shown, "conditions", write_conditions(result->least, given->question.descriptor)) && good;
+    good = set(shown, "claims", claims_of(given, with_reversor)) && good;
+    if (good) return shown;
+    json_decref(shown);
+    return NULL;
+}
+
+json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given)
+{
+    json_t *shown = jlt_shown_cycle(&result->saddle, given, true), *part = json_object();
+    bool good = set(part, "start", write_ball(result->start, given->question.digits));
+
+    good = set(part, "first", point_of(result->solution, given)) && good;
+    good = set(part, "point", states_of(result->point, given)) && good;
+    good = set(part, "tangent", states_of(result->tangent, given)) && good;
+    good = set(part, "conditions", write_conditions(result->least, given->question.descriptor)) && good;
+    good = shown != NULL && set(shown, "homoclinic", part) && good;
+    if (good) return shown;
+    json_decref(shown);
+    return NULL;
+}

@@ -1,0 +1,15 @@
+/** What was proved, as certificates say it: balls as {"middle": DECIMAL, "radius": DECIMAL} that contain what was enclosed. */
+#ifndef JLT_VALIDATED_SHOWN_H
+#define JLT_VALIDATED_SHOWN_H
+
+#include "validated/given.h"
+#include "validated/homoclinic.h"
+
+/** A new reference, NULL when memory is out. with_reversor: the theorem rests on the table's reversor too. */
+json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, bool with_reversor);
+
+/** The same of the saddle, with "homoclinic": "start", the distance along the frame's first direction at which the orbit begins,
+ *  "first", its point there, "point", the symmetric one, "tangent" of the unstable manifold there, "conditions" on the way. */
+json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given);
+
+#endif
