@@ -29,7 +29,7 @@ static json_t *lower_bound(const arf_t bound)
     arb_t read;
 
     arb_init(read);
-    for (unsigned i = 0; i < 3; i++) { /* five digits, lowered until they are below */
+    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are below: at most a unit of the last, 1e-4 of the value */
         snprintf(text, sizeof text, "%.5g", value);
         arb_set_str(read, text, 64);
         arb_get_lbound_arf(arb_midref(read), read, 64);
