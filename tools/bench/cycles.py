@@ -142,4 +142,5 @@ def main():
                 tell(branch, "AUTO-07p", f"NCOL {mesh[1]}", f"{1 / mesh[0]:.4g}", with_auto(folder, branch, mesh, repeats))
 
 
-main()
+if __name__ == "__main__":
+    main()
