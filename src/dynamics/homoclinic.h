@@ -20,7 +20,7 @@ typedef struct {
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that crossings
  *  come in pairs, of which one is refined; fine, maps of the branches' section; coarse, such of ten times the tolerance, from which
  *  angle_error is found.
- *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 20 branch points a crossing that is
+ *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 24 branch points a crossing that is
  *  refined, all crossings at once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,
