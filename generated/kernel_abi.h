@@ -112,8 +112,8 @@ typedef struct {
 
 enum { JLT_ISA_COUNT = 3 };
 
-/* The batched kernels called `name`, of every instruction set; with JLT_LANES_ALONE defined, as 2, 4 or 8, of that with so many lanes:
- * the other files batch_*.c are then not needed. */
+/* The batched kernels called `name`, of every instruction set; with JLT_LANES_ALONE defined, as 2, 4 or 8, of that with so many
+ * lanes: the other files batch_*.c are then not needed. */
 #ifndef JLT_LANES_ALONE
 #define JLT_BATCHES(name) &name##_baseline, &name##_avx2, &name##_avx512
 #elif JLT_LANES_ALONE == 2

@@ -22,8 +22,8 @@ char *ttc_cache_path(const ttc_cache *cache, const char *key);
 /** Append to an object the digest of what it holds, by which the next function knows that it is whole. False: errno says why. */
 bool ttc_cache_seal(const char *path);
 
-/** Whether there is such an entry, the user's own, writable by nobody else, and as it was sealed: what a full disk or a crash cut off
- *  would end whoever loads it. It is then marked as used. Cost: the file is read. */
+/** Whether there is such an entry, the user's own, writable by nobody else, and as it was sealed: what a full disk or a crash
+ *  cut off would end whoever loads it. It is then marked as used. Cost: the file is read. */
 bool ttc_cache_has(const char *path);
 
 /** Wait until no other process makes an entry of this key. False: the lock cannot be had, errno says why. */

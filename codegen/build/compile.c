@@ -19,8 +19,8 @@
 static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off" };
 static const char without_lanes[] = "-DJLT_WITHOUT_LANES";
 
-/* The file of one instruction set, what it is compiled with, and what tells the others that it is the only one. Its caller knows whether
- * the processor has the set. */
+/* The file of one instruction set, what it is compiled with, and what tells the others that it is the only one. Its caller
+ * knows whether the processor has the set. */
 typedef struct {
     unsigned lanes;
     const char *file, *alone;
@@ -148,7 +148,8 @@ static bool list_folder(file_list *list, const char *folder, bool into, const la
         ok = path != NULL && stat(path, &kind) == 0;
         if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, set, balls);
         else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
-                 && (!holds_lanes(path) || (set != NULL && strcmp(entry->d_name, set->file) == 0)) && (balls || strstr(entry->d_name, "ball") == NULL)) {
+                 && (!holds_lanes(path) || (set != NULL && strcmp(entry->d_name, set->file) == 0))
+                 && (balls || strstr(entry->d_name, "ball") == NULL)) {
             ok = add_file(list, path);
             path = NULL;
         }

@@ -11,8 +11,8 @@ char *ttc_compiler_find(void);
 void ttc_compiler_add_flags(ttc_text *text, unsigned lanes);
 
 /** Compile the .c files of `folder` and of its subfolders, as many at once as there are processors, and link them to the shared
- *  object `target`. lanes: 2, 4 or 8: kernels on vectors of so many numbers as well, for the instruction set that has them; 0: none. The
- *  compiler's words go to stderr; no shell sees any name. False: it failed, and they say why. */
+ *  object `target`. lanes: 2, 4 or 8: kernels on vectors of so many numbers as well, for the instruction set that has them; 0:
+ *  none. The compiler's words go to stderr; no shell sees any name. False: it failed, and they say why. */
 bool ttc_compile_folder(const char *compiler, const char *folder, unsigned lanes, const char *target);
 
 #endif

@@ -77,7 +77,8 @@ static int make(ttc_cache *cache, const char *key, const char *path, const char 
     int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate(&generate);
     if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, options->lanes, object.bytes))
         status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
-    if (status == TTC_EXIT_DONE && (!ttc_cache_seal(object.bytes) || chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
+    if (status == TTC_EXIT_DONE
+        && (!ttc_cache_seal(object.bytes) || chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
         status = fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
     ttc_text_clear(&object);
     ttc_cache_clear_workshop(workshop);

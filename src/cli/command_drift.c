@@ -298,7 +298,8 @@ static void write_header(const report *r, const options *o)
     FILE *file = r->file;
 
     if (r->whole.instance != NULL) {
-        double levels[JLT_CHART_VALUES_MAX], *params = jlt_common_steady(&o->motion.common, r->whole.instance->descriptor, r->whole.instance->params);
+        const jlt_instance *whole = r->whole.instance;
+        double levels[JLT_CHART_VALUES_MAX], *params = jlt_common_steady(&o->motion.common, whole->descriptor, whole->params);
         if (params == NULL) return;
         for (unsigned k = 0; k < r->drift.count; k++)
             levels[k] = jlt_common_runs(&o->motion.common, r->names[k]) ? NAN : r->drift.system->values[surface->params + k];

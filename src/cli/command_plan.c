@@ -142,5 +142,6 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_plan = {
-    "plan", "[SCENE [--set PARAM=VALUE,...]]|COMMAND OPTION...", "Which model a command gets, or each part of a scene, and why", run, NULL
+    "plan", "[SCENE [--set PARAM=VALUE,...]]|COMMAND OPTION...",
+    "Which model a command gets, or each part of a scene, and why", run, NULL
 };

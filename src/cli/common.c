@@ -110,7 +110,8 @@ const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NU
 
 void jlt_common_begin(jlt_common *self, int argc, char **argv)
 {
-    *self = (jlt_common){ .command = jlt_command_line(argc, argv), .argv = malloc(((size_t)argc + 1) * sizeof *argv), .argc = argc };
+    *self = (jlt_common){ .command = jlt_command_line(argc, argv), .argc = argc };
+    self->argv = malloc(((size_t)argc + 1) * sizeof *argv);
     if (self->argv == NULL) self->argc = 0;
     else memcpy(self->argv, argv, (size_t)argc * sizeof *argv);
     jlt_look_default(&self->look);

@@ -29,7 +29,8 @@ jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set)
     for (size_t i = 0; i < set->count; i++) {
         const jlt_status st = jlt_scene_set(scene, set->items[i].name, set->items[i].fraction);
         if (st == JLT_ERR_ARG)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", scene->file, set->items[i].name);
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set: no command of %s has a parameter '%s'", scene->file,
+                                    set->items[i].name);
         if (st != JLT_OK) return jlt_command_no_memory();
     }
     return JLT_EXIT_DONE;

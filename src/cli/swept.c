@@ -14,8 +14,8 @@ enum { SWEEP = 2900 };
 
 static const struct argp_option option_table[] = {
     { "sweep", SWEEP, "PARAM|LEVEL=LOW:HIGH:COUNT,...", 0,
-      "All this at every point of a grid in these, whose values stand first in each row; the picture is then of a column over another "
-      "one, by default over the first of these", 10 },
+      "All this at every point of a grid in these, whose values stand first in each row; the picture is then of a column over "
+      "another one, by default over the first of these", 10 },
     { 0 },
 };
 
@@ -45,7 +45,8 @@ typedef struct {
 
 /* ---- the command line of a point ---- */
 
-/* The option that gives axes which are parameters their values, or those which are not; *is_empty: there are none. NULL: no memory. */
+/* The option that gives axes which are parameters their values, or those which are not; *is_empty: there are none. NULL: no
+ * memory. */
 static char *assignments(bool *is_empty, const sweep *self, const double *values, bool params)
 {
     char digits[JLT_DIGITS_SIZE], *text = NULL;
@@ -130,14 +131,16 @@ static jlt_exit open_sweep(sweep *self)
     const jlt_common *common = self->common;
     jlt_exit code = jlt_common_model(common, &self->model);
 
-    if (code == JLT_EXIT_DONE) code = jlt_grid_parse(self->rows.axes, &self->rows.count, JLT_SWEPT_AXES_MAX, common->sweep, "--sweep");
+    if (code == JLT_EXIT_DONE)
+        code = jlt_grid_parse(self->rows.axes, &self->rows.count, JLT_SWEPT_AXES_MAX, common->sweep, "--sweep");
     if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->all, self->rows.axes, self->rows.count, common->sweep, "--sweep");
     if (code != JLT_EXIT_DONE) return code;
     if (self->rows.count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
     for (size_t k = 0; k < self->rows.count; k++) {
         if (self->form->has_levels || jlt_descriptor_param(self->model, self->rows.axes[k].name, &(size_t){ 0 })) continue;
         fprintf(stderr, "jellett: --sweep: %s has no parameter '%s'; there are", self->model->model, self->rows.axes[k].name);
-        for (unsigned i = 0; i < self->model->param_count; i++) fprintf(stderr, "%s %s", i > 0 ? "," : "", self->model->params[i].name);
+        for (unsigned i = 0; i < self->model->param_count; i++)
+            fprintf(stderr, "%s %s", i > 0 ? "," : "", self->model->params[i].name);
         fputs(self->model->param_count == 0 ? " none\n" : "\n", stderr);
         return JLT_EXIT_INPUT;
     }
@@ -174,10 +177,12 @@ static jlt_exit compute_all(sweep *self)
     jlt_progress_end(&progress);
     jlt_worker_close(&self->worker);
     if (code == JLT_EXIT_DONE) code = jlt_swept_rows_finish(&self->rows);
-    if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0) code = self->lost > 0 ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+    if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0)
+        code = self->lost > 0 ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     if (code != JLT_EXIT_DONE || self->rows.names == NULL) return code;
     code = jlt_common_save(self->common);
-    if (code == JLT_EXIT_DONE && *interrupt != 0) fprintf(stderr, "jellett: interrupted; whole points are saved in %s\n", self->common->table.path);
+    if (code == JLT_EXIT_DONE && *interrupt != 0)
+        fprintf(stderr, "jellett: interrupted; whole points are saved in %s\n", self->common->table.path);
     else if (code == JLT_EXIT_DONE && self->common->plot != NULL) code = jlt_swept_rows_draw(&self->rows);
     if (code == JLT_EXIT_DONE && self->lost > 0) code = JLT_EXIT_NUMERICAL;
     return code == JLT_EXIT_DONE ? self->worst : code;

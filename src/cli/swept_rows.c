@@ -17,7 +17,8 @@ void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *
     jlt_grid_point(values, self->axes, self->count, point);
     text[0] = '\0';
     for (size_t k = 0; k < self->count && used < JLT_SWEPT_PLACE_MAX; k++)
-        used += (size_t)snprintf(text + used, JLT_SWEPT_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->axes[k].name, values[k]);
+        used += (size_t)snprintf(text + used, JLT_SWEPT_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->axes[k].name,
+                                 values[k]);
 }
 
 /* The length of the line that begins here, without its end; *next: the one behind it, NULL for none. */
@@ -72,7 +73,8 @@ typedef struct {
 } column_map;
 
 /* Say what is missing of one list of names in the other; returns how many. */
-static unsigned tell_missing(const char *where, char *const *names, unsigned count, char *const *others, unsigned other_count, const char *ending)
+static unsigned tell_missing(const char *where, char *const *names, unsigned count, char *const *others, unsigned other_count,
+                             const char *ending)
 {
     unsigned missing = 0;
 
@@ -179,7 +181,8 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
     }
     for (const char *next; text != NULL && *text != '\0'; text = next) {
         const size_t length = line_at(text, &next);
-        if (*text == '#' && !has_line(self->header, text, length)) fprintf(file, "# at %s:%.*s\n", where, (int)length - 1, text + 1);
+        if (*text == '#' && !has_line(self->header, text, length))
+            fprintf(file, "# at %s:%.*s\n", where, (int)length - 1, text + 1);
         if (*text == '#' || text == names) continue;
         char *row = row_of(&map, values, text, length);
         if (row == NULL) return jlt_command_no_memory();
@@ -274,7 +277,8 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
     jlt_plot_block(&plot, "POINTS", self->common->drawn);
     jlt_plot_words(&plot, "%s", self->what);
     for (unsigned k = 0; k < 2; k++) {
-        jlt_look_label(label, self->shown[k] < self->count ? self->axes[self->shown[k]].name : columns[self->shown[k] - self->count], "");
+        const unsigned column = self->shown[k];
+        jlt_look_label(label, column < self->count ? self->axes[column].name : columns[column - self->count], "");
         jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, JLT_EXTENT_OPEN, 0);
     }
     fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);

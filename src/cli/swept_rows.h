@@ -27,8 +27,9 @@ typedef struct {
 /** "k=0.1, E=2", for messages. */
 void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point);
 
-/** What the command wrote at a point: comments, names of columns, rows; "" is nothing. Comments of this point alone stay with its rows.
- *  Columns that the first point had not are left out, and those that this one has not are empty; says so. Says what is wrong. */
+/** What the command wrote at a point: comments, names of columns, rows; "" is nothing. Comments of this point alone stay with
+ *  its rows. Columns that the first point had not are left out, and those that this one has not are empty; says so. Says what
+ *  is wrong. */
 jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text);
 
 /** After all points. */

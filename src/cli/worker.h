@@ -1,5 +1,5 @@
-/** Computes pieces of work, command lines, one after the other in a process of its own, and takes what they write: whatever ends that
- *  process leaves this one alone, and it is begun again. */
+/** Computes pieces of work, command lines, one after the other in a process of its own, and takes what they write: whatever
+ *  ends that process leaves this one alone, and it is begun again. */
 #ifndef JLT_CLI_WORKER_H
 #define JLT_CLI_WORKER_H
 

@@ -9,7 +9,8 @@ static bool runs(unsigned lanes)
 #if defined(JLT_HAVE_X86)
     __builtin_cpu_init();
     if (lanes == 4) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (lanes == 8) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    if (lanes == 8)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 #endif
     return false;
 }
