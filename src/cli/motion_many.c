@@ -58,7 +58,7 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
     code = jlt_common_project(d);
     if (code == JLT_EXIT_DONE && d->integral_count == JLT_INVARIANTS_MAX)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals, of which lanes serve fewer", d->model, d->integral_count);
-    batch_options->project = d->integral_count;
+    batch_options->project = system->instance;
     return code;
 }
 

@@ -19,7 +19,7 @@
 
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
-    unsigned project; /* integrals of the kernels, and the relation of a root, that lanes restore at crossings; 0: none */
+    const jlt_instance *project; /* the flow's: its integrals, and the relation of a root, are restored by lanes at crossings; NULL: not */
     bool backwards;   /* in time */
     bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
     /* Told how many returns have been made since the run began, by all threads; NULL: nobody. */

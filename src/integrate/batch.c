@@ -34,7 +34,9 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
         !(map->tolerance < 1) || map->kernels == NULL ||
         map->tangents > JLT_BATCH_COLUMNS_MAX || jlt_batch_columns(map) > JLT_BATCH_COLUMNS_MAX ||
         (map->watch != NULL && (map->watch->count == 0 || map->watch->count > JLT_BATCH_CONDITIONS_MAX)) ||
-        (map->project > 0 && (map->tangents > 0 || map->kernels->integral_gradients == NULL || map->project >= JLT_INVARIANTS_MAX)))
+        (map->project != NULL && (map->tangents > 0 || map->kernels->integral_gradients == NULL ||
+                                  map->project->descriptor->integral_count >= JLT_INVARIANTS_MAX ||
+                                  map->project->descriptor->lifted_count != (map->root >= 0))))
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;
     size_t steps = 0, rejected = 0, stages = 0;

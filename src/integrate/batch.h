@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include "integrate/field.h"
+#include "kernel/instance.h"
 
 enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
@@ -56,9 +57,9 @@ typedef struct {
     double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
-    unsigned project;                /* integrals of the kernels: after every step that crosses the section, unless that would
-                                        lead back across it, orbits are put back onto their starts' levels of these and, with
-                                        a root r, of x[0]^2 + r^2; 0: not */
+    const jlt_instance *project;     /* what the kernels belong to: after every step that crosses the section, unless that would lead
+                                        back across it, orbits are put back onto their starts' levels of its integrals and, with a
+                                        root, of root^2 - radicand; NULL: not */
     const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries more: the least value of the conditions at
                                         the ends of all the orbit's steps so far, that over the section with them, and whose it is */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step, orbits under way without their end; NULL: none */

@@ -88,8 +88,9 @@ static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned proj
 
     assert_true(d->prepared_count <= 256 && d->param_count == 7 && d->state_count == STATES);
     d->prepare(params, block);
+    const jlt_instance instance = { .descriptor = d, .params = params, .prepared = block };
     const jlt_batch_map map = { .kernels = kernels, .p = block, .dim = STATES, .column = 2, .direction = 1, .root = 4,
-                                .root_floor = 1e-9, .tolerance = tolerance, .threads = threads, .project = project,
+                                .root_floor = 1e-9, .tolerance = tolerance, .threads = threads, .project = project ? &instance : NULL,
                                 .max_steps = 300 /* of a return: all of an orbit take more at the last tolerance */ };
     out->rows = 0;
     assert_int_equal(jlt_batch_section(&map, starts, count, RETURNS, keep, keep_last, out, NULL), JLT_OK);

@@ -134,7 +134,7 @@ static void batched(trial *t, const jlt_system *system, const family *f, int ret
     jlt_section_batch *batch = NULL;
     const bool project = jlt_random_below(&t->random, 3) == 0;
     const size_t mine = jlt_random_below(&t->random, LANES);
-    const jlt_section_batch_options options = { .project = project ? system->instance->descriptor->integral_count : 0 };
+    const jlt_section_batch_options options = { .project = project ? system->instance : NULL };
     double q[LANES][2], row[ROW_SIZE];
     jlt_return at;
 

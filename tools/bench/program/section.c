@@ -183,7 +183,7 @@ static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const proble
 
     run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->prepared, .dim = dim, .column = (unsigned)p->section, .direction = 1,
                                .root = p->root, .root_floor = 1e-9, .method = method, .tolerance = tolerance, .max_steps = 1000000,
-                               .threads = threads, .project = project ? p->instance->descriptor->integral_count : 0 };
+                               .threads = threads, .project = project ? p->instance : NULL };
     run.starts = calloc(p->orbits, dim * sizeof *run.starts);
     run.by_orbit = calloc(p->orbits, sizeof *run.by_orbit);
     run.made = calloc(p->orbits, sizeof *run.made);
