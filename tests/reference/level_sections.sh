@@ -82,6 +82,15 @@ drift() { jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0.05,
 loose=$(drift) projected=$(drift --project)
 awk -v a="$loose" -v b="$projected" 'BEGIN { exit !(b < 1e-9 && a > 20*b) }' || fail "--project: drift $projected, without it $loose"
 
+# Lanes put orbits back onto the relation of the lifted root that the table says, whatever the order of its states.
+mkdir turned && cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt turned
+awk '/^state gamma3/ { held = $0; next } { print } /^state v_nu/ { print held }' "$JLT_SOURCE_DIR/codegen/models/spherical_top_level.tt" > turned/spherical_top_level.tt
+grid=(--grid eta=0.40:0.48:3,gamma3=-0.635:-0.605:3 --returns 10 --project)
+(cd turned && jellett section ./spherical_top_level.tt "${grid[@]}" -o rows.csv 2> log) || fail "states in another order: $(cat turned/log)"
+jellett section spherical_top_level "${grid[@]}" -o rows.csv 2> log || fail "--project: $(cat log)"
+paste -d, rows.csv turned/rows.csv | awk -F, '/^[0-9]/ { n++; bad += ($4 - $13)^2 + ($5 - $14)^2 > 1e-20 || $9 != $18 } END { exit !(n == 99 && !bad) }' ||
+    fail "states in another order are put back elsewhere: $(tail -1 rows.csv) $(tail -1 turned/rows.csv)"
+
 # Refused by name.
 section=(jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0)
 expect 3 "henon_heiles claims no integral 'L'; it has E" "${section[@]}" --level L=1 --solve px=1
