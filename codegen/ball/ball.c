@@ -265,14 +265,20 @@ bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
         out->rest = arf_get_d(rest, ARF_RND_NEAR);
     }
     out->radius = mag_get_d(arb_radref(enclosure));
-    out->rounding = radius_of(ball, ROUNDED, id);
-    out->plain_rounding = radius_of(ball, PLAIN, id);
     arf_clear(value);
     arf_clear(rest);
     if (ball->precision != FIRST_PRECISION) {
         ball->precision = FIRST_PRECISION;
         memset(ball->balls[FULL].state, UNKNOWN, ball->balls[FULL].size);
     }
+    return true;
+}
+
+bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
+{
+    if (!ttc_ball_enclose(out, ball, id)) return false;
+    out->rounding = radius_of(ball, ROUNDED, id);
+    out->plain_rounding = radius_of(ball, PLAIN, id);
     return true;
 }
 

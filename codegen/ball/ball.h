@@ -15,6 +15,7 @@ typedef struct ttc_ball ttc_ball;
 typedef struct {
     double value, rest; /* the enclosure's midpoint is value + rest to 106 bits, value being its nearest double */
     double radius;      /* of the enclosure around value + rest */
+    /* these two by ttc_ball_estimate alone */
     double rounding;    /* radius in 53-bit balls, roots rounded once: kernels factor their radicands */
     double plain_rounding; /* radius in 53-bit balls throughout, radicands as written, values rounded once: what is multiplied
                             * out by other arithmetic rounds every product of them */
@@ -38,6 +39,9 @@ void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id);
  *  number); out is then untouched. Values beyond the doubles give infinities. Cost: one visit a node, remembered until a
  *  value changes. */
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
+
+/** The same with the rounding errors to expect of doubles, at three times the cost. */
+bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
 /** Exact sign (-1, 0, 1), in rational arithmetic. False when a root on the way is irrational, another function or pi is met,
  *  a symbol has no value, or a denominator vanishes. */

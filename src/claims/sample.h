@@ -31,7 +31,7 @@ void jlt_sample_subject_clear(jlt_sample_subject *subject);
 /* Sample number `number` inside the domain: moderate and extreme ones in turn. False when none comes up. */
 bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number);
 
-/** Enclose everything there. Errors: those of jlt_oracle_enclose. */
+/** Enclose everything there. Errors: those of jlt_oracle_estimate. */
 JLT_CHECKED jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run,
                                                  const jlt_sample_subject *subject);
 

@@ -118,6 +118,13 @@ jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_
     return JLT_OK;
 }
 
+jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!ttc_ball_estimate(&out[i], oracle->ball, ids[i])) return JLT_ERR_DOMAIN;
+    return JLT_OK;
+}
+
 jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
                                       const jlt_named *integrals, size_t count)
 {

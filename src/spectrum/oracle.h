@@ -30,6 +30,9 @@ void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const char *cons
 /** Enclose `count` expressions. Errors: DOMAIN when one has no finite enclosure. Out: shape (count,). */
 JLT_CHECKED jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);
 
+/** The same with the rounding errors to expect of doubles. */
+JLT_CHECKED jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);
+
 /** Bounds on the errors of integrals' gradients against the exact ones, at the values set.
  *  Out: errors, shape (count, n). In: gradients, shape (count, n), as computed; integrals, their names. Errors: DOMAIN,
  *  UNSUPPORTED (a name that is no claim), NONFINITE. */

@@ -67,7 +67,7 @@ static void enclosures_hold_what_long_double_computes(void **unused)
                     ttc_ball_set(f.ball, f.y, y));
         for (size_t i = 0; i < 2; i++) {
             ttc_enclosure e;
-            assert_true(ttc_ball_enclose(&e, f.ball, ttc_model_field(f.model, i)));
+            assert_true(ttc_ball_estimate(&e, f.ball, ttc_model_field(f.model, i)));
             const long double off = fabsl((long double)e.value + e.rest - expected[i]);
             assert_true(off <= e.radius + 16 * LDBL_EPSILON * size[i]);
             assert_true(e.radius <= 1e-30 * (double)size[i]);
@@ -105,11 +105,11 @@ static void rational_points_are_exact(void **unused)
     {
         ttc_enclosure e = { 7, 7, 7, 7, 7 };
         assert_true(ttc_ball_set_fraction(f.ball, f.x, "1"));
-        assert_false(ttc_ball_enclose(&e, f.ball, ttc_model_field(f.model, 1)));
+        assert_false(ttc_ball_estimate(&e, f.ball, ttc_model_field(f.model, 1)));
         assert_true(ttc_ball_set_fraction(f.ball, f.x, "2"));
-        assert_false(ttc_ball_enclose(&e, f.ball, ttc_model_field(f.model, 0)));
+        assert_false(ttc_ball_estimate(&e, f.ball, ttc_model_field(f.model, 0)));
         ttc_ball_bind(f.ball, f.x, f.model->symbols[f.x].node);
-        assert_false(ttc_ball_enclose(&e, f.ball, ttc_model_field(f.model, 0)));
+        assert_false(ttc_ball_estimate(&e, f.ball, ttc_model_field(f.model, 0)));
         assert_true(e.value == 7);
     }
     assert_false(ttc_ball_set(f.ball, f.x, NAN));
@@ -130,7 +130,7 @@ static void running_errors_know_where_digits_are_lost(void **unused)
     assert_true(ttc_model_find_symbol(f.model, "s", &s));
     for (int exponent = 2; exponent <= 14; exponent += 2) {
         assert_true(ttc_ball_set(f.ball, f.x, 1.0 - pow(10.0, -exponent)));
-        assert_true(ttc_ball_enclose(&e, f.ball, f.model->symbols[s].node));
+        assert_true(ttc_ball_estimate(&e, f.ball, f.model->symbols[s].node));
         assert_below(e.rounding, 4 * DBL_EPSILON * e.value);
         assert_true(e.plain_rounding > 0.01 * DBL_EPSILON * pow(10.0, exponent) * e.value);
     }
@@ -168,7 +168,7 @@ static void functions_are_enclosed(void **unused)
         for (int i = 0; i < 5; i++) {
             ttc_enclosure e;
             assert_true(ttc_model_find_symbol(model, names[i], &symbol));
-            assert_true(ttc_ball_enclose(&e, ball, model->symbols[symbol].node));
+            assert_true(ttc_ball_estimate(&e, ball, model->symbols[symbol].node));
             const long double size = 1 + fabsl(turn) + fabsl(expected[i]) + square + kv;
             assert_true(fabsl((long double)e.value + e.rest - expected[i]) <= e.radius + 4 * LDBL_EPSILON * size);
             assert_true(e.radius <= 1e-30 * (double)size);
@@ -191,13 +191,13 @@ static void an_enclosure_is_that_of_a_new_ball_whatever_went_before(void **unuse
         ttc_enclosure ignored, one, other;
         assert_true(ttc_ball_set(used.ball, used.p, 1.3) && ttc_ball_set(used.ball, used.q, 0.7) && ttc_ball_set(used.ball, used.y, -2.1));
         assert_true(ttc_ball_set(used.ball, used.x, before[k]));
-        assert_int_equal(ttc_ball_enclose(&ignored, used.ball, ttc_model_field(used.model, 1)), fabs(before[k]) < 1.0);
+        assert_int_equal(ttc_ball_estimate(&ignored, used.ball, ttc_model_field(used.model, 1)), fabs(before[k]) < 1.0);
         assert_true(ttc_ball_set(used.ball, used.x, 0.3));
         assert_true(ttc_ball_set(fresh.ball, fresh.p, 1.3) && ttc_ball_set(fresh.ball, fresh.q, 0.7) &&
                     ttc_ball_set(fresh.ball, fresh.y, -2.1) && ttc_ball_set(fresh.ball, fresh.x, 0.3));
         for (size_t i = 0; i < 2; i++) {
-            assert_true(ttc_ball_enclose(&one, used.ball, ttc_model_field(used.model, i)));
-            assert_true(ttc_ball_enclose(&other, fresh.ball, ttc_model_field(fresh.model, i)));
+            assert_true(ttc_ball_estimate(&one, used.ball, ttc_model_field(used.model, i)));
+            assert_true(ttc_ball_estimate(&other, fresh.ball, ttc_model_field(fresh.model, i)));
             assert_true(one.value == other.value && one.rest == other.rest && one.radius == other.radius);
             assert_true(one.rounding == other.rounding && one.plain_rounding == other.plain_rounding);
             assert_true(one.radius > 0.0);
