@@ -257,7 +257,22 @@ set xlabel 'error, relative or of 1'
 set ylabel 'time of the process [µs]'"""
     panels = [(panel, colours, "") for group in groups for panel, colours, _ in
               work_panels([row for row in rows if row["question"] == group[0]], "error", [group], 0.5, ("us_per_answer", "us_least", "us_largest"))]
-    draw_panels(f"{results}/cycles", kind, (1900, 1000), "2,4", "Periodic orbits followed in a parameter: jellett and AUTO-07p", settings, panels)
+    draw_panels(f"{results}/cycles", kind, (2400, 1100), "2,4", "Periodic orbits followed in a parameter: jellett and AUTO-07p", settings, panels)
+
+
+def fates(results, kind):
+    rows = read(f"{results}/fates.csv")
+    if not rows:
+        return
+    settings = AXES + """
+set xrange [10:1e-15]
+set yrange [10:100000]
+set xlabel 'error of the time at a pole that nine of ten orbits keep'
+set ylabel 'time per orbit [µs]'"""
+    for row in rows:  # of 600 orbits, that many have a wrong fate: none is lost
+        row["failed"] = "0"
+    panels = work_panels(rows, "error", [("600 orbits of the whole section", lambda row: True)], 1, ("us_per_orbit", "us_least", "us_largest"))
+    draw_panels(f"{results}/fates", kind, (800, 700), "1,1", "How orbits of (5.1) end within ten returns", settings, panels)
 
 
 def spread_panels(rows, time, least):
@@ -330,6 +345,7 @@ def main():
     drift(results, kind)
     slope(results, kind)
     cycles(results, kind)
+    fates(results, kind)
     spreads(results, kind, "jacobian", "Jacobian of (3.2) at 256 points, against ball arithmetic", "ns_per_jacobian", "ns per Jacobian",
             "1e-17:100", "3:3000", "1,2", (1300, 560), {"generic": "generic points", "near_pole": "near a pole: 1 - γ_3 from 10^{-10} to 10^{-2}"})
     spreads(results, kind, "eigenvalues", "Eigenvalues at fixed points (4.4), the matrix being given", "ns_per_matrix", "ns per matrix",

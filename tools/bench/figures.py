@@ -139,6 +139,20 @@ def cycles():
                  "ratio at AUTO's own error"), rows)
 
 
+def fates():
+    rows = read("fates")
+    mine, peers = [row for row in rows if row["program"] == "jellett"], [row for row in rows if row["program"] != "jellett"]
+    cells = []
+    for error in (1e-4, 1e-7, 1e-10):
+        fit = [row for row in peers if row["error"] and float(row["error"]) <= error]
+        peer = min(fit, key=lambda row: float(row[TIME]), default=None)
+        ours = min((row for row in mine if float(row["error"]) <= (float(peer["error"]) if peer else error)), key=lambda row: float(row[TIME]), default=None)
+        if peer and ours:
+            cells.append((f"{error:g}", *(f"{float(row[TIME]):.1f} at {float(row['error']):.1e}, {row['failed']} wrong" for row in (peer, ours)),
+                          f"{float(peer[TIME]) / float(ours[TIME]):.1f}"))
+    return table("How orbits end within ten returns, us an orbit", ("error at most", "heyoka, events", "jellett fates, one thread", "ratio"), cells)
+
+
 def kernels():
     rows = read("kernels")
     codes = list(dict.fromkeys(row["code"] for row in rows))
@@ -151,7 +165,7 @@ def kernels():
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), cycles(), tiers()] if part))
+    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), cycles(), fates(), tiers()] if part))
 
 
 main()

@@ -5,7 +5,8 @@ usage: heyoka_fates.py reference STARTS.csv               in quadruple precision
 
 STARTS.csv: eta, gamma3, v_nu, omega_n, omega3 of points of the section. Form level with 1/s lifted away and time among the states: a pole is
 where s falls to 1e-8, and what is left of the time is s/(gamma3 omega_tau), to s^2 of itself. One orbit at a time, since a batch goes
-on until its last orbit has ended; heyoka's events, and its propagation until one of them says stop. Compilation is not counted."""
+on until its last orbit has ended; heyoka's events, and its propagation until one of them says stop. Compilation is not counted. Starts
+are doubles here, which an error of 1e-16 tells apart from those that jellett lifts from eta and gamma3."""
 import sys
 import time
 
@@ -52,7 +53,8 @@ class Followed:
 
 
 def read(path):
-    return np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="utf-8")
+    with open(path, encoding="utf-8") as file:
+        return np.genfromtxt((line for line in file if not line.startswith("#")), delimiter=",", names=True, dtype=None, encoding="utf-8")
 
 
 def starts_of(data, kind):
