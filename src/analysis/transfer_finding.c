@@ -19,7 +19,7 @@ static void tell(jlt_transfer_finding *out, const jlt_transfer *transfer, const 
     const double lambda = s->re[s->leading_index], lost = jlt_transfer_spectrum_losses(out->lost, transfer, s->leading);
 
     out->multiplicity = jlt_transfer_spectrum_multiplicity(s, same_eigenvalue);
-    out->escape = lost > 0 ? -log(lambda) : 0;
+    out->escape = lost > 0 && lambda < 1 ? -log(lambda) : 0;
     out->balance = fabs(1 - lambda - lost);
     out->time = jlt_transfer_spectrum_time(transfer, s->leading);
     if (jlt_transfer_section_mirror(work, transfer, s->leading, chart))

@@ -73,7 +73,7 @@ static double *scaled(const double *v, size_t n, double *negative)
         if (v[i] > 0) plus += v[i];
         else minus -= v[i];
     }
-    for (size_t i = 0; i < n; i++) copy[i] = v[i] / (plus >= minus ? plus + minus : -(plus + minus));
+    for (size_t i = 0; i < n; i++) copy[i] = v[i] / (plus >= minus ? plus + minus : -(plus + minus)) + 0.0; /* no -0 */
     *negative = fmin(plus, minus) / (plus + minus);
     return copy;
 }
@@ -84,7 +84,7 @@ static double *positive(const double *v, size_t n, double *negative)
 {
     double *copy = scaled(v, n, negative);
 
-    for (size_t i = 0; copy != NULL && *negative > rounding && i < n; i++) copy[i] = fabs(copy[i]);
+    for (size_t i = 0; copy != NULL && i < n; i++) copy[i] = *negative > rounding ? fabs(copy[i]) : copy[i] > 0 ? copy[i] : 0;
     return copy;
 }
 

@@ -185,7 +185,7 @@ static void write_spectrum(FILE *stream, const jlt_transfer_report *r, const jlt
     fprintf(stream, " (balance %.2g)\n", f->balance);
     if (!isnan(f->asymmetry))
         fprintf(stream, "jellett:   distance to the mirror image, which stays under the inverse map: %.6g\n", f->asymmetry);
-    if (s->second != NULL)
+    if (s->second != NULL && fmin(f->set_mass[0], f->set_mass[1]) > 1e-12)
         fprintf(stream, "jellett:   sets by the sign of the eigenvector of %.10g: of mass %.4g, kept %.6g; of mass %.4g, "
                         "kept %.6g\n",
                 s->re[s->second_index], f->set_mass[0], f->set_kept[0], f->set_mass[1], f->set_kept[1]);
