@@ -147,6 +147,9 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 what, jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
         return jlt_motion_refuse_point(system, what);
+    if (status == JLT_ERR_DOMAIN && system != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the map has no derivative there: the orbit crosses the section the other way "
+                                "(--direction), leaves the model's domain, or does not come back", what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
                                 system->instance->descriptor->model);
