@@ -109,7 +109,7 @@ done:
 /* Angles, as far as the table proves them. */
 static jlt_status set_angles(jlt_system *system, const jlt_descriptor *d)
 {
-    double periods[JLT_CHART_STATES_MAX];
+    double periods[JLT_CHART_STATES_MAX] = { 0 }; /* none of a lifted root */
     bool has_angles = false;
     unsigned state;
 

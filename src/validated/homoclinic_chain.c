@@ -72,11 +72,10 @@ static bool surround(jlt_homoclinic_chain *self, arb_ptr y)
         arb_mat_mul(left, slope, away, bits);
         inside = true;
         for (unsigned i = 0, l = 0; i < n; i++) {
-            arb_ptr w = arb_mat_entry(left, l, 0);
             if (jlt_cycle_map_is_kept(self->of, jlt_cycle_map_state(self->of, i), q->kept)) continue;
+            arb_ptr w = arb_mat_entry(left, l++, 0);
             arb_add(w, w, self->saddle + i, bits);
             inside = inside && arb_contains_interior(y + i, w);
-            l++;
         }
         for (unsigned i = 0, l = 0; i < n && !inside; i++) {
             if (jlt_cycle_map_is_kept(self->of, jlt_cycle_map_state(self->of, i), q->kept)) continue;
