@@ -181,7 +181,7 @@ static bool covers(const json_t *said, const json_t *proved)
     }
     if (!json_is_object(said)) return json_equal(said, proved);
     if (json_object_size(said) != json_object_size(proved)) return false;
-    if (json_object_get(said, "middle") != NULL) {
+    if (json_object_get(said, "middle") != NULL && json_object_get(proved, "middle") != NULL) {
         const slong bits = 64 + 4 * (slong)strlen(json_string_value(json_object_get(proved, "middle")));
         arb_t outer, inner;
         arb_init(outer);

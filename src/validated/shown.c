@@ -28,6 +28,7 @@ static json_t *lower_bound(const arf_t bound)
     double value = arf_get_d(bound, ARF_RND_FLOOR);
     arb_t read;
 
+    if (arf_is_nan(bound)) return json_string("-inf");
     arb_init(read);
     for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are below: at most a unit of the last, 1e-4 of the value */
         snprintf(text, sizeof text, "%.5g", value);

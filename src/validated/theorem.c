@@ -122,7 +122,7 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *c
         const char *meaning = "";
         for (unsigned i = 0; i < d->valid_count; i++)
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
-        if (json_string_value(bound)[0] == '-')
+        if (!(strtod(json_string_value(bound), NULL) > 0))
             fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
         else fprintf(out, "%sThe condition %s (%s) holds all along %s: its quantity is above %s.", first ? "" : " ", name, meaning, where,
                      json_string_value(bound));
@@ -187,9 +187,10 @@ static void write_homoclinic(FILE *out, const subject *s)
 {
     const json_t *asked = json_object_get(s->given, "homoclinic"), *found = json_object_get(s->shown, "homoclinic");
 
-    fputs("Through its unstable manifold, within ", out);
+    fputs("In coordinates u, s along the columns of the frame listed under \"homoclinic\" its local unstable manifold is a graph "
+          "s = g(u) over |u| <= ", out);
     write_ball(out, json_object_get(asked, "reach"));
-    fprintf(out, " of it, and in turn through the %zu boxes of the section listed under \"homoclinic\", there is exactly one orbit that "
+    fprintf(out, ". Through that graph, and in turn through the %zu boxes of the section listed there, there is exactly one orbit that "
                  "goes on to meet %s = 0 %s at a point where all states that the reversor flips are 0. It begins at ",
             json_array_size(json_object_get(asked, "legs")), json_string_value(json_object_get(json_object_get(s->given, "section"), "state")),
             json_integer_value(json_object_get(asked, "landing")) > 0 ? "upwards" : "downwards");
@@ -236,7 +237,7 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
     case TRANSVERSAL: write_tangent(out, s); break;
     case WAY:
         write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"), "that orbit from its first point to the "
-                         "symmetric one, hence to its mirror image"); break;
+                         "symmetric one"); break;
     case HORSESHOE:
         fputs("Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return map "
               "with a horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic orbits of "
