@@ -74,13 +74,14 @@ done:
 /* y0, M and M G(y0) are those of the first box for all. */
 typedef struct {
     const jlt_krawczyk *of;
-    arb_ptr middle;
+    arb_ptr middle, between;
     arb_mat_t M, offset, DG, unused;
 } operator;
 
 static void operator_clear(operator *self)
 {
     _arb_vec_clear(self->middle, self->of->n);
+    _arb_vec_clear(self->between, self->of->n);
     arb_mat_clear(self->M);
     arb_mat_clear(self->offset);
     arb_mat_clear(self->DG);
@@ -94,7 +95,7 @@ static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *re
     arb_mat_t G;
     jlt_status st;
 
-    *self = (operator){ .of = of, .middle = _arb_vec_init(n) };
+    *self = (operator){ .of = of, .middle = _arb_vec_init(n), .between = _arb_vec_init(n) };
     arb_mat_init(self->M, n, n);
     arb_mat_init(self->offset, n, 1);
     arb_mat_init(self->DG, n, n);
@@ -116,7 +117,11 @@ static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
 
     arb_mat_init(rest, n, n);
     arb_mat_init(away, n, 1);
-    JLT_TRY(evaluate(self->of, self->unused, self->DG, y));
+    for (slong i = 0; i < n; i++) { /* the mean value is between the middle and y */
+        if (arb_contains(y + i, self->middle + i)) arb_set(self->between + i, y + i);
+        else arb_union(self->between + i, y + i, self->middle + i, bits);
+    }
+    JLT_TRY(evaluate(self->of, self->unused, self->DG, self->between));
     arb_mat_mul(rest, self->M, self->DG, bits);
     arb_mat_neg(rest, rest);
     for (slong i = 0; i < n; i++) {
@@ -169,6 +174,7 @@ jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *ve
         for (slong i = 0; i < n; i++)
             if (!arb_intersection(K + i, K + i, solution + i, self->bits)) *verdict = JLT_KRAWCZYK_CONTRADICTED;
     }
+    st = evaluate(self, op.unused, op.DG, solution); /* for what the caller reads off its functions there */
 done:
     operator_clear(&op);
     _arb_vec_clear(K, n);
