@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Orbits of a table of one's own that leave the interval of a state: where they end, one at a time and in batches.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tables that serve in place of one: all ways to each are tried, and tiers of one name are told apart.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
