@@ -190,3 +190,11 @@ arb_srcptr jlt_jets_output(const jlt_jets *self, unsigned i)
 {
     return series_of(self, ttc_program_output_at(self->program, i));
 }
+
+unsigned jlt_jets_output_length(const jlt_jets *self, unsigned i)
+{
+    const ttc_value value = ttc_program_output_at(self->program, i);
+
+    if (self->series[value]) return self->length - (self->order > 0);
+    return arb_is_zero(at(self, value)) ? 0 : 1;
+}

@@ -24,4 +24,7 @@ void jlt_jets_run(jlt_jets *self, arb_srcptr x, arb_srcptr params, slong bits);
 arb_srcptr jlt_jets_state(const jlt_jets *self, unsigned i);
 arb_srcptr jlt_jets_output(const jlt_jets *self, unsigned i);
 
+/** How many of an output's coefficients are not 0 for every motion: 0, 1, or all of them. */
+unsigned jlt_jets_output_length(const jlt_jets *self, unsigned i);
+
 #endif

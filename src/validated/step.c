@@ -3,7 +3,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PIECES = 16, TRIES = 60 };
+enum {
+    PIECES = 16,
+    TRIES = 60,
+    REST_BITS = 64 /* what only remainders are made of: they are below the tolerance, so that their own digits do not matter */
+};
 
 struct jlt_step {
     const jlt_formulas *of;
@@ -80,10 +84,9 @@ static arb_ptr entry(const jlt_step *self, arb_ptr V, unsigned i, unsigned l)
 }
 
 /* V_(k+1) = (sum over j of Df_j V_(k-j))/(k+1), V_0 = 1, from the series of Df in `jets`. */
-static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets)
+static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets, slong bits)
 {
     const unsigned n = self->of->dim;
-    const slong bits = self->accuracy.bits;
 
     for (unsigned i = 0; i < n; i++)
         for (unsigned l = 0; l < n; l++) arb_set_si(entry(self, V, i, l), i == l);
@@ -92,9 +95,11 @@ static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets)
             for (unsigned l = 0; l < n; l++) {
                 arb_ptr next = entry(self, V, i, l) + k + 1;
                 arb_zero(next);
-                for (unsigned m = 0; m < n; m++)
-                    arb_dot(next, next, 0, jlt_jets_output(jets, jlt_formulas_slope(self->of, i, m)), 1,
-                            entry(self, V, m, l) + k, -1, (slong)k + 1, bits);
+                for (unsigned m = 0; m < n; m++) {
+                    const unsigned slope = jlt_formulas_slope(self->of, i, m), length = jlt_jets_output_length(jets, slope);
+                    arb_dot(next, next, 0, jlt_jets_output(jets, slope), 1, entry(self, V, m, l) + k, -1,
+                            (slong)(length <= k ? length : k + 1), bits);
+                }
                 arb_div_ui(next, next, k + 1, bits);
             }
 }
@@ -189,7 +194,7 @@ static bool enclose(jlt_step *self, const arf_t h)
     mag_mul_2exp_si(more, more, 8 - self->accuracy.tolerance);
     for (unsigned i = 0; i < n; i++) mag_add(arb_radref(self->y + i), arb_radref(self->y + i), more);
     for (unsigned attempt = 0; good && !inside && attempt < 3; attempt++) {
-        jlt_jets_run(self->rough, self->y, self->params, bits);
+        jlt_jets_run(self->rough, self->y, self->params, REST_BITS);
         good = spread(self, z, span, true);
         inside = good;
         for (unsigned i = 0; good && i < n; i++) {
@@ -211,7 +216,7 @@ static bool enclose(jlt_step *self, const arf_t h)
 static double vary_rest(jlt_step *self, const arf_t h)
 {
     const unsigned n = self->of->dim, K = self->accuracy.order;
-    const slong bits = self->accuracy.bits;
+    const slong bits = REST_BITS;
     double size = -INFINITY;
     arb_mat_t growth;
     arb_t power;
@@ -220,7 +225,7 @@ static double vary_rest(jlt_step *self, const arf_t h)
     arb_mat_init(growth, n, n);
     arb_init(power);
     mag_init(bound);
-    vary(self, self->W, self->rough);
+    vary(self, self->W, self->rough, bits);
     for (unsigned i = 0; i < self->of->states; i++)
         for (unsigned l = 0; l < n; l++) {
             arb_get_mag(bound, jlt_jets_output(self->rough, jlt_formulas_slope(self->of, i, l)));
@@ -346,7 +351,7 @@ jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansi
     if (!validate(self, h)) return JLT_ERR_NO_PROGRESS;
     if (!jlt_step_holds(self, self->y)) return JLT_ERR_DOMAIN;
     self->caution = fmin(self->caution * 1.02, 0.9);
-    vary(self, self->V, self->hull);
+    vary(self, self->V, self->hull, bits);
     for (unsigned i = 0; i < self->of->dim; i++) arb_set(self->x + i, arb_mat_entry(set->x, i, 0));
     jlt_jets_run(self->point, self->x, self->params, bits);
     arb_init(length);
