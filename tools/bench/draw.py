@@ -245,19 +245,20 @@ set ylabel 'time per derivative [µs]'"""
          work_panels(rows, "error", groups, 0.5, ("us_per_derivative", "us_least", "us_largest")))
 
 
-def cycles(results, kind):
-    rows = read(f"{results}/cycles.csv")
+def questions(results, kind, name, ranges, size, layout, title):
+    """One panel a question."""
+    rows = read(f"{results}/{name}.csv")
     if not rows:
         return
-    groups = [(question, lambda row, question=question: row["question"] == question) for question in dict.fromkeys(row["question"] for row in rows)]
-    settings = AXES + """
-set xrange [1:1e-16]
-set yrange [3000:1000000]
+    settings = AXES + f"""
+set xrange [{ranges[0]}]
+set yrange [{ranges[1]}]
 set xlabel 'error, relative or of 1'
 set ylabel 'time of the process [µs]'"""
-    panels = [(panel, colours, "") for group in groups for panel, colours, _ in
-              work_panels([row for row in rows if row["question"] == group[0]], "error", [group], 0.5, ("us_per_answer", "us_least", "us_largest"))]
-    draw_panels(f"{results}/cycles", kind, (2400, 1100), "2,4", "Periodic orbits followed in a parameter: jellett and AUTO-07p", settings, panels)
+    panels = [(panel, colours, "") for question in dict.fromkeys(row["question"] for row in rows) for panel, colours, _ in
+              work_panels([row for row in rows if row["question"] == question], "error", [(question, lambda row: True)], 0.5,
+                          ("us_per_answer", "us_least", "us_largest"))]
+    draw_panels(f"{results}/{name}", kind, size, layout, title, settings, panels)
 
 
 def fates(results, kind):
@@ -344,7 +345,10 @@ def main():
     times(results, kind)
     drift(results, kind)
     slope(results, kind)
-    cycles(results, kind)
+    questions(results, kind, "cycles", ("1:1e-16", "3000:1000000"), (2400, 1100), "2,4",
+              "Periodic orbits followed in a parameter: jellett and AUTO-07p")
+    questions(results, kind, "proofs", ("1e-9:1e-32", "10000:10000000"), (1800, 1100), "2,3",
+              "Periodic orbits proved: half-width of the period's enclosure, jellett and CAPD")
     fates(results, kind)
     spreads(results, kind, "jacobian", "Jacobian of (3.2) at 256 points, against ball arithmetic", "ns_per_jacobian", "ns per Jacobian",
             "1e-17:100", "3:3000", "1,2", (1300, 560), {"generic": "generic points", "near_pole": "near a pole: 1 - γ_3 from 10^{-10} to 10^{-2}"})

@@ -122,21 +122,28 @@ def tiers():
                 f"{float(row['error']):.1e}") for row in rows])
 
 
-def cycles():
-    """What `jellett continue` and AUTO-07p take for the same branch, at errors that both reach."""
+def questions(name, title, peers, errors):
+    """What processes take for the same answers, at errors that both reach."""
     rows = []
-    for question in dict.fromkeys(row["question"] for row in read("cycles")):
-        all_of = [row for row in read("cycles") if row["question"] == question]
+    for question in dict.fromkeys(row["question"] for row in read(name)):
+        all_of = [row for row in read(name) if row["question"] == question]
         mine = [row for row in all_of if row["program"] == "jellett"]
-        for error in (1e-5, 1e-8, 1e-10):
+        for error in errors:
             peer = fastest([row for row in all_of if row["program"] != "jellett"], error)
             there = time_at(mine, float(peer["error"])) if peer else None
             ours = fastest(mine, error)
             rows.append((question, f"{error:g}", f"{peer['program']} {peer['method']}: {float(peer[TIME]) / 1000:.1f} at {float(peer['error']):.1e}"
                          if peer else "none so accurate", f"{float(ours[TIME]) / 1000:.1f} at {float(ours['error']):.1e}" if ours else "none so accurate",
                          f"{float(peer[TIME]) / there:.2f}" if there else ""))
-    return table("Periodic orbits followed in a parameter, ms of the process", ("question", "error at most", "AUTO-07p", "jellett",
-                 "ratio at AUTO's own error"), rows)
+    return table(f"{title}, ms of the process", ("question", "error at most", peers, "jellett", "ratio at the peer's own error"), rows)
+
+
+def cycles():
+    return questions("cycles", "Periodic orbits followed in a parameter", "AUTO-07p", (1e-5, 1e-8, 1e-10))
+
+
+def proofs():
+    return questions("proofs", "Periodic orbits proved, by the half-width of the period's enclosure", "CAPD", (1e-11, 1e-13, 1e-19))
 
 
 def fates():
@@ -165,7 +172,7 @@ def kernels():
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), cycles(), fates(), tiers()] if part))
+    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), cycles(), proofs(), fates(), tiers()] if part))
 
 
 main()
