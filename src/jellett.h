@@ -70,7 +70,6 @@ extern "C" {
 #include "analysis/transfer_section.h"
 #include "analysis/transfer_spectrum.h"
 
-#include "top/attitude.h"
 #include "top/top.h"
 
 #include "scene/course.h"

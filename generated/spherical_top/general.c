@@ -1633,7 +1633,7 @@ static const unsigned char way1_is_angle[] = { 0, 0, 1 };
 static const unsigned char way1_is_root[] = { 0, 0, 0, 0, 0, 1 };
 
 /* The lift track, to the table spherical_top_track, SHA-256
- * e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228. */
+ * 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735. */
 static void way2_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
 {
     out[0] = x[0];
@@ -1687,7 +1687,7 @@ static const unsigned char way2_is_angle[] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 static const unsigned char way2_is_root[] = { 0, 0, 0, 0, 0, 0 };
 
 /* The lift full, to the table spherical_top_full, SHA-256
- * 8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445. */
+ * 5de9745ff1945082f709f85b1765ec2e95addd9d5431b2def563648618d9e642. */
 static void way3_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
 {
     out[0] = 0.0;
@@ -1828,7 +1828,7 @@ static const jlt_way ways[] = {
       .condition_values = way1_condition_values,
     },
     { .name = "track", .kind = "lift", .model = "spherical_top_track", .file = "spherical_top_track.tt",
-      .sha256 = "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228",
+      .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
       .time = "", .claim = 27,
       .state_count = 9, .param_count = 6, .coordinate_count = 9,
       .is_angle = way2_is_angle,
@@ -1838,7 +1838,7 @@ static const jlt_way ways[] = {
       .params = way2_params,
     },
     { .name = "full", .kind = "lift", .model = "spherical_top_full", .file = "spherical_top_full.tt",
-      .sha256 = "8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445",
+      .sha256 = "5de9745ff1945082f709f85b1765ec2e95addd9d5431b2def563648618d9e642",
       .time = "", .claim = 28,
       .state_count = 17, .param_count = 6, .coordinate_count = 17,
       .is_angle = way3_is_angle,

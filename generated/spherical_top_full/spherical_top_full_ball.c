@@ -1,7 +1,7 @@
 /* Spherical top on a plane with one nonholonomic constraint, full system with multipliers: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_full, SHA-256 8e0449330dcdd8fbc0fbaf0f238f9b7444b2cd6ab90979d1a56be9f5bcea5445
+ *  Table:      spherical_top_full, SHA-256 5de9745ff1945082f709f85b1765ec2e95addd9d5431b2def563648618d9e642
  *  Command:    ttc generate --effort full --out DIR spherical_top_full.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   19    9    1    0    2      7    8   (96)
- *  jacobian            13   59   21    1    0    2     10   18   (375)
- *  rhs_jacobian        15   69   21    1    0    2      8   20   (449)
+ *  jacobian            13   59   21    1    0    2     10   19   (375)
+ *  rhs_jacobian        15   69   21    1    0    2      7   19   (449)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     1   14   10    0    0    2      6    8   (51)
  *  integral_gradients  0   31    7    0    0    2      5    8   (89)
@@ -20,15 +20,15 @@
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau,
  *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V,
  *      omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau,
- *      numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n,
- *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n,
+ *      numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - s*omega_n*(m*R*I1)*V,
  *      v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s),
  *      d(d(y)/dtau)/d(s),
- *      d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V,
+ *      d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V,
  *      omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3),
- *      d(d(omega3)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n),
+ *      d(d(v_nu)/dtau)/d(omega_n),
  *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
- *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3),
+ *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -91,20 +91,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t12;
     const double t13 = -t0; /* -I3/I1 */
     out[12] = t13;
-    const double t14 = params[0]*params[0]; /* m*m */
-    const double t15 = t1*t1; /* R*R*R*R */
-    const double t16 = t14*t15; /* m*m*R*R*R*R */
-    const double t17 = params[4]*params[4]; /* I1*I1 */
-    const double t18 = t16*t17; /* m*m*R*R*R*R*I1*I1 */
-    const double t19 = params[5]*t4; /* I3*I3*I3 */
-    const double t20 = t2*t19; /* m*R*R*I3*I3*I3 */
-    const double t21 = t4*t16; /* I3*I3*m*m*R*R*R*R */
-    const double t22 = t20 + t21; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t23 = 2.0*t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t24 = t23/t18; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
-    out[13] = t24;
-    const double t25 = t4*2.0; /* I3*I3*2 */
-    const double t26 = t25/t17; /* I3*I3*2/(I1*I1) */
+    const double t14 = params[4]*params[4]; /* I1*I1 */
+    const double t15 = t4*2.0; /* I3*I3*2 */
+    const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
+    out[13] = t16;
+    const double t17 = params[0]*params[0]; /* m*m */
+    const double t18 = t1*t1; /* R*R*R*R */
+    const double t19 = t17*t18; /* m*m*R*R*R*R */
+    const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
+    const double t21 = params[5]*t4; /* I3*I3*I3 */
+    const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
+    const double t23 = t4*t19; /* I3*I3*m*m*R*R*R*R */
+    const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
     out[38] = t27;
@@ -113,17 +113,17 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
     const double t30 = t3*t4; /* I1*m*R*R*I3*I3 */
-    const double t31 = params[4]*t16; /* I1*m*m*R*R*R*R */
+    const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
     const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
     const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
     const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
-    const double t35 = t34/t18; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    const double t35 = t34/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[16] = t35;
     const double t36 = params[5]*2.0; /* I3*2 */
     const double t37 = t36/params[4]; /* I3*2/I1 */
     out[17] = t37;
     const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
-    const double t39 = t38/t17; /* (I1 - I3)*I3*2/(I1*I1) */
+    const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
     out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
     out[19] = t40;
@@ -201,10 +201,10 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t19 = t13*t18; /* 1/(Theta/(m*R^2*I1))*omega_n*V/R */
     const double t20 = JLT_FNMA(t10, t19, t16); /* omega_tau*t15 - gamma3*I3/I1*1/(Theta/(m*R^2*I1))*omega_n*V/R */
     out[3] = t20;
-    const double t21 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t22 = p[10]*t21; /* (I1 - I3)/I1*s*omega_tau*gamma3 */
-    const double t23 = t14*t22; /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*omega_tau*gamma3 */
-    const double t24 = JLT_FNMA(x[9], t19, t23); /* t23 - s*1/(Theta/(m*R^2*I1))*omega_n*V/R */
+    const double t21 = x[9]*t19; /* s*1/(Theta/(m*R^2*I1))*omega_n*V/R */
+    const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t23 = p[10]*t22; /* (I1 - I3)/I1*s*omega_tau*gamma3 */
+    const double t24 = JLT_FMS(t14, t23, t21); /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*omega_tau*gamma3 - s*1/(Theta/(m*R^2*I1))*omega_n*V/R */
     out[4] = t24;
     const double t25 = -x[3]; /* -omega_n */
     out[5] = t25;
@@ -218,7 +218,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t32 = t27*t29; /* s*v_nu*S */
     const double t33 = JLT_FNMA(t26, t30, t32); /* s*v_nu*S - C*s*R*(omega_n*gamma3 + s*omega3) */
     out[8] = t33;
-    const double t34 = -t21; /* -s*omega_tau*gamma3 */
+    const double t34 = -t22; /* -s*omega_tau*gamma3 */
     out[9] = t34;
 }
 
@@ -324,98 +324,98 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
     const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
     const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t28 = x[9]*t23; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t29 = x[4]*t28; /* omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t30 = x[2]*t29; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t31 = p[13]*t30; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t32 = t7*t25; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t33 = JLT_FNMA(p[14], t32, t31); /* t31 - 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t34 = x[0]*t23; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t35 = JLT_FNMA(t33, t34, t27); /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) - (t31 - 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R)*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[30] = t35;
-    const double t36 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t37 = p[15]*t36; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t28 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t29 = t24*t28; /* V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t30 = p[13]*t29; /* 2*I3^2/I1^2*V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t31 = x[9]*t23; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t32 = x[2]*t31; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t33 = x[4]*t32; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t34 = JLT_FNMA(p[14], t33, t30); /* 2*I3^2/I1^2*V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1)) - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t35 = x[0]*t23; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t36 = JLT_FMA(t34, t35, t27); /* t34*gamma3*1/(Theta/(m*R^2*I1)) + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[30] = t36;
+    const double t37 = t28*p[15]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
     out[31] = t37;
-    const double t38 = JLT_FNMA(p[6], t36, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t39 = JLT_FMA(t29, p[7], t38); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[32] = t39;
-    const double t40 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[33] = t40;
-    const double t41 = x[2]*p[7]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t42 = t28*t41; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t38 = x[4]*p[7]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t39 = JLT_FMA(t31, t38, t7); /* s*1/(Theta/(m*R^2*I1))*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
+    const double t40 = JLT_FNMA(p[6], t28, t39); /* t39 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[32] = t40;
+    const double t41 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[33] = t41;
+    const double t42 = t32*p[7]; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
     out[34] = t42;
-    const double t43 = x[4]*t41; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = t23*t43; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t45 = t32*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t46 = JLT_FMS(t30, p[16], t45); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t47 = JLT_FNMA(t28, t46, t44); /* t44 - s*1/(Theta/(m*R^2*I1))*t46 */
+    const double t43 = x[2]*t38; /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = t23*t43; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t29*p[17]; /* V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t46 = JLT_FMS(t33, p[16], t45); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t47 = JLT_FNMA(t31, t46, t44); /* t44 - s*1/(Theta/(m*R^2*I1))*t46 */
     out[39] = t47;
     const double t48 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
-    const double t49 = t30*t48; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
-    const double t50 = t30*p[18]; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
-    const double t51 = JLT_FMS(t20, t50, t45); /* gamma3*gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t52 = JLT_FNMA(t28, t51, t49); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t51 */
+    const double t49 = t33*t48; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    const double t50 = t33*p[18]; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t51 = JLT_FNMA(t20, t50, t45); /* V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 - gamma3*gamma3*omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t52 = JLT_FMA(t31, t51, t49); /* s*1/(Theta/(m*R^2*I1))*t51 + omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
     out[40] = t52;
-    const double t53 = x[3]*t28; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t53 = x[3]*t31; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
     const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
     out[41] = t54;
-    const double t55 = x[0]*t48; /* gamma3*s*(I1 - I3)/I1 */
-    const double t56 = JLT_FMS(t29, t55, t53); /* omega3*s*1/(Theta/(m*R^2*I1))*gamma3*s*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[42] = t56;
-    const double t57 = t24*t28; /* V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t58 = -t57; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
-    out[43] = t58;
-    const double t59 = x[2]*t55; /* omega_tau*gamma3*s*(I1 - I3)/I1 */
-    const double t60 = t28*t59; /* s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*s*(I1 - I3)/I1 */
-    out[44] = t60;
-    const double t61 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t62 = 2.0*t57; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t63 = t20 + p[20]; /* gamma3*gamma3 + I1/(m*R^2) */
-    const double t64 = t34*t63; /* gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) */
-    const double t65 = JLT_FMS(t53, t62, t61); /* omega_n*s*1/(Theta/(m*R^2*I1))*2*V/R*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t66 = JLT_FMA(t50, t64, t65); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2*gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) + t65 */
-    out[49] = t66;
+    const double t55 = x[9]*x[0]; /* s*gamma3 */
+    const double t56 = p[10]*t55; /* (I1 - I3)/I1*s*gamma3 */
+    const double t57 = x[4]*t56; /* omega3*(I1 - I3)/I1*s*gamma3 */
+    const double t58 = JLT_FMS(t31, t57, t53); /* s*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[42] = t58;
+    const double t59 = t24*t31; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t60 = -t59; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    out[43] = t60;
+    const double t61 = t32*t56; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    out[44] = t61;
+    const double t62 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t63 = 2.0*t59; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t64 = t20 + p[20]; /* gamma3*gamma3 + I1/(m*R^2) */
+    const double t65 = t35*t64; /* gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) */
+    const double t66 = JLT_FMS(t53, t63, t62); /* omega_n*s*1/(Theta/(m*R^2*I1))*2*V/R*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t67 = JLT_FMA(t50, t65, t66); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2*gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) + t66 */
+    out[49] = t67;
     out[53] = (-1.0);
-    const double t67 = sin(x[5]); /* S = sin(chi) */
-    const double t68 = t9*t67; /* omega_n*s*R*S */
-    out[70] = t68;
-    const double t69 = cos(x[5]); /* C = cos(chi) */
-    const double t70 = x[9]*t69; /* s*C */
-    out[71] = t70;
-    const double t71 = t5*x[0]; /* s*R*gamma3 */
-    const double t72 = t67*t71; /* S*s*R*gamma3 */
-    out[73] = t72;
-    const double t73 = x[9]*t67; /* s*S */
-    out[81] = t73;
-    const double t74 = t5*t73; /* s*R*s*S */
-    out[74] = t74;
-    const double t75 = x[1]*t73; /* v_nu*s*S */
-    const double t76 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
-    const double t77 = JLT_FMS(t70, t76, t75); /* s*C*v_tau - v_nu*s*S */
-    out[75] = t77;
-    const double t78 = x[1]*t69; /* v_nu*C */
-    const double t79 = t6 + t76; /* omega3*s*R + v_tau */
-    const double t80 = JLT_FMA(t67, t79, t78); /* S*(omega3*s*R + v_tau) + v_nu*C */
-    out[79] = t80;
-    const double t81 = t9*t69; /* omega_n*s*R*C */
-    const double t82 = -t81; /* -omega_n*s*R*C */
-    out[80] = t82;
-    const double t83 = t69*t71; /* C*s*R*gamma3 */
-    const double t84 = -t83; /* -C*s*R*gamma3 */
-    out[83] = t84;
-    const double t85 = t5*t70; /* s*R*s*C */
-    const double t86 = -t85; /* -s*R*s*C */
-    out[84] = t86;
-    const double t87 = x[1]*t70; /* v_nu*s*C */
-    const double t88 = JLT_FMA(t73, t76, t87); /* s*S*v_tau + v_nu*s*C */
-    out[85] = t88;
-    const double t89 = x[1]*t67; /* v_nu*S */
-    const double t90 = JLT_FNMA(t69, t79, t89); /* v_nu*S - C*(omega3*s*R + v_tau) */
-    out[89] = t90;
-    const double t91 = -t1; /* -s*omega_tau */
-    out[90] = t91;
-    const double t92 = x[9]*x[0]; /* s*gamma3 */
-    const double t93 = -t92; /* -s*gamma3 */
+    const double t68 = sin(x[5]); /* S = sin(chi) */
+    const double t69 = t9*t68; /* omega_n*s*R*S */
+    out[70] = t69;
+    const double t70 = cos(x[5]); /* C = cos(chi) */
+    const double t71 = x[9]*t70; /* s*C */
+    out[71] = t71;
+    const double t72 = t5*x[0]; /* s*R*gamma3 */
+    const double t73 = t68*t72; /* S*s*R*gamma3 */
+    out[73] = t73;
+    const double t74 = x[9]*t68; /* s*S */
+    out[81] = t74;
+    const double t75 = t5*t74; /* s*R*s*S */
+    out[74] = t75;
+    const double t76 = x[1]*t74; /* v_nu*s*S */
+    const double t77 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
+    const double t78 = JLT_FMS(t71, t77, t76); /* s*C*v_tau - v_nu*s*S */
+    out[75] = t78;
+    const double t79 = x[1]*t70; /* v_nu*C */
+    const double t80 = t6 + t77; /* omega3*s*R + v_tau */
+    const double t81 = JLT_FMA(t68, t80, t79); /* S*(omega3*s*R + v_tau) + v_nu*C */
+    out[79] = t81;
+    const double t82 = t9*t70; /* omega_n*s*R*C */
+    const double t83 = -t82; /* -omega_n*s*R*C */
+    out[80] = t83;
+    const double t84 = t70*t72; /* C*s*R*gamma3 */
+    const double t85 = -t84; /* -C*s*R*gamma3 */
+    out[83] = t85;
+    const double t86 = t5*t71; /* s*R*s*C */
+    const double t87 = -t86; /* -s*R*s*C */
+    out[84] = t87;
+    const double t88 = x[1]*t71; /* v_nu*s*C */
+    const double t89 = JLT_FMA(t74, t77, t88); /* s*S*v_tau + v_nu*s*C */
+    out[85] = t89;
+    const double t90 = x[1]*t68; /* v_nu*S */
+    const double t91 = JLT_FNMA(t70, t80, t90); /* v_nu*S - C*(omega3*s*R + v_tau) */
+    out[89] = t91;
+    const double t92 = -t1; /* -s*omega_tau */
+    out[90] = t92;
+    const double t93 = -t55; /* -s*gamma3 */
     out[92] = t93;
     const double t94 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t95 = -t94; /* -omega_tau*gamma3 */
@@ -425,8 +425,8 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[74] = x[9];
-    out[79] = x[4];
     out[70] = x[3];
+    out[79] = x[4];
     out[73] = x[0];
     out[10] = 0.0;
     out[11] = 0.0;
@@ -501,13 +501,13 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t8 = x[9]*x[4]; /* s*omega3 */
     const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t10 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t11 = p[26]*t7; /* m*R*I1*V */
-    const double t12 = p[25]*t7; /* m*R*I3*V */
-    const double t13 = x[9]*x[3]; /* s*omega_n */
-    const double t14 = p[1]*t13; /* R*s*omega_n */
-    out[24] = t14;
-    const double t15 = p[12]*t13; /* (-I3/I1)*s*omega_n */
-    out[34] = t15;
+    const double t11 = x[9]*x[3]; /* s*omega_n */
+    const double t12 = p[1]*t11; /* R*s*omega_n */
+    out[24] = t12;
+    const double t13 = p[12]*t11; /* (-I3/I1)*s*omega_n */
+    out[34] = t13;
+    const double t14 = p[26]*t7; /* m*R*I1*V */
+    const double t15 = p[25]*t7; /* m*R*I3*V */
     const double t16 = x[9]*x[0]; /* s*gamma3 */
     const double t17 = -t16; /* -s*gamma3 */
     out[102] = t17;
@@ -517,131 +517,131 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t20 = sin(x[5]); /* S = sin(chi) */
     const double t21 = x[9]*t20; /* s*S */
     out[91] = t21;
-    const double t22 = x[2]*x[9]; /* omega_tau*s */
-    const double t23 = 2.0*t22; /* 2*omega_tau*s */
-    out[19] = t23;
-    const double t24 = -t22; /* -omega_tau*s */
-    out[100] = t24;
-    const double t25 = t6*t22; /* 1/Theta*omega_tau*s */
-    const double t26 = p[24]*t25; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
-    out[44] = t26;
-    const double t27 = p[27]*t25; /* m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
-    const double t28 = t16*t27; /* s*gamma3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
-    out[54] = t28;
-    const double t29 = t8*t27; /* s*omega3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
-    const double t30 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t31 = -t30; /* -omega_tau*gamma3 */
-    out[109] = t31;
-    const double t32 = p[32]*t30; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
-    const double t33 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t33;
-    const double t34 = p[6]*t8; /* I3/I1*s*omega3 */
-    const double t35 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t36 = JLT_FNMA(t9, t12, t35); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t37 = JLT_FNMA(t6, t12, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t38 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t39 = t6*t36; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t40 = t6*t38; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t41 = JLT_FMA(x[2], t9, t39); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t41;
-    const double t42 = x[0]*t37; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[43] = t42;
-    const double t43 = x[3]*t37; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t44 = t11*t13; /* m*R*I1*V*s*omega_n */
-    const double t45 = x[2]*t16; /* omega_tau*s*gamma3 */
-    const double t46 = -t45; /* -omega_tau*s*gamma3 */
-    out[9] = t46;
-    const double t47 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t48 = JLT_FMS(t45, t47, t44); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R*I1*V*s*omega_n */
-    const double t49 = t16*t47; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
-    const double t50 = t6*t48; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    out[4] = t50;
-    const double t51 = JLT_FNMA(p[22], t13, t49); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
-    const double t52 = t6*t51; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[52] = t52;
-    const double t53 = x[1]*t20; /* v_nu*S */
-    const double t54 = p[1]*t20; /* R*S */
-    const double t55 = t13*t54; /* s*omega_n*R*S */
-    out[80] = t55;
-    const double t56 = t16*t54; /* s*gamma3*R*S */
-    out[83] = t56;
-    const double t57 = t1*t54; /* s*s*R*S */
-    out[84] = t57;
-    const double t58 = p[1]*t18; /* R*C */
-    const double t59 = x[1]*t18; /* v_nu*C */
-    const double t60 = JLT_FNMA(t33, t58, t53); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
-    const double t61 = JLT_FMA(t33, t54, t59); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    const double t62 = JLT_FMA(t8, t54, t61); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    out[89] = t62;
-    const double t63 = x[9]*t61; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
-    out[7] = t63;
-    out[95] = t63;
-    const double t64 = t16*t58; /* s*gamma3*R*C */
-    const double t65 = -t64; /* -s*gamma3*R*C */
-    out[93] = t65;
-    const double t66 = t1*t58; /* s*s*R*C */
-    const double t67 = -t66; /* -s*s*R*C */
-    out[94] = t67;
-    const double t68 = JLT_FNMA(t8, t58, t60); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
-    out[99] = t68;
-    const double t69 = x[9]*t60; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[8] = t69;
-    const double t70 = -t69; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[85] = t70;
-    const double t71 = t13*t58; /* s*omega_n*R*C */
-    const double t72 = -t71; /* -s*omega_n*R*C */
-    out[90] = t72;
-    const double t73 = p[31]*t13; /* (-m*R*I1)*s*omega_n */
-    const double t74 = t6*t73; /* 1/Theta*(-m*R*I1)*s*omega_n */
-    out[51] = t74;
-    const double t75 = x[3]*t11; /* omega_n*m*R*I1*V */
-    const double t76 = JLT_FMS(t8, t32, t75); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*m*R*I1*V */
-    const double t77 = t6*t76; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t78 = t9 + t34; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t79 = x[3]*t78; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t80 = -t79; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t80;
-    const double t81 = JLT_FMA(2.0, t9, t34); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t82 = -t81; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[33] = t82;
-    const double t83 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t84 = t6*t83; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t85 = JLT_FNMA(t39, t84, t43); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[40] = t85;
-    const double t86 = JLT_FNMA(t50, t84, t29); /* s*omega3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[50] = t86;
-    const double t87 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t88 = p[1]*t8; /* R*s*omega3 */
-    const double t89 = JLT_FMA(p[11], t9, t88); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[23] = t89;
-    const double t90 = JLT_FNMA(p[23], t9, t87); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t91 = JLT_FMA(t6, t90, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[42] = t91;
-    const double t92 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t93 = t6*t92; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[41] = t93;
-    const double t94 = x[9]*t6; /* s*1/Theta */
-    const double t95 = t11*t94; /* m*R*I1*V*s*1/Theta */
-    const double t96 = -t95; /* -m*R*I1*V*s*1/Theta */
-    out[53] = t96;
-    const double t97 = p[30]*t94; /* 2*m*R^2*I1*s*1/Theta */
-    const double t98 = JLT_FNMA(t39, t97, t40); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[49] = t98;
-    const double t99 = JLT_FNMA(t50, t97, t77); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[59] = t99;
-    const double t100 = x[3]*p[1]; /* omega_n*R */
-    const double t101 = t33*t100; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
-    out[1] = t101;
-    const double t102 = x[3]*t100; /* omega_n*omega_n*R */
-    out[20] = t102;
-    const double t103 = x[4]*t100; /* omega3*omega_n*R */
-    out[29] = t103;
-    const double t104 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t105 = -t104; /* -omega_n*omega_n */
-    out[30] = t105;
-    const double t106 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    const double t107 = x[4]*t106; /* omega3*omega_n*(-I3/I1) */
-    out[39] = t107;
+    const double t22 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t22;
+    const double t23 = p[6]*t8; /* I3/I1*s*omega3 */
+    const double t24 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t25 = JLT_FNMA(t9, t15, t24); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
+    const double t26 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t27 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t28 = t6*t25; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t29 = t6*t27; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t30 = JLT_FMA(x[2], t9, t28); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t30;
+    const double t31 = x[0]*t26; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[43] = t31;
+    const double t32 = x[3]*t26; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t33 = t11*t14; /* s*omega_n*m*R*I1*V */
+    const double t34 = x[2]*t16; /* omega_tau*s*gamma3 */
+    const double t35 = -t34; /* -omega_tau*s*gamma3 */
+    out[9] = t35;
+    const double t36 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t37 = JLT_FMS(t34, t36, t33); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - s*omega_n*m*R*I1*V */
+    const double t38 = t6*t37; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t38;
+    const double t39 = x[1]*t20; /* v_nu*S */
+    const double t40 = p[1]*t20; /* R*S */
+    const double t41 = t11*t40; /* s*omega_n*R*S */
+    out[80] = t41;
+    const double t42 = t16*t40; /* s*gamma3*R*S */
+    out[83] = t42;
+    const double t43 = t1*t40; /* s*s*R*S */
+    out[84] = t43;
+    const double t44 = p[1]*t18; /* R*C */
+    const double t45 = x[1]*t18; /* v_nu*C */
+    const double t46 = JLT_FNMA(t22, t44, t39); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
+    const double t47 = JLT_FMA(t22, t40, t45); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t48 = JLT_FMA(t8, t40, t47); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    out[89] = t48;
+    const double t49 = x[9]*t47; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
+    out[7] = t49;
+    out[95] = t49;
+    const double t50 = t1*t44; /* s*s*R*C */
+    const double t51 = -t50; /* -s*s*R*C */
+    out[94] = t51;
+    const double t52 = JLT_FNMA(t8, t44, t46); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
+    out[99] = t52;
+    const double t53 = x[9]*t46; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[8] = t53;
+    const double t54 = -t53; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[85] = t54;
+    const double t55 = x[2]*x[9]; /* omega_tau*s */
+    const double t56 = 2.0*t55; /* 2*omega_tau*s */
+    out[19] = t56;
+    const double t57 = -t55; /* -omega_tau*s */
+    out[100] = t57;
+    const double t58 = t6*t55; /* 1/Theta*omega_tau*s */
+    const double t59 = p[24]*t58; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
+    out[44] = t59;
+    const double t60 = x[3]*t14; /* omega_n*m*R*I1*V */
+    const double t61 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t62 = -t61; /* -omega_tau*gamma3 */
+    out[109] = t62;
+    const double t63 = p[32]*t8; /* 2*m*R^2*(I1 - I3)*s*omega3 */
+    const double t64 = JLT_FMS(t61, t63, t60); /* d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*2*m*R^2*(I1 - I3)*s*omega3 - omega_n*m*R*I1*V */
+    const double t65 = t6*t64; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t66 = t9 + t23; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t67 = x[3]*t66; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t68 = -t67; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t68;
+    const double t69 = JLT_FMA(2.0, t9, t23); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t70 = -t69; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[33] = t70;
+    const double t71 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t72 = t6*t71; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t73 = JLT_FNMA(t28, t72, t32); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[40] = t73;
+    const double t74 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t75 = p[1]*t8; /* R*s*omega3 */
+    const double t76 = JLT_FMA(p[11], t9, t75); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[23] = t76;
+    const double t77 = JLT_FNMA(p[23], t9, t74); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t78 = JLT_FMA(t6, t77, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[42] = t78;
+    const double t79 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t80 = t6*t79; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[41] = t80;
+    const double t81 = x[9]*t6; /* s*1/Theta */
+    const double t82 = t14*t81; /* m*R*I1*V*s*1/Theta */
+    const double t83 = -t82; /* -m*R*I1*V*s*1/Theta */
+    out[53] = t83;
+    const double t84 = p[30]*t81; /* 2*m*R^2*I1*s*1/Theta */
+    const double t85 = JLT_FNMA(t28, t84, t29); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[49] = t85;
+    const double t86 = JLT_FNMA(t38, t84, t65); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[59] = t86;
+    const double t87 = t16*t36; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
+    const double t88 = t36*t58; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s */
+    const double t89 = JLT_FNMA(t38, t72, t88); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[50] = t89;
+    const double t90 = JLT_FNMA(p[22], t11, t87); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
+    const double t91 = t6*t90; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[52] = t91;
+    const double t92 = p[1]*x[3]; /* R*omega_n */
+    const double t93 = t22*t92; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
+    out[1] = t93;
+    const double t94 = x[3]*t92; /* omega_n*R*omega_n */
+    out[20] = t94;
+    const double t95 = x[4]*t92; /* omega3*R*omega_n */
+    out[29] = t95;
+    const double t96 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t97 = -t96; /* -omega_n*omega_n */
+    out[30] = t97;
+    const double t98 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t99 = x[4]*t98; /* omega3*omega_n*(-I3/I1) */
+    out[39] = t99;
+    const double t100 = p[31]*t11; /* (-m*R*I1)*s*omega_n */
+    const double t101 = t6*t100; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[51] = t101;
+    const double t102 = t11*t44; /* s*omega_n*R*C */
+    const double t103 = -t102; /* -s*omega_n*R*C */
+    out[90] = t103;
+    const double t104 = t16*t44; /* s*gamma3*R*C */
+    const double t105 = -t104; /* -s*gamma3*R*C */
+    out[93] = t105;
+    const double t106 = p[27]*t16; /* m*R^2*(I1 - I3)*s*gamma3 */
+    const double t107 = t58*t106; /* 1/Theta*omega_tau*s*m*R^2*(I1 - I3)*s*gamma3 */
+    out[54] = t107;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -818,8 +818,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
@@ -849,30 +849,30 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x9, x2, k);
         t3[k] = jlt_jet_product(x9, t2, k);
-        t7[k] = jlt_jet_product(x3, x0, k);
-        t9[k] = jlt_jet_product(x9, x4, k);
+        t7[k] = jlt_jet_product(x9, x4, k);
+        t9[k] = jlt_jet_product(x3, x0, k);
         t10[k] = t7[k] + t9[k];
         t11[k] = p[1]*t10[k];
         t12[k] = jlt_jet_product(x3, t11, k);
-        t14[k] = t9[k]*p[6] + t7[k];
+        t14[k] = t7[k]*p[6] + t9[k];
         t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
         t19[k] = x0[k]*p[6];
         t20[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[8] : 0);
         t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
         t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
-        t24[k] = jlt_jet_product(t9, t23, k);
+        t24[k] = jlt_jet_product(t7, t23, k);
         t25[k] = x2[k]*p[7];
         t26[k] = jlt_jet_product(t24, t25, k);
         t29[k] = p[9]*x1[k] + x2[k];
         t30[k] = jlt_jet_product(t23, t29, k);
         t31[k] = x2[k] - p[6]*t30[k];
-        t32[k] = jlt_jet_product(t7, t31, k) + t26[k];
-        t33[k] = jlt_jet_product(x9, x3, k);
-        t34[k] = jlt_jet_product(t30, t33, k);
-        t36[k] = jlt_jet_product(t2, x0, k);
-        t37[k] = p[10]*t36[k];
-        t38[k] = jlt_jet_product(t24, t37, k) - t34[k];
+        t32[k] = jlt_jet_product(t9, t31, k) + t26[k];
+        t34[k] = jlt_jet_product(t2, x0, k);
+        t35[k] = p[10]*t34[k];
+        t36[k] = jlt_jet_product(t24, t35, k);
+        t37[k] = jlt_jet_product(x9, x3, k);
+        t38[k] = t36[k] - jlt_jet_product(t30, t37, k);
         t39[k] = -x3[k];
         t41[k] = jlt_jet_cosine(x5, t41, u41, k);
         t42[k] = jlt_jet_product(x1, t41, k);
@@ -882,7 +882,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t46[k] = jlt_jet_product(x1, t43, k);
         t47[k] = t46[k] - jlt_jet_product(t11, t41, k);
         t48[k] = jlt_jet_product(x9, t47, k);
-        t49[k] = -t36[k];
+        t49[k] = -t34[k];
         double *restrict next = coefficients + (k + 1)*11;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
         next[1] = x1[k + 1] = t12[k]/(k + 1);
@@ -1028,7 +1028,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228",
+    .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .prepared_count = 47,
@@ -1038,10 +1038,10 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 10, { 4, 19, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(spin)/dtau, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau, d(x)/dtau, d(y)/dtau" },
-    .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 10, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
+    .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 10, 19 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(d(v_nu)/dtau)/d(omega_n), omega3*s*(I3/I1) + (2)*omega_n*gamma3, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(s), v_tau = R*omega_n*gamma3 + omega3*s*R, d(d(x)/dtau)/d(chi), omega3*s*R + v_tau, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(chi), d(d(y)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 8, 20 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V, omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 19 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - s*omega_n*(m*R*I1)*V, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V, omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V" },
     .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 8 }, { 11, 38, 0, 0, 0, 2, 8, 7 },

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   22   10    1    0    2      7    8   (69)
- *  jacobian            9   47   14    1    0    2     10   14   (181)
- *  rhs_jacobian        11   54   17    1    0    2     10   13   (233)
+ *  rhs                 3   22   10    1    0    2      7    9   (69)
+ *  jacobian            9   47   14    1    0    2     10   13   (181)
+ *  rhs_jacobian        11   54   17    1    0    2     10   15   (233)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     0   12    9    0    0    2      5    6   (41)
  *  integral_gradients  4   25    8    0    0    2      5    8   (65)
@@ -18,10 +18,10 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n),
- *      omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, d(omega_tau)/dtau,
+ *      omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n,
  *      a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s),
  *      V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega_n*b + omega3*s*R)*S + v_nu*C,
- *      d(d(x)/dtau)/d(s), d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)
+ *      d(d(x)/dtau)/d(s), d(omega_tau)/dtau, d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -59,20 +59,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[3]*params[3]; /* a3*a3 */
-    const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[14] = t1;
-    const double t2 = t1/params[4]; /* m*a3*a3/I1 */
-    out[6] = t2;
-    const double t3 = params[0]*params[2]; /* m*g */
-    const double t4 = params[3]*t3; /* a3*m*g */
-    out[15] = t4;
-    const double t5 = t4/params[4]; /* a3*m*g/I1 */
-    out[7] = t5;
-    const double t6 = 1.0/params[1]; /* 1/R */
+    const double t0 = 1.0/params[1]; /* 1/R */
+    out[6] = t0;
+    const double t1 = params[3]*params[3]; /* a3*a3 */
+    const double t2 = params[0]*t1; /* m*a3*a3 */
+    out[14] = t2;
+    const double t3 = t2/params[4]; /* m*a3*a3/I1 */
+    out[7] = t3;
+    const double t4 = params[0]*params[2]; /* m*g */
+    const double t5 = params[3]*t4; /* a3*m*g */
+    out[15] = t5;
+    const double t6 = t5/params[4]; /* a3*m*g/I1 */
     out[8] = t6;
     const double t7 = params[0]*2.0; /* m*2 */
-    const double t8 = t0*t7; /* a3*a3*m*2 */
+    const double t8 = t1*t7; /* a3*a3*m*2 */
     out[13] = t8;
     const double t9 = t8/params[4]; /* a3*a3*m*2/I1 */
     out[9] = t9;
@@ -88,62 +88,62 @@ static void prepare(const double *restrict params, double *restrict out)
     out[16] = t15;
     const double t16 = params[4]/2.0; /* I1/2 */
     out[17] = t16;
-    const double t17 = params[4]*params[1]; /* I1*R */
+    const double t17 = params[1]*params[4]; /* R*I1 */
     out[18] = t17;
-    const double t18 = params[0]*params[1]; /* m*R */
+    const double t18 = params[1]*params[0]; /* R*m */
     out[19] = t18;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = -x[3]; /* -omega_n */
-    out[5] = t0;
-    const double t1 = x[9]*x[9]; /* s*s */
-    const double t2 = JLT_FMA(p[6], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t3 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t4 = x[3]*t3; /* omega_n*omega_tau*gamma3 */
-    out[3] = t4;
-    const double t5 = x[9]*t2; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = x[2]*t1; /* omega_tau*s*s */
-    out[0] = t7;
-    const double t8 = p[6]*t3; /* m*a3^2/I1*omega_tau*gamma3 */
-    const double t9 = t7*t8; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
-    const double t10 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t11 = x[3]*t10; /* omega_n*b */
-    const double t12 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t13 = JLT_FNMA(x[3], t12, t9); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - omega_n*omega_n*gamma3 */
-    const double t14 = JLT_FNMA(p[7], t1, t13); /* t13 - m*g*a3/I1*s*s */
-    const double t15 = x[9]*t14; /* s*(t13 - m*g*a3/I1*s*s) */
-    const double t16 = t6*t15; /* 1/(s*D/I1)*s*(t13 - m*g*a3/I1*s*s) */
-    out[2] = t16;
-    const double t17 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
-    const double t19 = x[3]*p[8]; /* omega_n*1/R */
-    const double t20 = t2*t19; /* D/I1*omega_n*1/R */
-    const double t21 = t18*t20; /* V*D/I1*omega_n*1/R */
-    const double t22 = t6*t21; /* 1/(s*D/I1)*V*D/I1*omega_n*1/R */
-    const double t23 = JLT_FMS(x[4], t3, t22); /* omega3*omega_tau*gamma3 - 1/(s*D/I1)*V*D/I1*omega_n*1/R */
-    out[4] = t23;
-    const double t24 = x[9]*t3; /* s*omega_tau*gamma3 */
-    const double t25 = -t24; /* -s*omega_tau*gamma3 */
-    out[9] = t25;
-    const double t26 = x[9]*x[4]; /* s*omega3 */
-    const double t27 = t12 + t26; /* omega_n*gamma3 + s*omega3 */
+    const double t0 = x[9]*x[9]; /* s*s */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t1;
+    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t3 = x[3]*p[6]; /* omega_n*1/R */
+    const double t4 = x[9]*x[4]; /* s*omega3 */
+    const double t5 = JLT_FMA(t2, t3, t4); /* b*omega_n*1/R + s*omega3 */
+    const double t6 = p[1]*t5; /* R*(b*omega_n*1/R + s*omega3) */
+    const double t7 = x[3]*t6; /* omega_n*R*(b*omega_n*1/R + s*omega3) */
+    out[1] = t7;
+    const double t8 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t9 = p[7]*t8; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t10 = t1*t9; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t11 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t12 = JLT_FNMA(x[3], t11, t10); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - omega_n*omega_n*gamma3 */
+    const double t13 = JLT_FNMA(t0, p[8], t12); /* t12 - s*s*m*g*a3/I1 */
+    const double t14 = JLT_FMA(t0, p[7], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t15 = x[9]*t14; /* s*D/I1 */
+    const double t16 = 1.0/t15; /* 1/(s*D/I1) */
+    const double t17 = x[9]*t13; /* s*(t12 - s*s*m*g*a3/I1) */
+    const double t18 = t16*t17; /* 1/(s*D/I1)*s*(t12 - s*s*m*g*a3/I1) */
+    out[2] = t18;
+    const double t19 = x[3]*t8; /* omega_n*omega_tau*gamma3 */
+    out[3] = t19;
+    const double t20 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t21 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
+    const double t22 = t3*t14; /* omega_n*1/R*D/I1 */
+    const double t23 = t21*t22; /* V*omega_n*1/R*D/I1 */
+    const double t24 = t16*t23; /* 1/(s*D/I1)*V*omega_n*1/R*D/I1 */
+    const double t25 = JLT_FMS(x[4], t8, t24); /* omega3*omega_tau*gamma3 - 1/(s*D/I1)*V*omega_n*1/R*D/I1 */
+    out[4] = t25;
+    const double t26 = -x[3]; /* -omega_n */
+    out[5] = t26;
+    const double t27 = t4 + t11; /* s*omega3 + omega_n*gamma3 */
     out[6] = t27;
-    const double t28 = JLT_FMA(p[1], t26, t11); /* R*s*omega3 + omega_n*b */
-    const double t29 = x[3]*t28; /* omega_n*(R*s*omega3 + omega_n*b) */
-    out[1] = t29;
-    const double t30 = cos(x[5]); /* C = cos(chi) */
-    const double t31 = sin(x[5]); /* S = sin(chi) */
-    const double t32 = x[1]*t30; /* v_nu*C */
-    const double t33 = JLT_FMA(t28, t31, t32); /* (R*s*omega3 + omega_n*b)*S + v_nu*C */
-    const double t34 = x[9]*t33; /* s*((R*s*omega3 + omega_n*b)*S + v_nu*C) */
-    out[7] = t34;
-    const double t35 = x[1]*t31; /* v_nu*S */
-    const double t36 = JLT_FNMA(t28, t30, t35); /* v_nu*S - (R*s*omega3 + omega_n*b)*C */
-    const double t37 = x[9]*t36; /* s*(v_nu*S - (R*s*omega3 + omega_n*b)*C) */
-    out[8] = t37;
+    const double t28 = cos(x[5]); /* C = cos(chi) */
+    const double t29 = x[1]*t28; /* v_nu*C */
+    const double t30 = sin(x[5]); /* S = sin(chi) */
+    const double t31 = JLT_FMA(t6, t30, t29); /* R*(b*omega_n*1/R + s*omega3)*S + v_nu*C */
+    const double t32 = x[9]*t31; /* s*(R*(b*omega_n*1/R + s*omega3)*S + v_nu*C) */
+    out[7] = t32;
+    const double t33 = x[1]*t30; /* v_nu*S */
+    const double t34 = JLT_FNMA(t6, t28, t33); /* v_nu*S - R*(b*omega_n*1/R + s*omega3)*C */
+    const double t35 = x[9]*t34; /* s*(v_nu*S - R*(b*omega_n*1/R + s*omega3)*C) */
+    out[8] = t35;
+    const double t36 = x[9]*t8; /* s*omega_tau*gamma3 */
+    const double t37 = -t36; /* -s*omega_tau*gamma3 */
+    out[9] = t37;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -218,7 +218,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[30] = t0;
     const double t1 = x[9]*x[9]; /* s*s */
     out[2] = t1;
-    const double t2 = JLT_FMA(p[6], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t2 = JLT_FMA(p[7], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
     const double t3 = x[9]*t2; /* s*D/I1 */
     const double t4 = 1.0/t3; /* 1/(s*D/I1) */
     const double t5 = t2*t4; /* 1/s = D/I1*1/(s*D/I1) */
@@ -252,65 +252,65 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t27 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
     const double t28 = sin(x[5]); /* S = sin(chi) */
     const double t29 = cos(x[5]); /* C = cos(chi) */
-    const double t30 = p[1]*x[3]; /* R*omega_n */
-    const double t31 = x[4]*t30; /* omega3*R*omega_n */
-    out[19] = t31;
-    const double t32 = p[6]*t14; /* m*a3^2/I1*s*omega_tau */
-    const double t33 = JLT_FMS(t14, t32, t7); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t34 = t6*t33; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    out[20] = t34;
-    const double t35 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[32] = t35;
-    const double t36 = (-2.0)*t35; /* (-2)*omega_n*gamma3 */
-    const double t37 = t6*t36; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[23] = t37;
-    const double t38 = x[3]*t5; /* omega_n*1/s */
-    const double t39 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
-    const double t40 = t5*t39; /* 1/s*V */
-    const double t41 = p[12]*t40; /* (-1/R)*1/s*V */
-    out[43] = t41;
-    const double t42 = x[9]*t29; /* s*C */
-    out[71] = t42;
-    const double t43 = t30*t42; /* R*omega_n*s*C */
-    const double t44 = -t43; /* -R*omega_n*s*C */
-    out[80] = t44;
-    const double t45 = x[9]*t28; /* s*S */
-    out[81] = t45;
-    const double t46 = t9*t45; /* b*s*S */
-    out[73] = t46;
-    const double t47 = t9*t42; /* b*s*C */
+    const double t30 = x[3]*t10; /* omega_n*s*R */
+    out[14] = t30;
+    const double t31 = t29*t30; /* C*omega_n*s*R */
+    const double t32 = -t31; /* -C*omega_n*s*R */
+    out[80] = t32;
+    const double t33 = p[7]*t14; /* m*a3^2/I1*s*omega_tau */
+    const double t34 = JLT_FMS(t14, t33, t7); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t35 = t6*t34; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[20] = t35;
+    const double t36 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[32] = t36;
+    const double t37 = (-2.0)*t36; /* (-2)*omega_n*gamma3 */
+    const double t38 = t6*t37; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[23] = t38;
+    const double t39 = x[3]*t5; /* omega_n*1/s */
+    const double t40 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t41 = t5*t40; /* 1/s*V */
+    const double t42 = p[12]*t41; /* (-1/R)*1/s*V */
+    out[43] = t42;
+    const double t43 = x[9]*t28; /* s*S */
+    out[81] = t43;
+    const double t44 = t9*t43; /* b*s*S */
+    out[73] = t44;
+    const double t45 = t10*t43; /* s*R*s*S */
+    out[74] = t45;
+    const double t46 = x[9]*t29; /* s*C */
+    out[71] = t46;
+    const double t47 = t9*t46; /* b*s*C */
     const double t48 = -t47; /* -b*s*C */
     out[83] = t48;
-    const double t49 = t10*t45; /* s*R*s*S */
-    out[74] = t49;
-    const double t50 = x[3]*t10; /* omega_n*s*R */
-    out[14] = t50;
-    const double t51 = t28*t50; /* S*omega_n*s*R */
-    out[70] = t51;
-    const double t52 = t10*t42; /* s*R*s*C */
-    const double t53 = -t52; /* -s*R*s*C */
-    out[84] = t53;
+    const double t49 = t10*t46; /* s*R*s*C */
+    const double t50 = -t49; /* -s*R*s*C */
+    out[84] = t50;
+    const double t51 = p[1]*x[3]; /* R*omega_n */
+    const double t52 = x[4]*t51; /* omega3*R*omega_n */
+    out[19] = t52;
+    const double t53 = t43*t51; /* s*S*R*omega_n */
+    out[70] = t53;
     const double t54 = x[2]*x[0]; /* omega_tau*gamma3 */
     out[33] = t54;
     out[44] = t54;
     const double t55 = -t54; /* -omega_tau*gamma3 */
     out[99] = t55;
-    const double t56 = JLT_FNMA(p[11], t38, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t56 = JLT_FNMA(p[11], t39, x[4]); /* omega3 - a3/R*omega_n*1/s */
     const double t57 = x[2]*t56; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
     out[40] = t57;
-    const double t58 = p[8]*t38; /* 1/R*omega_n*1/s */
-    const double t59 = t40*t58; /* 1/s*V*1/R*omega_n*1/s */
+    const double t58 = p[6]*t39; /* 1/R*omega_n*1/s */
+    const double t59 = t41*t58; /* 1/s*V*1/R*omega_n*1/s */
     out[49] = t59;
     const double t60 = -t58; /* -1/R*omega_n*1/s */
     out[41] = t60;
     const double t61 = x[0]*x[4]; /* gamma3*omega3 */
     const double t62 = JLT_FNMA(t27, t58, t61); /* gamma3*omega3 - e*1/R*omega_n*1/s */
     out[42] = t62;
-    const double t63 = x[1]*t45; /* v_nu*s*S */
-    const double t64 = JLT_FMS(t21, t42, t63); /* v_tau*s*C - v_nu*s*S */
+    const double t63 = x[1]*t43; /* v_nu*s*S */
+    const double t64 = JLT_FMS(t21, t46, t63); /* v_tau*s*C - v_nu*s*S */
     out[75] = t64;
-    const double t65 = x[1]*t42; /* v_nu*s*C */
-    const double t66 = JLT_FMA(t21, t45, t65); /* v_tau*s*S + v_nu*s*C */
+    const double t65 = x[1]*t46; /* v_nu*s*C */
+    const double t66 = JLT_FMA(t21, t43, t65); /* v_tau*s*S + v_nu*s*C */
     out[85] = t66;
     const double t67 = x[1]*t29; /* v_nu*C */
     const double t68 = JLT_FMA(t22, t28, t67); /* (omega3*s*R + v_tau)*S + v_nu*C */
@@ -397,105 +397,105 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[40] = t1;
     const double t2 = x[9]*x[9]; /* s*s */
     out[12] = t2;
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t4 = p[7]*t2; /* m*g*a3/I1*s*s */
-    const double t5 = x[9]*t3; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = t3*t6; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t8 = x[9]*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t9 = x[9]*x[2]; /* s*omega_tau */
-    const double t10 = x[9]*t9; /* s*s*omega_tau */
-    out[0] = t10;
-    const double t11 = 2.0*t9; /* 2*s*omega_tau */
-    out[19] = t11;
-    const double t12 = -t9; /* -s*omega_tau */
-    out[100] = t12;
-    const double t13 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t14 = x[9]*p[1]; /* s*R */
-    const double t15 = x[3]*t13; /* omega_n*b */
-    const double t16 = x[4]*t14; /* omega3*s*R */
-    const double t17 = JLT_FMA(2.0, t15, t16); /* 2*omega_n*b + omega3*s*R */
-    out[23] = t17;
-    const double t18 = t15 + t16; /* omega_n*b + omega3*s*R */
-    const double t19 = x[3]*t18; /* omega_n*(omega_n*b + omega3*s*R) */
-    out[1] = t19;
-    const double t20 = p[6]*t9; /* m*a3^2/I1*s*omega_tau */
-    const double t21 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t22 = JLT_FMS(t9, t20, t21); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t23 = t8*t22; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    out[30] = t23;
-    const double t24 = x[0]*t23; /* gamma3*t23 */
-    const double t25 = JLT_FNMA(t4, t8, t24); /* gamma3*t23 - m*g*a3/I1*s*s*1/(D/I1) */
-    out[2] = t25;
-    const double t26 = p[1]*t21; /* R*omega_n*omega_n */
-    out[20] = t26;
-    const double t27 = JLT_FMA(x[2], x[2], t21); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t28 = sin(x[5]); /* S = sin(chi) */
-    const double t29 = x[9]*t8; /* s*1/(D/I1) */
-    const double t30 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
-    const double t31 = t29*t30; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t32 = t27*t31; /* (omega_tau*omega_tau + omega_n*omega_n)*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t33 = JLT_FNMA(p[10], t29, t32); /* t32 - 2*m*g*a3/I1*s*1/(D/I1) */
-    const double t34 = t9*t31; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[32] = t34;
-    const double t35 = t8*t33; /* 1/(D/I1)*(t32 - 2*m*g*a3/I1*s*1/(D/I1)) */
+    const double t3 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t4 = x[9]*t3; /* s*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s*D/I1) */
+    const double t6 = t3*t5; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t7 = x[9]*t5; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t8 = x[9]*x[2]; /* s*omega_tau */
+    const double t9 = x[9]*t8; /* s*s*omega_tau */
+    out[0] = t9;
+    const double t10 = 2.0*t8; /* 2*s*omega_tau */
+    out[19] = t10;
+    const double t11 = -t8; /* -s*omega_tau */
+    out[100] = t11;
+    const double t12 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t13 = x[9]*p[1]; /* s*R */
+    const double t14 = x[3]*t12; /* omega_n*b */
+    const double t15 = x[4]*t13; /* omega3*s*R */
+    const double t16 = JLT_FMA(2.0, t14, t15); /* 2*omega_n*b + omega3*s*R */
+    out[23] = t16;
+    const double t17 = t14 + t15; /* omega_n*b + omega3*s*R */
+    const double t18 = x[3]*t17; /* omega_n*(omega_n*b + omega3*s*R) */
+    out[1] = t18;
+    const double t19 = p[7]*t8; /* m*a3^2/I1*s*omega_tau */
+    const double t20 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t21 = JLT_FMS(t8, t19, t20); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t22 = t7*t21; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[30] = t22;
+    const double t23 = x[0]*t22; /* gamma3*t22 */
+    const double t24 = p[1]*t20; /* R*omega_n*omega_n */
+    out[20] = t24;
+    const double t25 = JLT_FMA(x[2], x[2], t20); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t26 = x[9]*t7; /* s*1/(D/I1) */
+    const double t27 = sin(x[5]); /* S = sin(chi) */
+    const double t28 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t29 = t26*t28; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t30 = t25*t29; /* (omega_tau*omega_tau + omega_n*omega_n)*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t31 = t8*t29; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[32] = t31;
+    const double t32 = x[0]*t8; /* gamma3*s*omega_tau */
+    const double t33 = -t32; /* -gamma3*s*omega_tau */
+    out[9] = t33;
+    const double t34 = JLT_FNMA(p[10], t26, t30); /* t30 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t35 = t7*t34; /* 1/(D/I1)*(t30 - 2*m*g*a3/I1*s*1/(D/I1)) */
     out[39] = t35;
-    const double t36 = x[0]*t9; /* gamma3*s*omega_tau */
-    const double t37 = -t36; /* -gamma3*s*omega_tau */
-    out[9] = t37;
-    const double t38 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t39 = x[3]*t7; /* omega_n*1/s */
-    const double t40 = cos(x[5]); /* C = cos(chi) */
-    const double t41 = x[1]*t28; /* v_nu*S */
-    const double t42 = JLT_FNMA(t18, t40, t41); /* v_nu*S - (omega_n*b + omega3*s*R)*C */
-    const double t43 = JLT_FNMA(t16, t40, t42); /* v_nu*S - (omega_n*b + omega3*s*R)*C - omega3*s*R*C */
-    out[99] = t43;
-    const double t44 = x[9]*t42; /* s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
-    out[8] = t44;
-    const double t45 = -t44; /* -s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
-    out[85] = t45;
-    const double t46 = JLT_FMA(x[2], t38, x[1]); /* V = omega_tau*e + v_nu */
-    const double t47 = p[8]*t39; /* 1/R*omega_n*1/s */
-    const double t48 = JLT_FNMA(p[11], t39, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t49 = x[2]*t48; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[50] = t49;
-    const double t50 = -t47; /* -1/R*omega_n*1/s */
-    out[51] = t50;
-    const double t51 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[42] = t51;
-    const double t52 = JLT_FMA(x[9], x[4], t51); /* s*omega3 + omega_n*gamma3 */
-    out[6] = t52;
-    const double t53 = (-2.0)*t51; /* (-2)*omega_n*gamma3 */
-    const double t54 = t8*t53; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[33] = t54;
-    const double t55 = x[1]*t40; /* v_nu*C */
-    const double t56 = JLT_FMA(t18, t28, t55); /* (omega_n*b + omega3*s*R)*S + v_nu*C */
-    const double t57 = JLT_FMA(t16, t28, t56); /* omega3*s*R*S + (omega_n*b + omega3*s*R)*S + v_nu*C */
-    out[89] = t57;
-    const double t58 = x[9]*t56; /* s*((omega_n*b + omega3*s*R)*S + v_nu*C) */
-    out[7] = t58;
-    out[95] = t58;
-    const double t59 = x[3]*t14; /* omega_n*s*R */
-    out[24] = t59;
-    const double t60 = t28*t59; /* S*omega_n*s*R */
-    out[80] = t60;
-    const double t61 = x[9]*t28; /* s*S */
-    out[91] = t61;
-    const double t62 = t40*t59; /* C*omega_n*s*R */
-    const double t63 = -t62; /* -C*omega_n*s*R */
-    out[90] = t63;
-    const double t64 = x[9]*t40; /* s*C */
-    out[81] = t64;
-    const double t65 = t13*t61; /* b*s*S */
-    out[83] = t65;
-    const double t66 = t14*t61; /* s*R*s*S */
-    out[84] = t66;
-    const double t67 = t13*t64; /* b*s*C */
-    const double t68 = t14*t64; /* s*R*s*C */
-    const double t69 = -t67; /* -b*s*C */
-    out[93] = t69;
-    const double t70 = -t68; /* -s*R*s*C */
-    out[94] = t70;
+    const double t36 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t37 = x[3]*t6; /* omega_n*1/s */
+    const double t38 = cos(x[5]); /* C = cos(chi) */
+    const double t39 = x[1]*t27; /* v_nu*S */
+    const double t40 = JLT_FNMA(t17, t38, t39); /* v_nu*S - (omega_n*b + omega3*s*R)*C */
+    const double t41 = JLT_FNMA(t15, t38, t40); /* v_nu*S - (omega_n*b + omega3*s*R)*C - omega3*s*R*C */
+    out[99] = t41;
+    const double t42 = x[9]*t40; /* s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
+    out[8] = t42;
+    const double t43 = -t42; /* -s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
+    out[85] = t43;
+    const double t44 = JLT_FMA(x[2], t36, x[1]); /* V = omega_tau*e + v_nu */
+    const double t45 = p[6]*t37; /* 1/R*omega_n*1/s */
+    const double t46 = JLT_FNMA(p[11], t37, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t47 = x[2]*t46; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[50] = t47;
+    const double t48 = -t45; /* -1/R*omega_n*1/s */
+    out[51] = t48;
+    const double t49 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[42] = t49;
+    const double t50 = JLT_FMA(x[9], x[4], t49); /* s*omega3 + omega_n*gamma3 */
+    out[6] = t50;
+    const double t51 = (-2.0)*t49; /* (-2)*omega_n*gamma3 */
+    const double t52 = t7*t51; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[33] = t52;
+    const double t53 = x[1]*t38; /* v_nu*C */
+    const double t54 = JLT_FMA(t17, t27, t53); /* (omega_n*b + omega3*s*R)*S + v_nu*C */
+    const double t55 = JLT_FMA(t15, t27, t54); /* omega3*s*R*S + (omega_n*b + omega3*s*R)*S + v_nu*C */
+    out[89] = t55;
+    const double t56 = x[9]*t54; /* s*((omega_n*b + omega3*s*R)*S + v_nu*C) */
+    out[7] = t56;
+    out[95] = t56;
+    const double t57 = x[3]*t13; /* omega_n*s*R */
+    out[24] = t57;
+    const double t58 = t27*t57; /* S*omega_n*s*R */
+    out[80] = t58;
+    const double t59 = x[9]*t27; /* s*S */
+    out[91] = t59;
+    const double t60 = t38*t57; /* C*omega_n*s*R */
+    const double t61 = -t60; /* -C*omega_n*s*R */
+    out[90] = t61;
+    const double t62 = x[9]*t38; /* s*C */
+    out[81] = t62;
+    const double t63 = t12*t59; /* b*s*S */
+    out[83] = t63;
+    const double t64 = t13*t59; /* s*R*s*S */
+    out[84] = t64;
+    const double t65 = t12*t62; /* b*s*C */
+    const double t66 = t13*t62; /* s*R*s*C */
+    const double t67 = -t65; /* -b*s*C */
+    out[93] = t67;
+    const double t68 = -t66; /* -s*R*s*C */
+    out[94] = t68;
+    const double t69 = x[9]*p[8]; /* s*m*g*a3/I1 */
+    const double t70 = JLT_FNMA(t26, t69, t23); /* gamma3*t22 - s*1/(D/I1)*s*m*g*a3/I1 */
+    out[2] = t70;
     const double t71 = x[2]*x[0]; /* omega_tau*gamma3 */
     out[43] = t71;
     out[54] = t71;
@@ -503,19 +503,19 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[3] = t72;
     const double t73 = -t71; /* -omega_tau*gamma3 */
     out[109] = t73;
-    const double t74 = t46*t47; /* V*1/R*omega_n*1/s */
+    const double t74 = t44*t45; /* V*1/R*omega_n*1/s */
     const double t75 = JLT_FMS(x[4], t71, t74); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
     out[4] = t75;
-    const double t76 = t7*t74; /* 1/s*V*1/R*omega_n*1/s */
+    const double t76 = t6*t74; /* 1/s*V*1/R*omega_n*1/s */
     out[59] = t76;
-    const double t77 = p[12]*t46; /* (-1/R)*V */
-    const double t78 = t7*t77; /* 1/s*(-1/R)*V */
+    const double t77 = p[12]*t44; /* (-1/R)*V */
+    const double t78 = t6*t77; /* 1/s*(-1/R)*V */
     out[53] = t78;
     const double t79 = x[3]*p[1]; /* omega_n*R */
     const double t80 = x[4]*t79; /* omega3*omega_n*R */
     out[29] = t80;
     const double t81 = x[0]*x[4]; /* gamma3*omega3 */
-    const double t82 = JLT_FNMA(t38, t47, t81); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    const double t82 = JLT_FNMA(t36, t45, t81); /* gamma3*omega3 - e*1/R*omega_n*1/s */
     out[52] = t82;
     const double t83 = x[9]*x[0]; /* s*gamma3 */
     const double t84 = -t83; /* -s*gamma3 */
@@ -667,26 +667,25 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x7[JLT_JET_ORDER_MAX + 1];
     double x8[JLT_JET_ORDER_MAX + 1];
     double x9[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
@@ -695,14 +694,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
-    double u41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double u43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
+    double u44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
+    double u46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
@@ -719,55 +719,55 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[9] = x9[0] = x[9];
     coefficients[10] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x9, x9, k);
-        t3[k] = jlt_jet_product(x2, t2, k);
-        t8[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
-        t10[k] = x3[k]*p[8];
-        t12[k] = jlt_jet_product(x9, x4, k);
-        t13[k] = jlt_jet_product(t8, t10, k) + t12[k];
-        t14[k] = p[1]*t13[k];
-        t15[k] = jlt_jet_product(x3, t14, k);
-        t17[k] = jlt_jet_product(x2, x0, k);
-        t18[k] = p[6]*t17[k];
-        t19[k] = jlt_jet_product(t3, t18, k);
-        t20[k] = jlt_jet_product(x3, x0, k);
-        t22[k] = t19[k] - jlt_jet_product(x3, t20, k);
-        t23[k] = t22[k] - t2[k]*p[7];
-        t25[k] = t2[k]*p[6] + (k == 0 ? 1.0 : 0);
-        t26[k] = jlt_jet_product(x9, t25, k);
-        t27[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t26, t27, k);
-        t28[k] = jlt_jet_product(x9, t23, k);
-        t29[k] = jlt_jet_product(t27, t28, k);
-        t30[k] = jlt_jet_product(x3, t17, k);
-        t32[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t33[k] = jlt_jet_product(x2, t32, k) + x1[k];
-        t34[k] = jlt_jet_product(t10, t25, k);
-        t35[k] = jlt_jet_product(t33, t34, k);
-        t36[k] = jlt_jet_product(t27, t35, k);
-        t37[k] = jlt_jet_product(x4, t17, k) - t36[k];
-        t38[k] = -x3[k];
-        t39[k] = t12[k] + t20[k];
-        t41[k] = jlt_jet_cosine(x5, t41, u41, k);
-        t42[k] = jlt_jet_product(x1, t41, k);
-        t43[k] = jlt_jet_sine(x5, t43, u43, k);
-        t44[k] = jlt_jet_product(t14, t43, k) + t42[k];
-        t45[k] = jlt_jet_product(x9, t44, k);
-        t46[k] = jlt_jet_product(x1, t43, k);
-        t47[k] = t46[k] - jlt_jet_product(t14, t41, k);
-        t48[k] = jlt_jet_product(x9, t47, k);
-        t49[k] = jlt_jet_product(x9, t17, k);
-        t50[k] = -t49[k];
+        t13[k] = -x3[k];
+        t14[k] = jlt_jet_product(x9, x9, k);
+        t15[k] = p[7]*t14[k] + (k == 0 ? 1.0 : 0);
+        t16[k] = jlt_jet_product(x2, x0, k);
+        t17[k] = jlt_jet_product(x3, t16, k);
+        t18[k] = jlt_jet_product(x9, t15, k);
+        t19[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t18, t19, k);
+        t20[k] = jlt_jet_product(x2, t14, k);
+        t21[k] = p[7]*t16[k];
+        t22[k] = jlt_jet_product(t20, t21, k);
+        t23[k] = jlt_jet_product(x9, x4, k);
+        t24[k] = jlt_jet_product(x3, x0, k);
+        t25[k] = t22[k] - jlt_jet_product(x3, t24, k);
+        t26[k] = t25[k] - p[8]*t14[k];
+        t27[k] = t23[k] + t24[k];
+        t28[k] = p[1]*t23[k];
+        t29[k] = jlt_jet_product(x9, t26, k);
+        t30[k] = jlt_jet_product(t19, t29, k);
+        t31[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
+        t32[k] = jlt_jet_product(x2, t31, k) + x1[k];
+        t33[k] = x3[k]*p[6];
+        t34[k] = jlt_jet_product(t15, t33, k);
+        t35[k] = jlt_jet_product(t32, t34, k);
+        t36[k] = jlt_jet_product(t19, t35, k);
+        t37[k] = jlt_jet_product(x4, t16, k) - t36[k];
+        t38[k] = jlt_jet_product(x9, t16, k);
+        t39[k] = -t38[k];
+        t40[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
+        t41[k] = jlt_jet_product(x3, t40, k) + t28[k];
+        t42[k] = jlt_jet_product(x3, t41, k);
+        t43[k] = jlt_jet_product(x9, t41, k);
+        t44[k] = jlt_jet_cosine(x5, t44, u44, k);
+        t45[k] = jlt_jet_product(x9, x1, k);
+        t46[k] = jlt_jet_sine(x5, t46, u46, k);
+        t47[k] = jlt_jet_product(t44, t45, k);
+        t48[k] = jlt_jet_product(t43, t46, k) + t47[k];
+        t49[k] = jlt_jet_product(t45, t46, k);
+        t50[k] = t49[k] - jlt_jet_product(t43, t44, k);
         double *restrict next = coefficients + (k + 1)*11;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t15[k]/(k + 1);
-        next[2] = x2[k + 1] = t29[k]/(k + 1);
-        next[3] = x3[k + 1] = t30[k]/(k + 1);
+        next[0] = x0[k + 1] = t20[k]/(k + 1);
+        next[1] = x1[k + 1] = t42[k]/(k + 1);
+        next[2] = x2[k + 1] = t30[k]/(k + 1);
+        next[3] = x3[k + 1] = t17[k]/(k + 1);
         next[4] = x4[k + 1] = t37[k]/(k + 1);
-        next[5] = x5[k + 1] = t38[k]/(k + 1);
-        next[6] = x6[k + 1] = t39[k]/(k + 1);
-        next[7] = x7[k + 1] = t45[k]/(k + 1);
-        next[8] = x8[k + 1] = t48[k]/(k + 1);
-        next[9] = x9[k + 1] = t50[k]/(k + 1);
+        next[5] = x5[k + 1] = t13[k]/(k + 1);
+        next[6] = x6[k + 1] = t27[k]/(k + 1);
+        next[7] = x7[k + 1] = t48[k]/(k + 1);
+        next[8] = x8[k + 1] = t50[k]/(k + 1);
+        next[9] = x9[k + 1] = t39[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
     }
 }
@@ -902,7 +902,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228",
+    .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .prepared_count = 20,
@@ -910,12 +910,12 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 10, { 3, 22, 10, 1, 0, 2, 7, 8 }, { 14, 49, 0, 4, 0, 2, 8, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau, d(spin)/dtau, R*s*omega3 + omega_n*b, (R*s*omega3 + omega_n*b)*S + v_nu*C, v_nu*S - (R*s*omega3 + omega_n*b)*C" },
-    .jacobian = { jacobian, 100, { 9, 47, 14, 1, 0, 2, 10, 14 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
+    .rhs = { rhs, 10, { 3, 22, 10, 1, 0, 2, 7, 9 }, { 14, 49, 0, 4, 0, 2, 8, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, b*omega_n*(1/R) + s*omega3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau, d(spin)/dtau, R*(b*omega_n*(1/R) + s*omega3)*S + v_nu*C, v_nu*S - R*(b*omega_n*(1/R) + s*omega3)*C" },
+    .jacobian = { jacobian, 100, { 9, 47, 14, 1, 0, 2, 10, 13 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), v_tau = omega_n*b + omega3*s*R, omega3*s*R + v_tau, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(d(x)/dtau)/d(chi), d(d(y)/dtau)/d(chi), d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 11, 54, 17, 1, 0, 2, 10, 13 }, { 36, 177, 0, 18, 0, 2, 11, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s), V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega_n*b + omega3*s*R)*S + v_nu*C, d(d(x)/dtau)/d(s), d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 110, { 11, 54, 17, 1, 0, 2, 10, 15 }, { 36, 177, 0, 18, 0, 2, 11, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s), V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega_n*b + omega3*s*R)*S + v_nu*C, d(d(x)/dtau)/d(s), d(omega_tau)/dtau, d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 0, 12, 9, 0, 0, 2, 5, 6 }, { 9, 30, 0, 0, 0, 2, 9, 6 },

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint: reduced system, attitude and track: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_track, SHA-256 e5eebb5567edc15e7cc6fede26c131ca64344936d08ff51ea4e1a4b893121228
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -20,7 +20,7 @@ static const struct argp_option option_table[] = {
     { "every", EVERY, "DT", 0, "Time between rows of --until; default a hundredth of it", 1 },
     { "tier", TIER, "TIER", 0, "The model to use; default the smallest that can answer (jellett plan lists them)", 1 },
     { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well: a column of differences each", 1 },
-    { "track", TRACK, NULL, 0, "Attitude, centre of mass and contact point as well", 1 },
+    { "track", TRACK, NULL, 0, "What a larger table tells beside, such as attitude and track: its states and what it observes", 1 },
     { "project", PROJECT, NULL, 0, "After every step back onto the start's levels of all integrals", 1 },
     { 0 },
 };
@@ -46,7 +46,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (r->times_text == NULL && isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
         if (r->times_text != NULL && !isnan(r->until)) argp_error(state, "--times and --until exclude each other");
         if (isnan(r->until) && !isnan(r->every)) argp_error(state, "--every goes with --until");
-        if (r->track && r->session.common.axes != NULL) argp_error(state, "--track and --axes exclude each other: one picture at a time");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -143,8 +142,8 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
                                 s->descriptor->model);
-    if (st == JLT_ERR_UNSUPPORTED && tier == NULL && question.attitude)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--track: no table that tells attitude and track serves for %s (jellett plan simulate ... says why)",
+    if (st == JLT_ERR_UNSUPPORTED && tier == NULL && question.more)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
                                 s->descriptor->model);
     if (st == JLT_ERR_UNSUPPORTED && tier != NULL) {
         char refusal[1024];
@@ -191,12 +190,11 @@ static jlt_exit open_courses(jlt_simulate_request *r)
 
 static void write_header(FILE *file, const jlt_simulate_request *r)
 {
-    static const char *const axes[] = { "alpha", "beta", "gamma" };
     const jlt_session *s = &r->session;
     const jlt_plan *plan = &r->plans[0];
     const jlt_instance *kernel = jlt_course_kernel(r->courses[0]);
-    const jlt_quantity *observed;
-    const unsigned observes = jlt_course_observes(r->courses[0], &observed);
+    const jlt_quantity *observed, *more;
+    const unsigned observes = jlt_course_observes(r->courses[0], &observed), beside = jlt_course_tells_more(r->courses[0], &more, NULL);
 
     const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor; /* tiers, and their levels, change over a sweep */
     double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
@@ -210,11 +208,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
         fprintf(file, ",drift_%s", jlt_course_integral(r->courses[0], i));
     for (unsigned i = 0; i < observes; i++) fprintf(file, ",%s", observed[i].name);
-    if (r->track) {
-        fputs(",x,y,x_contact,y_contact", file);
-        for (int i = 0; i < 3; i++) fprintf(file, ",%s1,%s2,%s3", axes[i], axes[i], axes[i]);
-        fputs(",orthonormality", file);
-    }
+    for (unsigned i = 0; i < beside; i++) fprintf(file, ",%s", more[i].name);
     for (size_t k = 1; k < r->course_count; k++) fprintf(file, ",difference_%s", jlt_plan_tier(&r->plans[k]));
     fputs(",fate\n", file);
 }
@@ -259,13 +253,8 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++) values[count++] = row->drift[i];
     jlt_csv_values(file, values, count);
     jlt_csv_more(file, row->observed, jlt_course_observes(r->courses[0], NULL));
+    jlt_csv_more(file, row->more, jlt_course_tells_more(r->courses[0], NULL, NULL));
     count = 0;
-    if (r->track) {
-        for (int i = 0; i < 2; i++) values[count++] = row->attitude.centre[i];
-        for (int i = 0; i < 2; i++) values[count++] = row->attitude.contact[i];
-        for (int i = 0; i < 9; i++) values[count++] = row->attitude.axes[i / 3][i % 3];
-        values[count++] = row->attitude.orthonormality;
-    }
     for (size_t k = 1; k < r->course_count; k++)
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_more(file, values, count);
@@ -368,9 +357,9 @@ static jlt_exit run(int argc, char **argv)
     if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
     code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
-    if (code == JLT_EXIT_DONE) code = jlt_simulate_axes(&r);
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
+    if (code == JLT_EXIT_DONE) code = jlt_simulate_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
         jlt_planned_show(&r.plans[0], NULL);
         for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
@@ -396,5 +385,5 @@ done:
 
 const jlt_command jlt_command_simulate = {
     "simulate", "[MODEL] --start ... --times ...|--until ... [OPTION...]",
-    "One orbit at given times: states, drift of integrals, observed quantities, attitude and track", run, &parser
+    "One orbit at given times: states, drift of integrals, observed quantities", run, &parser
 };

@@ -4,35 +4,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/chart.h"
 #include "report/symbol.h"
 
 enum { PANELS_MAX = 4 };
 
-/* Of the columns: t, states, drifts, and with --track the contact point and the axis seen from above. */
+/* Of the columns: t, states, drifts, and with --track what the larger table tells. */
 static unsigned first_drift(const jlt_simulate_request *r)
 {
     return 1 + r->session.descriptor->state_count;
 }
 
-static unsigned first_of_track(const jlt_simulate_request *r)
+static unsigned first_of_more(const jlt_simulate_request *r)
 {
     return first_drift(r) + jlt_course_integrals(r->courses[0]);
 }
 
 void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row)
 {
-    const jlt_attitude *a = &row->attitude;
     FILE *points = request->session.common.points;
-    const double track[] = { a->contact[0], a->contact[1], a->axes[0][2], a->axes[1][2] };
-    const unsigned drift = first_drift(request), first = first_of_track(request);
+    const unsigned drift = first_drift(request), first = first_of_more(request);
+    const unsigned count = first + jlt_course_tells_more(request->courses[0], NULL, NULL);
 
     if (request->extents == NULL) {
-        request->extents = malloc((first + 4) * sizeof *request->extents);
-        for (unsigned k = 0; request->extents != NULL && k < first + 4; k++) request->extents[k] = JLT_EXTENT_NONE;
+        request->extents = malloc(count * sizeof *request->extents);
+        for (unsigned k = 0; request->extents != NULL && k < count; k++) request->extents[k] = JLT_EXTENT_NONE;
     }
-    for (unsigned k = 0; request->extents != NULL && k < first + (request->track ? 4 : 0); k++) {
-        const double value = k == 0 ? row->t : k < drift ? row->x[k - 1] : k < first ? fmax(row->drift[k - drift], 1e-17) : track[k - first];
+    for (unsigned k = 0; request->extents != NULL && k < count; k++) {
+        const double value = k == 0 ? row->t : k < drift ? row->x[k - 1] : k < first ? fmax(row->drift[k - drift], 1e-17) : row->more[k - first];
         if (k > 0) fputc(' ', points);
         jlt_look_value(points, value);
         jlt_extent_add(&request->extents[k], value);
@@ -129,44 +127,61 @@ static void curve_in_plane(jlt_plot *plot, unsigned x, unsigned y)
     fputs(" title 'start'\n", plot->stream);
 }
 
-static void draw_track(jlt_plot *plot, const jlt_simulate_request *r)
+/* Of a column that is no drift: t, a state, or what the larger table tells. */
+static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
 {
-    const unsigned first = first_of_track(r);
+    const jlt_quantity *more;
 
-    jlt_plot_panels(plot, 2, false);
-    fputs("set size ratio -1\nset title 'contact point'\n", plot->stream);
-    jlt_plot_axis(plot, 'x', "x [m]", jlt_extent_wider(r->extents[first]), 0);
-    jlt_plot_axis(plot, 'y', "y [m]", jlt_extent_wider(r->extents[first + 1]), 0);
-    fputs("plot ", plot->stream);
-    curve_in_plane(plot, first + 1, first + 2);
-    fputs("unset key\nset title 'axis, from above'\nset xlabel '(e_3, α)'\nset ylabel '(e_3, β)'\n"
-          "set xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\nset parametric\nset trange [0:2*pi]\n"
-          "plot cos(t),sin(t) with lines lc rgb '#b0b0b0' notitle, ", plot->stream);
-    curve_in_plane(plot, first + 3, first + 4);
+    jlt_course_tells_more(r->courses[0], &more, NULL);
+    if (column == 0) return (jlt_quantity){ .name = "t", .unit = "s" };
+    return column < first_drift(r) ? r->session.descriptor->states[column - 1] : more[column - first_of_more(r)];
 }
 
-jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
+/* to_scale: both axes have the same scale, and the same length. */
+static void draw_pair(jlt_plot *plot, const jlt_simulate_request *r, const unsigned columns[2], bool to_scale)
 {
-    const jlt_descriptor *d = request->session.descriptor;
-    const char *names[1 + JLT_CHART_STATES_MAX] = { "t" };
-
-    for (unsigned i = 0; i < d->state_count; i++) names[1 + i] = d->states[i].name;
-    return jlt_plot_shown(request->shown, &request->session.common, names, 1 + d->state_count);
-}
-
-/* States against each other, or t. */
-static void draw_plane(jlt_plot *plot, const jlt_simulate_request *r)
-{
-    const jlt_descriptor *d = r->session.descriptor;
+    double length = 0;
     char label[JLT_LOOK_LABEL_MAX];
 
+    for (unsigned k = 0; to_scale && k < 2; k++) length = fmax(length, r->extents[columns[k]].high - r->extents[columns[k]].low);
     for (unsigned k = 0; k < 2; k++) {
-        const unsigned column = r->shown[k];
-        jlt_look_label(label, column == 0 ? "t" : d->states[column - 1].name, column == 0 ? "s" : d->states[column - 1].unit);
-        jlt_plot_axis(plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(r->extents[column]), 0);
+        const jlt_quantity shown = quantity_of(r, columns[k]);
+        jlt_extent range = r->extents[columns[k]];
+        const double missing = fmax(0, length - (range.high - range.low));
+        range = (jlt_extent){ range.low - missing / 2, range.high + missing / 2 };
+        jlt_look_label(label, shown.name, shown.unit);
+        jlt_plot_axis(plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(range), 0);
     }
     fputs("plot ", plot->stream);
-    curve_in_plane(plot, r->shown[0] + 1, r->shown[1] + 1);
+    curve_in_plane(plot, columns[0] + 1, columns[1] + 1);
+}
+
+/* What the larger table observes first: two quantities against each other, and the next two. */
+static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
+{
+    unsigned states;
+    const unsigned observed = jlt_course_tells_more(r->courses[0], NULL, &states) - states, first = first_of_more(r) + states;
+
+    jlt_plot_panels(plot, observed < 4 ? 1 : 2, false);
+    fputs("set size ratio -1\n", plot->stream);
+    for (unsigned k = 0; k + 1 < observed && k < 4; k += 2) draw_pair(plot, r, (unsigned[]){ first + k, first + k + 1 }, true);
+}
+
+/* All columns but the drifts may be shown. */
+jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
+{
+    const unsigned drift = first_drift(request), drifts = first_of_more(request) - drift;
+    const unsigned count = drift + jlt_course_tells_more(request->courses[0], NULL, NULL);
+    const char **names = calloc(count, sizeof *names);
+    jlt_exit code;
+
+    if (names == NULL) return jlt_command_no_memory();
+    for (unsigned i = 0; i < count; i++) names[i] = quantity_of(request, i < drift ? i : i + drifts).name;
+    code = jlt_plot_shown(request->shown, &request->session.common, names, count);
+    for (unsigned k = 0; code == JLT_EXIT_DONE && k < 2; k++)
+        if (request->shown[k] >= drift) request->shown[k] += drifts;
+    free(names);
+    return code;
 }
 
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
@@ -177,8 +192,8 @@ jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
     fputs(JLT_LOOK_GRID, plot.stream);
     jlt_plot_block(&plot, "ROWS", request->session.common.drawn);
     caption(&plot, request);
-    if (request->session.common.axes != NULL) draw_plane(&plot, request);
-    else if (request->track) draw_track(&plot, request);
+    if (request->session.common.axes != NULL) draw_pair(&plot, request, request->shown, false);
+    else if (request->track) draw_more(&plot, request);
     else draw_states(&plot, request);
     return jlt_plot_draw(&plot);
 }

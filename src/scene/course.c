@@ -7,6 +7,7 @@
 
 #include "kernel/descriptor.h"
 #include "scene/course_conditions.h"
+#include "scene/course_more.h"
 #include "scene/course_units.h"
 #include "top/rod.h"
 
@@ -28,7 +29,7 @@ struct jlt_course {
     int direction; /* of time so far: 0, +1, -1 */
     double t;
     bool is_rod;
-    jlt_top top; /* where attitude or quadratures need it */
+    jlt_top top; /* where quadratures need it */
 
     jlt_instance *watch; /* the asked model's kernel: integrals */
     double first[INTEGRALS_MAX], drift[INTEGRALS_MAX];
@@ -41,6 +42,7 @@ struct jlt_course {
 
     jlt_course_conditions conditions;
     double *seen; /* what the asked model observes at its states */
+    jlt_course_more more;
 
     double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX];
     double params[JLT_PLAN_PARAMS_MAX], start[JLT_PLAN_STATES_MAX];
@@ -92,6 +94,13 @@ unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quanti
     return jlt_observed_count(self->conditions.observed);
 }
 
+unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quantities, unsigned *states)
+{
+    if (quantities != NULL) *quantities = self->more.quantities;
+    if (states != NULL) *states = self->more.states;
+    return self->more.count;
+}
+
 /* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no value. */
 static bool is_inside(const jlt_course *self, const double *x)
 {
@@ -141,6 +150,7 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
     self->leg = next;
     if (jlt_observed_conditions(self->conditions.observed) > 0) jlt_orbit_observe(self->leg->orbit, watch_conditions, self);
     self->taken = candidate;
+    if (self->question.more) JLT_TRY(jlt_course_more_follow(&self->more, next, self->question.model, &self->units));
 done:
     return st;
 }
@@ -199,7 +209,7 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     if (self->seen == NULL) goto done;
     st = JLT_OK;
     note_conditions(self, 0, self->start);
-    if (self->is_rod || question->attitude) JLT_TRY(jlt_top_read(&self->top, model, self->params));
+    if (self->is_rod) JLT_TRY(jlt_top_read(&self->top, model, self->params));
     if (self->is_rod) JLT_TRY(jlt_rod_open(&self->rod, &self->top, self->start));
     else {
         JLT_TRY(open_leg(self, plan->chosen, self->start, 0));
@@ -218,6 +228,7 @@ void jlt_course_destroy(jlt_course *self)
     if (self->leg != NULL) jlt_leg_close(self->leg);
     jlt_instance_destroy(self->watch);
     jlt_course_conditions_close(&self->conditions);
+    jlt_course_more_close(&self->more);
     free(self->seen);
     free(self);
 }
@@ -255,10 +266,6 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
     row->t = ldexp(t, units->time);
     row->lost_at = ldexp(row->lost_at, units->time);
     row->unknown_at = ldexp(row->unknown_at, units->time);
-    for (unsigned i = 0; i < 2; i++) {
-        row->attitude.centre[i] = ldexp(row->attitude.centre[i], units->length);
-        row->attitude.contact[i] = ldexp(row->attitude.contact[i], units->length);
-    }
 }
 
 /* Everything a row says of the states in self->x at t, both in the course's units. */
@@ -278,9 +285,9 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     row->lost = self->conditions.lost;
     row->unknown_at = self->conditions.unknown_at;
     row->unknown = self->conditions.unknown;
-    if (self->question.attitude) {
-        row->has_attitude = true;
-        jlt_attitude_of(&row->attitude, &self->top, self->leg->view.instance->descriptor, self->leg->y);
+    if (self->more.count > 0) {
+        jlt_course_more_fill(&self->more, self->leg);
+        row->more = self->more.values;
     }
     restore(self, row, t);
 }

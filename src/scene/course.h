@@ -11,7 +11,6 @@
 #include "integrate/orbit.h"
 #include "kernel/instance.h"
 #include "scene/plan.h"
-#include "top/attitude.h"
 
 typedef struct {
     const jlt_method *method;               /* NULL: the default */
@@ -33,8 +32,7 @@ typedef struct {
     const char *lost;         /* the condition that was broken then; NULL: none */
     double unknown_at;        /* time at which a condition was first seen to have no value, and none to be broken; NaN: never */
     const char *unknown;      /* that condition; NULL: none */
-    bool has_attitude;
-    jlt_attitude attitude;
+    const double *more;       /* shape (jlt_course_tells_more,): what the question wants beyond; NULL: nothing; the course's own */
     int side;                 /* POLE: which one, +1 or -1 */
     unsigned pole;            /* POLE: the state that has come to an end of its interval */
     const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message; the course's own */
@@ -64,6 +62,10 @@ const char *jlt_course_integral(const jlt_course *self, unsigned index);
 
 /** How many quantities the asked model's table observes. Out: *quantities, shape (count,): their names, units and meanings. */
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities);
+
+/** How many quantities a row has beyond, where the question wants more: states of the first tier's own, then what its table observes. Out:
+ *  *quantities, unless NULL: shape (count,); *states, unless NULL: how many are states. NaN stands for one that a later tier does not tell. */
+unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quantities, unsigned *states);
 
 /** Where one tier gave over to another: how often, and the time, both names, and why the first one ended. */
 unsigned jlt_course_changes(const jlt_course *self);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "kernel/descriptor.h"
-#include "top/attitude.h"
+#include "scene/course_more.h"
 #include "top/rod.h"
 
 /* What a claim lacks. */
@@ -64,8 +64,8 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
     else JLT_TRY(try_tier(&c, question));
     if (question->section && (c.descriptor == NULL || c.descriptor->family[0]->section_count == 0 || tier->elimination[0] != '\0'))
         refusal = "its table describes no section";
-    else if (c.refusal[0] == '\0' && refusal == NULL && question->attitude && !jlt_attitude_is_told(tier->table))
-        refusal = "attitude and track are asked for";
+    else if (c.refusal[0] == '\0' && refusal == NULL && question->more && (tier->elimination[0] != '\0' || !jlt_course_more_is_told(tier->table, question->model)))
+        refusal = "its table observes no more than the model's";
     if (c.refusal[0] == '\0' && refusal == NULL) refusal = unproved(&c.broken, tier);
     if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
     *out = c;

@@ -1,6 +1,6 @@
 /** The planner: chooses the smallest model that can answer a question.
  *
- *  A question names a model, its parameters, a start, and whether attitude and track are wanted. The model's tiers (scene/tier.h) are tried
+ *  A question names a model, its parameters, a start, and whether more is wanted than its table tells, such as attitude and track. The model's tiers (scene/tier.h) are tried
  *  from the smallest up, and the first that serves is taken, with the most special kernel for the parameters: one to which proved
  *  claims lead, whose conditions hold at the parameters and at the start. */
 #ifndef JLT_SCENE_PLAN_H
@@ -14,7 +14,7 @@ typedef struct {
     const jlt_descriptor *model; /* the general field that was asked about */
     const double *params;        /* shape (model->param_count,), checked */
     const double *start;         /* shape (model->state_count,), checked; NULL: any */
-    bool attitude;
+    bool more;                   /* the tier's table is to observe what the asked one does not */
     bool section;                /* a table that describes a section is needed */
     const char *tier;            /* take this tier; NULL: the planner chooses; "model": the asked model's own kernel in t */
     const jlt_way_tables *others; /* tables beside those that are built in; NULL: none */

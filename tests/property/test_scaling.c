@@ -10,6 +10,8 @@
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "scene/course.h"
+#include "scene/course_more.h"
+#include "top/top.h"
 
 enum { TOPS = 24, SCALES = 2, RETURNS = 4 };
 
@@ -180,12 +182,24 @@ static void scaled_sections_are_the_same(void **unused)
 /* The course of a tier from the state x to some times; -1 where the tier does not serve. Rows: t, states, drifts, force, track. */
 enum { TIMES = 3, COLUMNS = 16 };
 
+static const char *const track[] = { "x", "y", "x_contact", "y_contact" };
+
+static double told(const jlt_course *course, const jlt_course_row *row, const char *name)
+{
+    const jlt_quantity *more;
+    const unsigned count = jlt_course_tells_more(course, &more, NULL);
+
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(more[i].name, name) == 0) return row->more[i];
+    return NAN;
+}
+
 static int course_rows(double rows[TIMES][COLUMNS], const jlt_top_values *v, const double *x, double until, const jlt_tier *tier,
                        const jlt_method *method)
 {
     const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
     const double params[] = { v->m, v->R, v->g, v->a3, v->I1, v->I3 };
-    const jlt_question question = { .model = model, .params = params, .start = x, .attitude = jlt_attitude_is_told(tier->table), .tier = tier->name };
+    const jlt_question question = { .model = model, .params = params, .start = x, .more = jlt_course_more_is_told(tier->table, model), .tier = tier->name };
     const jlt_course_options options = { .method = method, .tolerance = 1e-9, .max_steps = 2000 };
     jlt_course *course;
     jlt_plan plan;
@@ -200,8 +214,7 @@ static int course_rows(double rows[TIMES][COLUMNS], const jlt_top_values *v, con
         out[0] = row.t;
         memcpy(out + 1, row.x, JLT_TOP_STATES * sizeof *out);
         out[6] = row.observed[0];
-        memcpy(out + 7, row.attitude.centre, 2 * sizeof *out);
-        memcpy(out + 9, row.attitude.contact, 2 * sizeof *out);
+        for (int k = 0; k < 4 && row.more != NULL; k++) out[7 + k] = told(course, &row, track[k]);
         memcpy(out + 11, row.drift, 2 * sizeof *out);
         out[13] = row.end;
         if (row.end != JLT_END_TIME) break;

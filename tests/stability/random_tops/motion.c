@@ -6,6 +6,7 @@
 
 #include "kernel/descriptor.h"
 #include "scene/course.h"
+#include "top/top.h"
 
 enum { TIMES = 3 };
 

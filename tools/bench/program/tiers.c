@@ -6,6 +6,7 @@
 
 #include "kernel/descriptor.h"
 #include "scene/course.h"
+#include "top/top.h"
 
 enum { COLUMNS = 1 + JLT_TOP_STATES, PARAMS = 6, ROUNDS = 20 };
 
