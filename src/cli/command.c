@@ -90,6 +90,12 @@ char *jlt_command_line(int argc, char **argv)
     return NULL;
 }
 
+void jlt_command_free(char **argv, int argc)
+{
+    for (int i = 0; argv != NULL && i < argc; i++) free(argv[i]);
+    free(argv);
+}
+
 jlt_status jlt_command_open(jlt_command_output *output)
 {
     *output = (jlt_command_output){ 0 };

@@ -62,6 +62,9 @@ jlt_exit jlt_command_exit(jlt_status status);
 /* The command as typed, for headers of files; for the caller to free(). NULL when memory is out. */
 char *jlt_command_line(int argc, char **argv);
 
+/* Arguments, each of which is owned. */
+void jlt_command_free(char **argv, int argc);
+
 /** Results of a command, collected in memory and delivered at once: to a file, whole or not at all, or to standard output.
  *  `stream` is to be written to; failures show at delivery. */
 typedef struct {

@@ -84,7 +84,7 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
     printf("%zu. %s (%s:%u)\n", index + 1, job->what, scene->file, job->line);
     if (argv == NULL) return jlt_command_no_memory();
     code = is_still(job->what) ? jlt_common_still() : jlt_job_run(&ending, command, argv, argc);
-    jlt_job_free(argv, argc);
+    jlt_command_free(argv, argc);
     if (ending != 0) jlt_interrupt_end(ending);
     if (code == JLT_EXIT_DONE || code == JLT_EXIT_PLANNED) return JLT_EXIT_DONE;
     return jlt_command_fail(code, "%s:%u: error: there is no plan for %s", scene->file, job->line, job->what);

@@ -137,7 +137,7 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
                 (void)jlt_command_fail(code, "%s:%u: error: %s ended with status %d", scene->file, job->line, job->what,
                                        (int)code);
         }
-        jlt_job_free(argv, argc);
+        jlt_command_free(argv, argc);
     }
     return code;
 }

@@ -339,7 +339,7 @@ static jlt_exit show_all(const sweep *self)
         int argc = 0;
         char **argv = jlt_study_arguments(&self->study, piece_at(self, i), &argc);
         char *line = argv != NULL ? jlt_command_line(argc, argv) : NULL;
-        jlt_job_free(argv, argc);
+        jlt_command_free(argv, argc);
         if (line == NULL) return jlt_command_no_memory();
         printf("jellett %s\n", line);
         free(line);

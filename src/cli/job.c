@@ -36,12 +36,6 @@ jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set)
     return JLT_EXIT_DONE;
 }
 
-void jlt_job_free(char **argv, int argc)
-{
-    for (int i = 0; argv != NULL && i < argc; i++) free(argv[i]);
-    free(argv);
-}
-
 char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc)
 {
     char **argv = calloc(job->count + 5, sizeof *argv);
@@ -62,7 +56,7 @@ char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc)
     if (whole && more != NULL) whole = (argv[count++] = strdup(more)) != NULL;
     *argc = count;
     if (whole) return argv;
-    jlt_job_free(argv, count);
+    jlt_command_free(argv, count);
     return NULL;
 }
 

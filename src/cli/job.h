@@ -11,10 +11,9 @@ extern const jlt_scene_program jlt_job_program;
 /** Give parameters of a scene's commands other values: --set. Says what is wrong. */
 jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set);
 
-/** As it would be typed, argv[0] for the command's name, with one more option behind where that is not NULL; for jlt_job_free. NULL: no
+/** As it would be typed, argv[0] for the command's name, with one more option behind where that is not NULL; for jlt_command_free. NULL: no
  *  memory. */
 char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc);
-void jlt_job_free(char **argv, int argc);
 
 /** Run it in a process of its own, so that whatever ends it leaves others alone. *ending: the signal that is to end this program, else 0.
  *  Returns the command's exit status. */

@@ -5,9 +5,6 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
-#include "cli/motion_many.h"
-#include "cli/motion_plane.h"
-#include "cli/planned.h"
 #include "kernel/descriptor.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
@@ -106,23 +103,6 @@ void jlt_motion_end(jlt_motion_options *options)
 bool jlt_motion_interrupted(const jlt_motion_options *options)
 {
     return options->flow.interrupt != NULL && *options->flow.interrupt;
-}
-
-jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options)
-{
-    const jlt_descriptor *descriptor;
-    jlt_surface surface;
-    bool has_surface;
-    jlt_exit code;
-
-    *system = NULL;
-    code = jlt_common_model(&options->common, &descriptor);
-    if (code != JLT_EXIT_DONE) return code;
-    code = jlt_motion_surface(&surface, &has_surface, options, descriptor);
-    if (code != JLT_EXIT_DONE) return code;
-    code = has_surface ? jlt_motion_surface_system(system, options, &surface) : jlt_motion_plane_system(system, options, descriptor);
-    if (code == JLT_EXIT_DONE) jlt_motion_many_settle(options, *system);
-    return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
 }
 
 /* Where the section has points in one of its coordinates; false: nothing is known of that. */

@@ -264,7 +264,7 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
         argv[used] = NULL;
         return argv;
     }
-    jlt_job_free(argv, used);
+    jlt_command_free(argv, used);
     return NULL;
 }
 

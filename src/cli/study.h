@@ -25,7 +25,7 @@ typedef struct {
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set);
 void jlt_study_clear(jlt_study *self);
 
-/** The command line of a piece; for jlt_job_free. NULL: no memory. */
+/** The command line of a piece; for jlt_command_free. NULL: no memory. */
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc);
 
 /** Where it lies, for messages: "rho=24, points 64 to 127 of the grid". place: shape (JLT_STUDY_PLACE_MAX,). */

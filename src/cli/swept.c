@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/job.h"
 #include "cli/progress.h"
 #include "cli/swept_rows.h"
 #include "cli/worker.h"
@@ -88,7 +87,7 @@ static char **arguments(const void *context, size_t point, int *argc)
     for (; whole && at < count; at++) whole = (argv[used++] = strdup(typed[at])) != NULL;
     *argc = used;
     if (whole) return argv;
-    jlt_job_free(argv, used);
+    jlt_command_free(argv, used);
     return NULL;
 }
 
@@ -158,7 +157,7 @@ static jlt_exit plan(const sweep *self)
     jlt_swept_rows_place(where, &self->rows, 0);
     printf("at %s, the first of %zu points:\n", where, self->all);
     const jlt_exit code = self->form->command->run(argc, argv);
-    jlt_job_free(argv, argc);
+    jlt_command_free(argv, argc);
     return code;
 }
 

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
-#include "cli/job.h"
 #include "cli/program.h"
 
 /* Then the process is begun again, so that nothing that a command forgets to give back adds up. */
@@ -53,7 +52,7 @@ _Noreturn static void serve(const jlt_worker *self, int line)
         char **argv = self->work->arguments(self->work->context, piece, &argc);
         if (argv == NULL) (void)jlt_command_no_memory();
         else status = (int)jlt_program_run(self->work->command, argc, argv);
-        jlt_job_free(argv, argc);
+        jlt_command_free(argv, argc);
         if (fflush(stdout) != 0 || !send_all(line, &status, sizeof status)) _exit(JLT_EXIT_IO);
     }
     _exit(JLT_EXIT_DONE);

@@ -10,7 +10,7 @@
 
 typedef struct {
     const jlt_command *command;
-    char **(*arguments)(const void *context, size_t piece, int *argc); /* of a piece; for jlt_job_free. NULL: no memory */
+    char **(*arguments)(const void *context, size_t piece, int *argc); /* of a piece; for jlt_command_free. NULL: no memory */
     const void *context;
 } jlt_work;
 
