@@ -2,9 +2,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include "dynamics/orbits_grid.h"
 
 static const double same_point = 1e-7;
 
@@ -51,24 +48,13 @@ void jlt_orbits_sort(jlt_orbits *self)
     if (self->count > 1) qsort(self->orbits, self->count, sizeof *self->orbits, compare);
 }
 
-/* The mirror image runs through the mirrored points backwards; it starts at the image of the first point. */
-static void reflect(jlt_periodic *out, const jlt_periodic *orbit, const jlt_chart *chart)
-{
-    size_t k;
-
-    *out = *orbit;
-    for (k = 0; k < orbit->period; k++)
-        jlt_chart_mirror(chart, out->points + k * chart->dim,
-                         orbit->points + (orbit->period - k) % orbit->period * chart->dim);
-}
-
 size_t jlt_orbits_mirror(const jlt_orbits *self, const jlt_chart *chart, size_t index)
 {
     jlt_periodic image;
     size_t i;
 
     if (!chart->reversible) return self->count;
-    reflect(&image, &self->orbits[index], chart);
+    jlt_periodic_mirror(chart, &image, &self->orbits[index]);
     for (i = 0; i < self->count; i++)
         if (jlt_periodic_same(chart, &self->orbits[i], &image, same_point)) return i;
     return self->count;
@@ -77,52 +63,4 @@ size_t jlt_orbits_mirror(const jlt_orbits *self, const jlt_chart *chart, size_t 
 bool jlt_orbits_is_miss(jlt_status st)
 {
     return st != JLT_OK && st != JLT_ERR_NOMEM && st != JLT_ERR_ARG && st != JLT_ERR_UNSUPPORTED;
-}
-
-static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)
-{
-    const jlt_chart *chart = jlt_map_flow(map)->chart;
-    const size_t count = self->count;
-    jlt_periodic image;
-    jlt_status st;
-    size_t i;
-
-    for (i = 0; i < count; i++) {
-        if (self->orbits[i].symmetric || jlt_orbits_mirror(self, chart, i) < self->count) continue;
-        reflect(&image, &self->orbits[i], chart);
-        st = jlt_periodic_find(map, &image, image.points, image.period, NULL);
-        if (jlt_orbits_is_miss(st)) continue;
-        if (st == JLT_OK) st = jlt_orbits_add(self, chart, &image);
-        if (st != JLT_OK) return st;
-    }
-    return JLT_OK;
-}
-
-typedef struct {
-    jlt_orbits *list;
-    const jlt_chart *chart;
-} collector;
-
-static jlt_status collect(void *context, const jlt_periodic *orbit)
-{
-    const collector *self = context;
-
-    return jlt_orbits_add(self->list, self->chart, orbit);
-}
-
-jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options)
-{
-    const jlt_chart *chart = jlt_map_flow(map)->chart;
-    collector into = { self, chart };
-    jlt_status st = JLT_OK;
-    size_t i;
-
-    if (options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
-    for (i = 0; i < options->line_count; i++)
-        JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, collect, &into));
-    if (options->counts[0] > 0) JLT_TRY(jlt_orbits_grid(self, map, options));
-    if (chart->reversible) JLT_TRY(add_mirrors(self, map));
-done:
-    jlt_orbits_sort(self);
-    return st;
 }

@@ -183,6 +183,13 @@ jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first)
     return st;
 }
 
+void jlt_periodic_mirror(const jlt_chart *chart, jlt_periodic *out, const jlt_periodic *orbit)
+{
+    *out = *orbit;
+    for (size_t k = 0; k < orbit->period; k++)
+        jlt_chart_mirror(chart, out->points + k * chart->dim, orbit->points + (orbit->period - k) % orbit->period * chart->dim);
+}
+
 bool jlt_periodic_same(const jlt_chart *chart, const jlt_periodic *a, const jlt_periodic *b, double distance)
 {
     size_t k;
