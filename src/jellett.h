@@ -37,6 +37,7 @@ extern "C" {
 #include "integrate/invariant.h"
 #include "integrate/method.h"
 #include "integrate/orbit.h"
+#include "integrate/stepper.h"
 
 #include "dynamics/branch.h"
 #include "dynamics/chart.h"

@@ -29,10 +29,11 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
 {
     size_t next = 0;
     int stop = 0;
+    const unsigned columns = jlt_batch_columns(map);
 
     if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
         !(map->tolerance < 1) || map->kernels == NULL ||
-        map->tangents > JLT_BATCH_COLUMNS_MAX || jlt_batch_columns(map) > JLT_BATCH_COLUMNS_MAX ||
+        map->tangents > JLT_BATCH_COLUMNS_MAX || columns > JLT_BATCH_COLUMNS_MAX ||
         (map->watch != NULL && (map->watch->count == 0 || map->watch->count > JLT_BATCH_CONDITIONS_MAX)) ||
         (map->project != NULL && (map->tangents > 0 || map->kernels->integral_gradients == NULL ||
                                   map->project->descriptor->integral_count >= JLT_INVARIANTS_MAX ||
@@ -48,7 +49,7 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
 #endif
     {
         jlt_batch_work mine = { 0 };
-        failure = (int)run(&(jlt_batch_job){ map, starts, count, returns, row, end, context, &mine, &next, &stop });
+        failure = (int)run(&(jlt_batch_job){ map, starts, count, returns, columns, row, end, context, &mine, &next, &stop });
         steps = mine.steps;
         rejected = mine.rejected;
         stages = mine.stages;

@@ -8,6 +8,7 @@ typedef struct {
     const jlt_batch_map *map;
     const double *starts;
     size_t count, returns;
+    unsigned columns;     /* jlt_batch_columns of the map */
     jlt_batch_row row;
     jlt_batch_end end;
     void *context;

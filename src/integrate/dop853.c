@@ -10,7 +10,7 @@
 #include "integrate/dop853_coefficients.h"
 #include "integrate/step_control.h"
 
-enum { WIDTH = 8, SLOPES = 16 };
+enum { WIDTH = JLT_STEPPER_WIDTH, SLOPES = 16 };
 typedef double lanes __attribute__((vector_size(WIDTH * sizeof(double))));
 
 struct jlt_dop853 {

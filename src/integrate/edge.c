@@ -4,6 +4,7 @@
 
 #include "integrate/locate.h"
 #include "integrate/step_control.h"
+#include "integrate/watch.h"
 
 enum { SAMPLES = 16, BISECTIONS = 60 };
 static const double ahead = 1e-8; /* of the time that has passed: half of its digits */
@@ -94,7 +95,7 @@ static jlt_status first_zero(double *theta, jlt_stepper *stepper, const jlt_even
     jlt_crossing list[JLT_CROSSINGS_MAX];
     jlt_watch watch = { .event = *event, .side = side };
     unsigned count;
-    const jlt_status st = jlt_locate_step(&watch, stepper, list, &count);
+    const jlt_status st = jlt_watch_step(&watch, stepper, list, &count);
 
     if (st == JLT_OK && count > 0) *theta = jlt_smaller(list[0].theta, *theta);
     return st;

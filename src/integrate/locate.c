@@ -1,19 +1,10 @@
+/* Newton's method on partial steps, between bounds, and at its end along the flow. */
 #include "integrate/locate.h"
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
-#include "integrate/bernstein.h"
 #include "integrate/step_control.h"
-
-enum { SIZE = JLT_BERNSTEIN_DEGREE_MAX + 1, NODES = 13 };
-static const double near_section = 1e-13; /* of the size of g's terms: on the section, as far as rounding can tell */
-
-static int sign(double v)
-{
-    return (v > 0) - (v < 0);
-}
 
 double jlt_locate_value(const jlt_event *event, const double *x)
 {
@@ -44,280 +35,84 @@ double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper)
     return jlt_larger(fabs(event->level), scale < INFINITY ? scale : 1);
 }
 
-void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper)
+jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,
+                            double *slope)
 {
-    self->event = *event;
-    self->value = jlt_locate_value(event, stepper->x);
-    const double size = event->value == NULL ? jlt_locate_unit(event, stepper) : 1;
-    self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
-    self->has_zero = false;
-}
-
-static void column_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
-{
-    if (!stepper->dense_ready) {
-        *degree = stepper->method->bernstein(stepper, event->column, b);
-    } else {
-        *degree = stepper->dense_degree;
-        jlt_bernstein_of(b, stepper->dense + event->column, stepper->stride, *degree);
-    }
-    for (unsigned j = 0; j <= *degree; j++) b[j] -= event->level;
-}
-
-/* A function of the state is interpolated at the Chebyshev-Lobatto points by divided differences. */
-static void value_polynomial(double *b, unsigned *degree, const jlt_event *event, const jlt_stepper *stepper)
-{
-    double x[JLT_FIELD_DIM_MAX + 1], node[NODES], difference[NODES], c[NODES] = { 0 };
-    for (unsigned j = 0; j < NODES; j++) {
-        node[j] = 0.5 * (1 - cos(3.14159265358979323846 * j / (NODES - 1)));
-        jlt_stepper_values(stepper, node[j], x);
-        difference[j] = event->value(event->context, x);
-    }
-    for (unsigned round = 1; round < NODES; round++)
-        for (unsigned j = NODES - 1; j >= round; j--)
-            difference[j] = (difference[j] - difference[j - 1]) / (node[j] - node[j - round]);
-    for (unsigned j = NODES; j-- > 0;) { /* c <- difference_j + (theta - node_j) c */
-        for (unsigned k = NODES - 1; k >= 1; k--) c[k] = c[k - 1] - node[j] * c[k];
-        c[0] = difference[j] - node[j] * c[0];
-    }
-    *degree = NODES - 1;
-    jlt_bernstein_of(b, c, 1, *degree);
-}
-
-/* g on the step as a polynomial in Bernstein form. */
-static jlt_status event_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
-{
-    if (event->value != NULL || stepper->method->bernstein == NULL) {
-        const jlt_status st = jlt_stepper_dense(stepper);
-        if (st != JLT_OK) return st;
-    }
-    if (event->value != NULL) value_polynomial(b, degree, event, stepper);
-    else column_polynomial(b, degree, event, stepper);
+    const jlt_field *field = stepper->field;
+    const jlt_status st = stepper->method->partial(stepper, theta, x);
+    if (st != JLT_OK) return st;
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    stepper->evaluations++;
+    *value = jlt_locate_value(event, x);
+    *slope = jlt_locate_slope(event, stepper, x, f);
     return JLT_OK;
 }
 
-/* Whether g cannot have reached zero between two values of the same sign. */
-static bool stays_away(const jlt_watch *self, const jlt_stepper *stepper, double before, double after)
+/* Follow the flow to the zero of g, a short time `move` away by the slope here, in place: the midpoint rule with the slope of g
+ * in the middle, whose error is of third order. Returns the time it took. */
+static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, double *f, double g, double move)
 {
-    if (self->event.value != NULL || self->side == 0 || stepper->dense_ready || stepper->method->variation == NULL) return false;
-    if (sign(before) != self->side || sign(after) != self->side) return false;
-    return fabs(before) + fabs(after) > 1.5 * stepper->method->variation(stepper, self->event.column);
+    const jlt_field *field = stepper->field;
+    double middle[JLT_FIELD_DIM_MAX + 8], slope[JLT_FIELD_DIM_MAX + 8];
+
+    for (unsigned i = 0; i < stepper->columns; i++) middle[i] = x[i] + 0.5 * move * f[i];
+    field->call(middle, field->p, slope);
+    if (field->time_rate != NULL) field->time_rate(middle, field->p, slope + field->dim);
+    move = -g / jlt_locate_slope(event, stepper, middle, slope);
+    for (unsigned i = 0; i < stepper->columns; i++) x[i] += move * slope[i];
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    stepper->evaluations += 2;
+    return move;
 }
 
-typedef struct {
-    double theta, value, bend; /* an extremum: g and d2g/dtheta2 there */
-    bool past;                 /* the polynomial has it on the far side of zero */
-} extremum;
-
-/* Newton's method for the zero of the slope, with the polynomial's second derivative. */
-static jlt_status refine_extremum(extremum *e, const jlt_event *event, jlt_stepper *stepper)
-{
-    double x[JLT_FIELD_DIM_MAX + 8], f[JLT_FIELD_DIM_MAX + 8], slope;
-
-    for (unsigned i = 0; i < 3; i++) {
-        const jlt_status st = jlt_locate_state(event, stepper, e->theta, x, f, &e->value, &slope);
-        if (st != JLT_OK) return st;
-        const double move = -slope * stepper->h / e->bend;
-        if (!(fabs(move) < 0.25)) break;
-        e->value += 0.5 * slope * stepper->h * move;
-        e->theta += move;
-        if (fabs(move) < 1e-9) break;
-    }
-    return JLT_OK;
-}
-
-typedef struct {
-    double roots[SIZE + 1];
-    unsigned count;
-    double touch[SIZE];
-    unsigned touches;
-} zeros;
-
-/* Take out or put in the pair of sign changes about an extremum that nearly touches zero, as the flow decides. */
-static void settle_pair(zeros *z, const extremum *e, double noise)
-{
-    const double depth = -e->value * (e->bend > 0 ? 1 : -1); /* > 0: past the section */
-    unsigned after = 0;
-    while (after < z->count && z->roots[after] < e->theta) after++;
-    const double reach = sqrt(2 * fabs(e->value / e->bend));
-    if (e->past && (after == 0 || after == z->count)) return; /* one of the pair lies beyond an end, whose sign is certain */
-
-    if (depth > noise) {
-        if (!e->past && z->count + 2 <= SIZE) {
-            for (unsigned i = z->count; i > after; i--) z->roots[i + 1] = z->roots[i - 1];
-            z->roots[after] = fmax(e->theta - reach, 0);
-            z->roots[after + 1] = fmin(e->theta + reach, 1);
-            z->count += 2;
-        } else if (e->past) {
-            z->roots[after - 1] = fmax(e->theta - reach, 0);
-            z->roots[after] = fmin(e->theta + reach, 1);
-        }
-        return;
-    }
-    if (e->past) {
-        for (unsigned i = after + 1; i < z->count; i++) z->roots[i - 2] = z->roots[i];
-        z->count -= 2;
-    }
-    if (depth >= -noise && z->touches < SIZE) z->touch[z->touches++] = e->theta;
-}
-
-/* Extrema of the polynomial that lie within its error of zero are decided on the flow. at (count,): they; size: of g's terms. */
-static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *stepper, const double *b, unsigned degree,
-                                 const double *at, unsigned count, double size)
-{
-    const double noise = 16 * DBL_EPSILON * size;
-    double slope[SIZE], bend[SIZE];
-
-    jlt_bernstein_derive(slope, b, degree);
-    jlt_bernstein_derive(bend, slope, degree - 1);
-    for (unsigned i = 0; i < count; i++) {
-        extremum e = { .theta = at[i], .value = jlt_bernstein_value(b, degree, at[i]) };
-        e.bend = jlt_bernstein_value(bend, degree - 2, e.theta);
-        if (e.bend == 0 || 0.5 * fabs(e.bend) < noise) continue;
-        e.past = e.value * e.bend < 0;
-        const jlt_status st = refine_extremum(&e, &self->event, stepper);
-        if (st != JLT_OK) return st;
-        if (e.theta > 0 && e.theta < 1) settle_pair(z, &e, noise);
-    }
-    return JLT_OK;
-}
-
-/* Least and largest of the coefficients, between which g lies. */
-static void bounds(double *least, double *most, const double *b, unsigned degree)
-{
-    *least = *most = b[0];
-    for (unsigned j = 1; j <= degree; j++) {
-        *least = jlt_smaller(b[j], *least);
-        *most = jlt_larger(b[j], *most);
-    }
-}
-
-/* Neighbouring zeros between which g is but noise are none: the orbit does not leave the section there. A zero at the start and
- * one at the end count among the neighbours; they are divided out of b, the former `power` times. Returns the side that the orbit
- * is on at first, which was `side`. */
-static int drop_noise(zeros *z, const double *b, unsigned degree, unsigned power, bool at_start, bool at_end, int side, double noise)
-{
-    unsigned kept = 0;
-    double last = 0;
-
-    for (unsigned i = 0; i <= z->count; i++) {
-        const bool ends = i == z->count;
-        const double next = ends ? 1 : z->roots[i], middle = 0.5 * (last + next);
-        const bool neighbours = (kept > 0 || at_start) && (!ends || at_end);
-        double most = neighbours ? fabs(jlt_bernstein_value(b, degree, middle)) : INFINITY;
-        for (unsigned k = 0; k < power; k++) most *= middle;
-        if (most <= noise) {
-            if (kept > 0) kept--;
-            else if (!ends) side = -side;
-        } else if (!ends) {
-            z->roots[kept++] = next;
-        }
-        last = kept > 0 ? z->roots[kept - 1] : next;
-    }
-    z->count = kept;
-    return side;
-}
-
-static bool asked_for(const jlt_watch *self, const jlt_stepper *stepper, int turn)
-{
-    const int direction = turn * (stepper->direction > 0 ? 1 : -1);
-    if (turn == 0) return self->event.grazing;
-    return self->event.direction == JLT_BOTH || (int)self->event.direction == direction;
-}
-
-static int sign_right_of_zero(const double *b, unsigned degree)
-{
-    for (unsigned j = 0; j <= degree; j++)
-        if (b[j] != 0) return sign(b[j]);
-    return 0;
-}
-
-static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, const jlt_stepper *stepper, double theta,
-                 int turn)
-{
-    if (!asked_for(self, stepper, turn) || *count == JLT_CROSSINGS_MAX) return;
-    unsigned at = (*count)++;
-    for (; at > 0 && list[at - 1].theta > theta; at--) list[at] = list[at - 1];
-    list[at] = (jlt_crossing){ .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
-}
-
-/* A step that ends within the noise, past a zero that lies as near: it is kept until the orbit leaves the noise, maybe many steps
- * later. A step that begins beyond the noise may have other zeros, before that: the slope at its end tells where to look. */
-static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before, double after, double noise)
-{
-    const int turn = -self->side;
-    const double slope = jlt_locate_slope(&self->event, stepper, stepper->x, stepper->f) * stepper->h;
-    const double theta = fabs(before) <= noise ? before / (before - after) : slope * turn > 0 ? 1 - after / slope : -1;
-    jlt_crossing at = { .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
-
-    if (sign(after) != turn || sign(before) == turn || !(theta >= 0) || !asked_for(self, stepper, turn)) return JLT_OK;
-    const jlt_status st = jlt_locate_refine(&at, self->zero, self->zero + stepper->stride, &self->event, stepper);
-    if (st != JLT_OK) return st == JLT_ERR_NO_CONVERGENCE ? JLT_OK : st;
-    self->has_zero = true;
-    self->at_zero = at;
-    self->zero_tau = stepper->tau_start + at.theta * stepper->h;
-    return JLT_OK;
-}
-
-jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
+jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
+                               jlt_stepper *stepper)
 {
     jlt_status st = JLT_OK;
-    double before = jlt_locate_value(&self->event, stepper->x_start), after = jlt_locate_value(&self->event, stepper->x);
-    double b[SIZE], touch[SIZE], least, most;
-    unsigned degree, touches = 0, divided = 0;
-    zeros z;
+    double *f = slope_work, *theta = &crossing->theta;
+    double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
+    const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
+    if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* seen as the orbit left the noise */
+    double best = *theta, least = INFINITY;
+    unsigned nudged = 0;
 
-    *count = z.count = z.touches = 0;
-    self->value = after;
-    /* In what unit another function is small nobody knows. */
-    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * jlt_locate_unit(&self->event, stepper) : 0;
-    if (fabs(before) > noise) self->has_zero = false;
-    if (stays_away(self, stepper, before, after)) return JLT_OK;
-    if (self->side != 0 && fabs(after) <= noise) JLT_TRY(keep_zero(self, stepper, before, after, noise));
-    JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
-    if (fabs(before) <= noise) before = 0;
-    if (fabs(after) <= noise) after = 0;
-    b[0] = before;
-    b[degree] = after;
-    bounds(&least, &most, b, degree);
-    const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
-    const double doubt = stepper->dense_error * jlt_larger(terms, 1);
-    if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt) || size <= noise) return JLT_OK;
-
-    /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */
-    const bool starts_on = self->side == 0 || before == 0;
-    for (; starts_on && degree > 1 && divided < 2; divided++) {
-        if (divided > 0 && fabs(b[0]) > near_section * size) break;
-        jlt_bernstein_deflate(b, degree--);
+    JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+    if (crossing->direction == 0) goto done;
+    for (unsigned i = 0; i < 64; i++) {
+        if (fabs(crossing->residual) < least) {
+            least = fabs(crossing->residual);
+            best = *theta;
+        }
+        const double g = crossing->residual, move = -g / crossing->slope, near = fabs(move) / span;
+        const bool downhill = crossing->slope * stepper->direction * turn > 0;
+        if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
+        if (nudged == 3) goto done; /* at the rounding level of g */
+        /* What nudge leaves is below a third of the cube for steps that gauss takes. */
+        if (downhill && near * near * near <= jlt_larger(1e-3 * stepper->tolerance, 1e-18)) {
+            *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
+            crossing->residual = jlt_locate_value(event, x);
+            crossing->slope = jlt_locate_slope(event, stepper, x, f);
+            nudged++;
+            continue;
+        }
+        if (g * turn < 0) lo = *theta;
+        else hi = *theta;
+        const double newton = *theta + move / stepper->h;
+        *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
+        /* A touch within rounding has no sign change: nearest to zero is what there is. */
+        const bool closed = hi - lo <= DBL_EPSILON;
+        if (closed) *theta = best;
+        JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+        if (closed) goto done;
     }
-    if (!starts_on) touches = jlt_bernstein_touches(touch, b, degree, doubt);
-    int side = sign_right_of_zero(b, degree);
-    /* A single crossing that nobody asked for need not be found. */
-    if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
-    else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
-    if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
-    side = drop_noise(&z, b, degree, divided, starts_on, after == 0, side, noise);
-
-    if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
-    for (unsigned i = 0; i < z.count; i++) {
-        side = -side;
-        note(list, count, self, stepper, z.roots[i], side);
+    /* Where partial steps disagree by more than the orbit moves, any point among the errors is as good. */
+    st = JLT_ERR_NO_CONVERGENCE;
+    if (event->value == NULL && least <= jlt_locate_noise(stepper->asked) * jlt_locate_unit(event, stepper)) {
+        *theta = best;
+        st = jlt_locate_state(event, stepper, best, x, f, &crossing->residual, &crossing->slope);
     }
-    for (unsigned i = 0; i < z.touches; i++) note(list, count, self, stepper, z.touch[i], 0);
-    /* A value of exactly 0 at the end leaves the decision to the next step. */
-    self->side = after != 0 ? sign(after) : side;
 done:
     return st;
-}
-
-jlt_status jlt_locate_refine_watched(jlt_crossing *crossing, double *x, double *slope_work, const jlt_watch *self,
-                                     jlt_stepper *stepper)
-{
-    if (crossing->theta != 0 || !self->has_zero || crossing->direction != self->at_zero.direction)
-        return jlt_locate_refine(crossing, x, slope_work, &self->event, stepper);
-    memcpy(x, self->zero, stepper->stride * sizeof *x);
-    crossing->theta = (self->zero_tau - stepper->tau_start) / stepper->h;
-    crossing->residual = self->at_zero.residual;
-    crossing->slope = self->at_zero.slope;
-    return JLT_OK;
 }

@@ -1,21 +1,8 @@
-/** Finding the crossings of the last step. Used by orbit.c. */
+/** An event's function at a state, and its zeros on the flow itself. */
 #ifndef JLT_INTEGRATE_LOCATE_H
 #define JLT_INTEGRATE_LOCATE_H
 
 #include "integrate/event.h"
-
-enum { JLT_CROSSINGS_MAX = JLT_DENSE_DEGREE_MAX };
-
-/** An event under watch. */
-typedef struct {
-    jlt_event event;
-    int side;     /* sign of g now, or what the next step begins with; 0: on the section */
-    double value; /* g at the end of the last step */
-    double *zero; /* (2, stride): the state at a zero of g among steps that end within the noise, and work; lent by the user */
-    double zero_tau;
-    jlt_crossing at_zero;
-    bool has_zero;
-} jlt_watch;
 
 /** g at x; its rate in tau, where f is the field at x. */
 double jlt_locate_value(const jlt_event *event, const double *x);
@@ -36,21 +23,9 @@ static inline double jlt_locate_noise(double tolerance)
     return noise > 1e-4 ? 1e-4 : noise < 1e-12 ? 1e-12 : noise;
 }
 
-/** Begin at the stepper's point. A value within 1e-13 of the size of its terms is on the section. */
-void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
-
-/** All crossings of the last step, ascending in theta, into list (JLT_CROSSINGS_MAX,): theta of the polynomial, not yet
- *  refined. Directions not asked for are left out. Errors: those of partial steps. */
-JLT_CHECKED jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
-
 /** Refine crossing->theta on the flow, and give the state there, x (stride,). A grazing is left where it is.
  *  slope_work: (stride,). Errors: NO_CONVERGENCE, a sign change without a zero (g is not continuous). */
 JLT_CHECKED jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
                                            jlt_stepper *stepper);
-
-/** The same for a crossing of the watch's last step. One at its start is counted when the orbit leaves the noise, and lies where g
- *  was zero within it, maybe many steps before. */
-JLT_CHECKED jlt_status jlt_locate_refine_watched(jlt_crossing *crossing, double *x, double *slope_work, const jlt_watch *self,
-                                                 jlt_stepper *stepper);
 
 #endif

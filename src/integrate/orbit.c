@@ -10,6 +10,7 @@
 #include "integrate/locate.h"
 #include "integrate/pole.h"
 #include "integrate/step_control.h"
+#include "integrate/watch.h"
 
 static const double default_tolerance = 1e-12;
 static const size_t default_steps = 10000000;
@@ -126,7 +127,7 @@ static jlt_status locate_step(jlt_orbit *self)
     self->pending_count = self->next_pending = 0;
     for (unsigned e = 0; e < self->watch_count; e++) {
         unsigned count;
-        const jlt_status st = jlt_locate_step(&self->watch[e], self->stepper, list, &count);
+        const jlt_status st = jlt_watch_step(&self->watch[e], self->stepper, list, &count);
         if (st != JLT_OK) return st;
         for (unsigned i = 0; i < count; i++) {
             unsigned at = self->pending_count++;
@@ -147,7 +148,7 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
 
     jlt_status st = JLT_OK;
     self->watch_count = count;
-    for (unsigned e = 0; e < count; e++) jlt_locate_begin(&self->watch[e], &events[e], self->stepper);
+    for (unsigned e = 0; e < count; e++) jlt_watch_begin(&self->watch[e], &events[e], self->stepper);
     self->pending_count = self->next_pending = 0;
     if (self->stepper->h == 0 || self->cursor >= 1) return JLT_OK;
     for (unsigned e = 0; e < count; e++) {
@@ -219,7 +220,7 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
 
     if (self->next_pending < self->pending_count) {
         jlt_crossing crossing = self->pending[self->next_pending];
-        JLT_TRY(jlt_locate_refine_watched(&crossing, self->at, self->slope, &self->watch[crossing.event], stepper));
+        JLT_TRY(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, stepper));
         const double theta = fmax(crossing.theta, self->cursor < 1 ? self->cursor : 0);
         const double t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim]
                                                                 : stepper->tau_start + theta * stepper->h;

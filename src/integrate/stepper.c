@@ -8,7 +8,7 @@
 #include "integrate/method.h"
 #include "integrate/step_control.h"
 
-enum { WIDTH = 8, ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
+enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
 
 static void evaluate(const jlt_field *field, const double *x, double *f)
 {
@@ -62,7 +62,7 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->direction = 1;
     self->watches = jlt_field_watches(field);
     self->columns = field->dim + (field->time_rate != NULL);
-    self->stride = (self->columns + WIDTH - 1) / WIDTH * WIDTH;
+    self->stride = (self->columns + JLT_STEPPER_WIDTH - 1) / JLT_STEPPER_WIDTH * JLT_STEPPER_WIDTH;
     block = jlt_memory_array((6 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride
                                  + (size_t)field->domain.conditions * field->domain.states, sizeof *block);
     if (block == NULL) {
@@ -201,50 +201,6 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->tau_low = (tau - self->tau) + move;
     self->steps++;
     return JLT_OK;
-}
-
-/* The polynomial is bent by a smooth step, so that it ends at the point exactly. */
-static void meet_end(jlt_stepper *self)
-{
-    for (unsigned from = 0; from < self->stride; from += WIDTH) {
-        double gap[WIDTH], *c = self->dense + from;
-        for (unsigned i = 0; i < WIDTH; i++) gap[i] = self->x[from + i];
-        for (unsigned k = 0; k <= self->dense_degree; k++)
-            for (unsigned i = 0; i < WIDTH; i++) gap[i] -= c[k * (size_t)self->stride + i];
-        for (unsigned i = 0; i < WIDTH; i++) {
-            c[2 * self->stride + i] += 3 * gap[i];
-            c[3 * self->stride + i] -= 2 * gap[i];
-        }
-    }
-}
-
-jlt_status jlt_stepper_dense(jlt_stepper *self)
-{
-    if (self->dense_ready) return JLT_OK;
-    if (self->h == 0) {
-        memcpy(self->dense, self->x, self->stride * sizeof *self->x);
-        self->dense_degree = 0;
-        self->dense_error = 0;
-    } else {
-        const jlt_status st = self->method->dense(self);
-        if (st != JLT_OK) return st;
-        meet_end(self);
-    }
-    self->dense_ready = true;
-    return JLT_OK;
-}
-
-double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta)
-{
-    const double *c = self->dense + column;
-    double sum = 0;
-    for (unsigned k = self->dense_degree + 1; k-- > 0;) sum = sum * theta + c[k * (size_t)self->stride];
-    return sum;
-}
-
-void jlt_stepper_values(const jlt_stepper *self, double theta, double *out)
-{
-    for (unsigned i = 0; i < self->columns; i++) out[i] = jlt_stepper_value(self, i, theta);
 }
 
 double jlt_stepper_time(const jlt_stepper *self)

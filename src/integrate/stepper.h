@@ -1,0 +1,89 @@
+/** The stepper, which a method advances.
+ *
+ *  A stepper holds the current point and the last accepted step. Its method advances it by one accepted step at a time, with
+ *  its own control of the local error. It gives the solution inside that step as a polynomial, and more accurately as the
+ *  state at one given fraction of it. */
+#ifndef JLT_INTEGRATE_STEPPER_H
+#define JLT_INTEGRATE_STEPPER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "integrate/field.h"
+
+enum { JLT_DENSE_DEGREE_MAX = JLT_JET_ORDER_MAX, JLT_STEPPER_WIDTH = 8 };
+
+typedef struct jlt_method jlt_method;
+
+/** The point, the last step and the counters. Read freely; only methods and `jlt_stepper_*` write. Arrays have `stride`
+ *  entries: the states, then t for a field in its own time, then zeros. */
+typedef struct {
+    const jlt_method *method;
+    const jlt_field *field;
+    double tolerance;     /* of a step; `asked` times the method's share */
+    double asked;
+    double max_step;      /* INFINITY: none */
+    unsigned columns;     /* field->dim, and one more in a time of its own */
+    unsigned stride;      /* columns rounded up to a multiple of JLT_STEPPER_WIDTH */
+    double direction;     /* +1 or -1: sign of the steps */
+
+    double tau;           /* end of the last step, now; compensated by tau_low */
+    double tau_low;
+    double *x, *x_low;    /* the point now, and the rounding error of x that is carried along: x + x_low is the better value */
+    double *f;            /* dx/dtau there */
+    double h_next;        /* proposed, > 0 */
+
+    double tau_start;     /* the last accepted step: start, length (signed), state and slope there */
+    double h;
+    double *x_start, *f_start;
+    double *dense;        /* x(tau_start + theta*h)_i = sum_k dense[k*stride + i] theta^k, 0 <= theta <= 1 */
+    unsigned dense_degree;
+    double dense_error;   /* estimate of the polynomial's error inside the step, relative to max(|x_i|, scale_i) */
+    bool dense_ready;
+
+    double *gradients;    /* room for those of the field's conditions */
+    double *scale;        /* below it a column counts as small; INFINITY: not controlled */
+    unsigned controlled;  /* columns in the error norm */
+    bool watches;         /* something of the field's domain */
+    bool at_edge;         /* the orbit is about to leave the domain of its field, and no point of it is left to come to */
+    unsigned approaches;  /* steps that were shortened because they would have left it */
+    size_t steps, rejected;
+    size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not */
+    void *state;          /* the method's own */
+} jlt_stepper;
+
+/** Create a stepper; call jlt_stepper_start before jlt_stepper_advance. Out: *out, NULL on failure.
+ *  In: method, NULL for the default; tolerance in (0, 1); max_step > 0 in tau, or INFINITY. The stepper keeps a pointer to
+ *  `field`, which must live as long. Errors: ARG; UNSUPPORTED, taylor on a field without a jet; NOMEM. */
+JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field,
+                                          double tolerance, double max_step);
+void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
+
+/** Put it at x, shape (dim,), at physical time t (tau starts at t as well), to go forwards (direction > 0) or backwards.
+ *  first_step > 0 proposes the first step, 0 leaves it to the method. Errors: NONFINITE, x or the field there. */
+JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
+                                         double first_step);
+
+/** Replace the point by x, shape (dim,), a state near it (a projection). Time, counters and the proposed step stay, and the
+ *  last step's polynomial is changed to end at x. Errors: NONFINITE. Cost: 1 evaluation; msadams starts again at order 1. */
+JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
+
+/** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
+ *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the orbit
+ *  is at an end of the field's domain, as jlt_edge_reached says, and it goes on beyond; or it began outside;
+ *  or no step can be made, and jlt_edge_is_ahead. */
+JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
+
+/** Make the polynomial of the last step, once. Cost: none (gauss, taylor), 3 evaluations (dop853), 15
+ *  (the others). */
+JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
+
+/** The value of that polynomial at theta in [0, 1], for one column or for all, out (columns,). Call jlt_stepper_dense
+ *  before. */
+double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
+void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
+
+/** Physical time now, at the rounding level. */
+double jlt_stepper_time(const jlt_stepper *self);
+
+#endif

@@ -1,0 +1,31 @@
+/** Finding the crossings of the last step. Used by orbit.c. */
+#ifndef JLT_INTEGRATE_WATCH_H
+#define JLT_INTEGRATE_WATCH_H
+
+#include "integrate/event.h"
+
+enum { JLT_CROSSINGS_MAX = JLT_DENSE_DEGREE_MAX };
+
+/** An event under watch. */
+typedef struct {
+    jlt_event event;
+    int side;     /* sign of g now, or what the next step begins with; 0: on the section */
+    double value; /* g at the end of the last step */
+    double *zero; /* (2, stride): the state at a zero of g among steps that end within the noise, and work; lent by the user */
+    double zero_tau;
+    jlt_crossing at_zero;
+    bool has_zero;
+} jlt_watch;
+
+/** Begin at the stepper's point. A value within 1e-13 of the size of its terms is on the section. */
+void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
+
+/** All crossings of the last step, ascending in theta, into list (JLT_CROSSINGS_MAX,): theta of the polynomial, not yet
+ *  refined. Directions not asked for are left out. Errors: those of partial steps. */
+JLT_CHECKED jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
+
+/** jlt_locate_refine for a crossing of the watch's last step. One at its start is counted when the orbit leaves the noise, and lies where g
+ *  was zero within it, maybe many steps before. */
+JLT_CHECKED jlt_status jlt_watch_refine(const jlt_watch *self, jlt_crossing *crossing, double *x, double *slope_work, jlt_stepper *stepper);
+
+#endif
