@@ -34,8 +34,9 @@ void ttc_discover_integrals(ttc_discovery *d, const ttc_ratio *denominator, cons
 /* Integrals P/Q for each irreducible factor Q of what the rates divide by. */
 void ttc_discover_fractions(ttc_discovery *d);
 
-/** Polynomials P with P' = cofactor P, the cofactor a rational function of parameters alone; then products of powers of all
- *  factors that are known (these, states, roots, the divisors of the equations, and `given`) that are integrals or densities. */
+/** Polynomials P with P' = cofactor P, the cofactor a rational function of parameters alone; those of the least degrees with any
+ *  cofactor (discover/extactic.h); then products of powers of all factors that are known (these, states, roots, the divisors of the
+ *  equations, and `given`) that are integrals or densities. */
 void ttc_discover_factors(ttc_discovery *d, const ttc_id *given, size_t given_count);
 
 /* Densities P^(1/k), k = 1, -1, 2, -2, where none is known yet: one at the least degree. */

@@ -1,6 +1,7 @@
 /* Polynomials that the motion multiplies by a number: P' = cofactor P, the cofactor a function of parameters. */
 #include "discover/claim_text.h"
 #include "discover/discover.h"
+#include "discover/extactic.h"
 #include "discover/relations.h"
 
 #include <stdlib.h>
@@ -136,5 +137,10 @@ void ttc_discover_factors(ttc_discovery *d, const ttc_id *given, size_t given_co
     else
         ttc_discovery_remark(d, "factors: %sP with P' = c P, c != 0 rational in the parameters, deg P <= %d, may exist",
                              d->factors.count > 0 ? "more " : "", reached);
-    ttc_relations_find(d, given, given_count);
+    ttc_factors *invariant = flint_calloc(1, sizeof *invariant);
+    ttc_factors_init(invariant, d->flow);
+    ttc_extactic_find(d, invariant);
+    ttc_relations_find(d, invariant, given, given_count);
+    ttc_factors_clear(invariant);
+    flint_free(invariant);
 }

@@ -1,7 +1,6 @@
 #include "discover/relations.h"
 
 #include "discover/claim_text.h"
-#include "discover/factor_list.h"
 #include "discover/gradient.h"
 
 #include <flint/nmod_mat.h>
@@ -16,7 +15,7 @@ typedef struct {
 } factors;
 
 /* What cannot vanish on the domain comes first: a density is a product of such where there is one. */
-static void gather(factors *f, const ttc_id *given, size_t given_count)
+static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given, size_t given_count)
 {
     ttc_discovery *d = f->d;
     const ttc_flow *flow = d->flow;
@@ -36,6 +35,7 @@ static void gather(factors *f, const ttc_id *given, size_t given_count)
             ttc_factors_add_all(&f->list, value.numerator);
             ttc_factors_add_all(&f->list, value.denominator);
         }
+        for (size_t i = 0; i < invariant->count; i++) ttc_factors_add(&f->list, &invariant->items[i]);
         for (size_t i = 0; i < d->factors.count; i++) ttc_factors_add(&f->list, d->factors.items[i].value.numerator);
     }
     ttc_factors_drop_radicands(&f->list);
@@ -184,12 +184,12 @@ static bool whole_exponents(long *exponents, long *denominator, const ulong *res
     return good;
 }
 
-void ttc_relations_find(ttc_discovery *d, const ttc_id *given, size_t given_count)
+void ttc_relations_find(ttc_discovery *d, const ttc_factors *invariant, const ttc_id *given, size_t given_count)
 {
     factors *f = flint_calloc(1, sizeof *f);
     f->d = d;
     ttc_factors_init(&f->list, d->flow);
-    gather(f, given, given_count);
+    gather(f, invariant, given, given_count);
     const slong width = (slong)f->list.count + 1;
     nmod_mat_t rows;
     nmod_mat_init(rows, width + ROWS_TO_SPARE, width, d->flow->mod.n);

@@ -75,6 +75,30 @@ for when in 'beta=6*sigma-2, rho=2*sigma-1' 'beta=4, sigma=1'; do
     ttc discover codegen/models/lorenz.tt --when "$when" --seek factors --degree 4 > "$scratch/lorenz" 2>&1
     grep -qE '^rate P1 : -x\^4 \+ 4\*(sigma\*)?x\^2\*z' "$scratch/lorenz" || fail "lorenz when $when: no quartic"
 done
+# Invariant lines, planes and conics, whose cofactors are polynomials: made so. With u = x + 2 y - 1 and v = 3 x - y, u' = u (a + v) and
+# v' = v (b + u); three kinds that eat each other; a limit cycle; Euler's equations, whose planes are irrational.
+kinds() { # NAME LINE...: the lines that are no comments
+    local name=$1
+    shift
+    ttc discover --seek factors "$scratch/$name.tt" > "$scratch/finds" 2> "$scratch/err" || fail "$name: status $?, $(cat "$scratch/err")"
+    diff <(grep -v '^#' "$scratch/finds" | grep -v ^measure) <([ $# = 0 ] || printf '%s\n' "$@") || fail "$name: not these factors"
+    grep -v '^#' "$scratch/finds" >> "$scratch/$name.tt"
+    ttc prove --challenge 8 "$scratch/$name.tt" > "$scratch/proofs" 2>&1 || fail "$name: $(cat "$scratch/proofs")"
+}
+printf '%s\n' 'model lines' 'title "two lines"' 'param a' 'param b' 'state x' 'state y' \
+    'eq x = + (x + 2*y - 1)*(a + 3*x - y)/7 + 2*(3*x - y)*(b + x + 2*y - 1)/7' \
+    'eq y = + 3*(x + 2*y - 1)*(a + 3*x - y)/7 - (3*x - y)*(b + x + 2*y - 1)/7' > "$scratch/lines.tt"
+kinds lines 'rate P1 : 3*x - y = (x + 2*y + (b-1))*(3*x - y)' 'rate P2 : x + 2*y - 1 = (3*x - y + a)*(x + 2*y - 1)'
+printf '%s\n' 'model eaten' 'title "May and Leonard"' 'param a' 'param b' 'param c' 'state x' 'state y' 'state z' \
+    'eq x = + x*y - c*x*z' 'eq y = + y*z - a*y*x' 'eq z = + z*x - b*z*y' > "$scratch/eaten.tt"
+kinds eaten 'rate P1 : x = (y - c*z)*x' 'rate P2 : y = (-a*x + z)*y' 'rate P3 : z = (x - b*y)*z'
+printf '%s\n' 'model circle' 'title "a limit cycle"' 'param mu' 'state x' 'state y' 'eq x = - y + mu*x*(x^2 + y^2 - 1)' \
+    'eq y = + x + mu*y*(x^2 + y^2 - 1)' > "$scratch/circle.tt"
+kinds circle 'rate P1 : x^2 + y^2 = (2*mu*x^2 + 2*mu*y^2 - 2*mu)*(x^2 + y^2)' \
+    'rate P2 : x^2 + y^2 - 1 = (2*mu*x^2 + 2*mu*y^2)*(x^2 + y^2 - 1)'
+printf '%s\n' 'model euler' 'title "Euler"' 'param A' 'param B' 'param C' 'state x' 'state y' 'state z' \
+    'eq x = + A*y*z' 'eq y = + B*z*x' 'eq z = + C*x*y' > "$scratch/euler.tt"
+kinds euler
 ttc discover codegen/models/lorenz.tt > "$scratch/lorenz" 2>&1
 grep '^[^#]' "$scratch/lorenz" && fail 'lorenz: finds for parameters in general'
 
