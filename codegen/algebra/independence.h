@@ -34,5 +34,6 @@ ttc_trust ttc_ring_trust(ttc_ring *ring, const ttc_ratio *angle, const ttc_ratio
 bool ttc_ring_settles_all(const ttc_ring *ring, const ttc_ratio *ratios, size_t count);
 
 bool ttc_ring_is_constant(const ttc_ring *ring, const fmpz_mpoly_t polynomial); /* uses numbers alone */
+bool ttc_ring_is_free(const ttc_ring *ring, const fmpz_mpoly_t polynomial); /* uses free variables alone */
 
 #endif

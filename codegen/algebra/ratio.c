@@ -2,19 +2,6 @@
 
 #include <stdlib.h>
 
-void ttc_ratio_init(ttc_ring *ring, ttc_ratio *a)
-{
-    fmpz_mpoly_init(a->numerator, ring->context);
-    fmpz_mpoly_init(a->denominator, ring->context);
-    fmpz_mpoly_one(a->denominator, ring->context);
-}
-
-void ttc_ratio_clear(ttc_ring *ring, ttc_ratio *a)
-{
-    fmpz_mpoly_clear(a->numerator, ring->context);
-    fmpz_mpoly_clear(a->denominator, ring->context);
-}
-
 static void swap(ttc_ring *ring, ttc_ratio *a, ttc_ratio *b)
 {
     fmpz_mpoly_swap(a->numerator, b->numerator, ring->context);

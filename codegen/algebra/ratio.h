@@ -58,7 +58,8 @@ typedef struct {
     fmpz_mpoly_ctx_t context;
     size_t variable_count, next_spare; /* variables from next_spare on are not yet in use */
     const char **names;                /* borrowed */
-    void *solver;                      /* see solver.h; NULL until it is asked */
+    void *solver;                      /* see solver.h; NULL until it is asked, and then: */
+    void (*release)(void *solver);
     const bool *positive;              /* by variable; borrowed */
     ttc_generator generators[TTC_GENERATOR_LIMIT];
     size_t generator_count;

@@ -228,21 +228,20 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
     }
 }
 
-/* One for all questions about a ring, and for no other: what it answers hangs on nothing but these. */
+static void release(void *solver) { Z3_del_context(solver); }
+
+/* One for all questions about a ring, and for no other: what it answers hangs on nothing but these. It stays with the ring, since to make
+ * one takes longer than most answers. */
 static Z3_context context_of(ttc_ring *ring)
 {
     if (ring->solver == NULL) {
         Z3_config config = Z3_mk_config();
         ring->solver = Z3_mk_context(config);
+        ring->release = release;
         Z3_del_config(config);
         Z3_set_error_handler(ring->solver, ignore_errors);
     }
     return ring->solver;
-}
-
-void ttc_solver_release(void *solver)
-{
-    if (solver != NULL) Z3_del_context(solver);
 }
 
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions)

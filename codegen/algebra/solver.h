@@ -12,7 +12,4 @@ typedef enum { TTC_SOLVER_POINT, TTC_SOLVER_NO_POINT, TTC_SOLVER_SILENT } ttc_so
  *  Cost: bounded in the solver's own units of work. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions);
 
-/* Free the solver that a ring keeps between questions, since to make one takes longer than most answers. Legal on NULL. */
-void ttc_solver_release(void *solver);
-
 #endif

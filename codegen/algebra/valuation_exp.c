@@ -206,7 +206,8 @@ void ttc_valuation_pi(ttc_valuation *v, ttc_ratio *out)
     ttc_ring_fail(v->ring, TTC_RING_PI);
 }
 
-void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out)
+void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
+    (void)symbol;
     ttc_valuation_pi(v->base != NULL ? v->base : v, out);
 }

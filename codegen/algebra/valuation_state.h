@@ -7,8 +7,12 @@
 
 typedef enum { TTC_VALUE_UNKNOWN, TTC_VALUE_BUSY, TTC_VALUE_KNOWN } ttc_value_state;
 
+/* The value of a function's symbol that is not bound. */
+typedef void (*ttc_function_value)(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
+
 struct ttc_valuation {
     const ttc_model *model;
+    const ttc_function_value *functions; /* by ttc_symbol_kind; NULL: no function */
     ttc_valuation *base;
     ttc_ring *ring; /* owned when base is NULL */
     size_t symbol_count;
@@ -43,7 +47,7 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
 /* The values of an exponential, or a logarithm, that is not bound, and of pi. */
 void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 void ttc_valuation_log_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
-void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out);
+void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 
 /* Functions join a basis when they are met. Where a value follows from no basis, all of the table are met first: true when that
  * has been done now, so that another attempt is worth while. */

@@ -197,33 +197,3 @@ bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const
     _arb_vec_clear(jet, (long)ttc_probe_width(probe));
     return left == 0;
 }
-
-/* What the claim, the field and definitions divide by, as written. */
-static bool divisors_are_not_zero(ttc_probe *probe, const ttc_situation *situation)
-{
-    const ttc_model *model = situation->model;
-    for (size_t i = 0; i < model->divisor_count; i++) {
-        const ttc_divisor *divisor = &model->divisors[i];
-        bool used = divisor->role == TTC_DIVIDES_FIELD || divisor->role == TTC_DIVIDES_SYMBOL
-                    || (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == situation->claim);
-        if (!used) continue;
-        arb_srcptr value = ttc_probe_at(probe, divisor->divisor);
-        if (value == NULL && situation->own_root != UINT32_MAX) continue; /* it may need the root in question */
-        if (value == NULL || arb_contains_zero(value)) return false;
-    }
-    return true;
-}
-
-ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation,
-                                           long precision, char *fault, size_t fault_size)
-{
-    bool set = situation->level_count == 0 ? ttc_random_point_set(probe, point, situation, precision, NULL)
-                                           : ttc_level_meet(probe, point, situation, precision);
-    fault[0] = '\0';
-    if (!set) return TTC_OUTSIDE;
-    ttc_probe_seed_states(probe);
-    ttc_place_in_domain place = ttc_domain_locate(probe, situation->model, &situation->family, situation->own_root, fault,
-                                                  fault_size);
-    if (place == TTC_INSIDE && !divisors_are_not_zero(probe, situation)) return TTC_OUTSIDE;
-    return place;
-}

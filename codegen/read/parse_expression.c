@@ -56,15 +56,6 @@ bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor)
     return true;
 }
 
-ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place)
-{
-    ttc_graph_status status = ttc_graph_error(parser->model->graph);
-    ttc_graph_clear_error(parser->model->graph);
-    if (status == TTC_GRAPH_NO_MEMORY || status == TTC_GRAPH_OK) ttc_parse_no_memory(parser);
-    else ttc_parse_error(parser, place, "%s", ttc_graph_status_text(status));
-    return TTC_NONE;
-}
-
 static bool is_integer(const ttc_token *token)
 {
     bool result = token->kind == TTC_TOKEN_NUMBER;
@@ -246,4 +237,25 @@ bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place)
     if (parser->expansions[id] <= TTC_EXPANSION_LIMIT) return true;
     return ttc_parse_error(parser, place, "the expression written out in full is too large (expected at most %d operands)",
                            TTC_EXPANSION_LIMIT);
+}
+
+ttc_id ttc_parse_rate(ttc_parser *parser, const ttc_token *name)
+{
+    const ttc_model *model = parser->model;
+    const ttc_place place = ttc_token_place(name);
+    size_t missing = 0;
+    if (!parser->may_rate) {
+        ttc_parse_error(parser, place, "rate() stands in 'observe' and 'valid' alone (expected the rate written out)");
+        return TTC_NONE;
+    }
+    while (missing < model->equation_count && model->equations[missing].place.line != 0) missing++;
+    if (missing < model->state_count) {
+        ttc_parse_error(parser, place, "rate() before all equations are there (expected 'eq %s = ...' above it)",
+                        model->symbols[model->states[missing]].name);
+        return TTC_NONE;
+    }
+    ttc_id id = ttc_parse_parentheses(parser);
+    if (id == TTC_NONE) return TTC_NONE;
+    id = ttc_model_rate(model, id);
+    return id == TTC_NONE ? ttc_parse_graph_error(parser, place) : id;
 }

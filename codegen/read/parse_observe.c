@@ -83,24 +83,3 @@ bool ttc_parse_valid(ttc_parser *parser)
     model->validity_count++;
     return ttc_parse_unit_and_meaning(parser, &validity->unit, &validity->meaning);
 }
-
-ttc_id ttc_parse_rate(ttc_parser *parser, const ttc_token *name)
-{
-    const ttc_model *model = parser->model;
-    const ttc_place place = ttc_token_place(name);
-    size_t missing = 0;
-    if (!parser->may_rate) {
-        ttc_parse_error(parser, place, "rate() stands in 'observe' and 'valid' alone (expected the rate written out)");
-        return TTC_NONE;
-    }
-    while (missing < model->equation_count && model->equations[missing].place.line != 0) missing++;
-    if (missing < model->state_count) {
-        ttc_parse_error(parser, place, "rate() before all equations are there (expected 'eq %s = ...' above it)",
-                        model->symbols[model->states[missing]].name);
-        return TTC_NONE;
-    }
-    ttc_id id = ttc_parse_parentheses(parser);
-    if (id == TTC_NONE) return TTC_NONE;
-    id = ttc_model_rate(model, id);
-    return id == TTC_NONE ? ttc_parse_graph_error(parser, place) : id;
-}

@@ -1,0 +1,184 @@
+/* Square roots in the ring of a ratio, whose generators stay independent modulo squares. */
+#include "algebra/ratio.h"
+
+/* root = sqrt(a) in Q(variables); false when a is no square there. */
+static bool rational_root(ttc_ring *ring, ttc_ratio *root, const ttc_ratio *a)
+{
+    fmpz_mpoly_t product;
+    ttc_ratio top, bottom;
+    fmpz_mpoly_init(product, ring->context);
+    ttc_ratio_init(ring, &top);
+    ttc_ratio_init(ring, &bottom);
+    fmpz_mpoly_mul(product, a->numerator, a->denominator, ring->context);
+    bool square = fmpz_mpoly_sqrt(top.numerator, product, ring->context) != 0;
+    if (square) {
+        fmpz_mpoly_set(bottom.numerator, a->denominator, ring->context);
+        ttc_ratio_divide(ring, root, &top, &bottom);
+    }
+    ttc_ratio_clear(ring, &bottom);
+    ttc_ratio_clear(ring, &top);
+    fmpz_mpoly_clear(product, ring->context);
+    return square;
+}
+
+/* a = p + q r for generator number index, p and q free of it. */
+static void split(ttc_ring *ring, ttc_ratio *p, ttc_ratio *q, const ttc_ratio *a, size_t index)
+{
+    ulong exponent = 1;
+    slong variable = ring->generators[index].variable;
+    ttc_ratio part;
+    ttc_ratio_init(ring, &part);
+    ttc_ratio_set_polynomial(ring, q, a->denominator);
+    fmpz_mpoly_get_coeff_vars_ui(part.numerator, a->numerator, &variable, &exponent, 1, ring->context);
+    ttc_ratio_divide(ring, q, &part, q);
+    ttc_ratio_set_variable(ring, &part, variable);
+    ttc_ratio_multiply(ring, &part, &part, q);
+    ttc_ratio_subtract(ring, p, a, &part);
+    ttc_ratio_clear(ring, &part);
+}
+
+static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a);
+
+/* root = x + q/(2x) r where x^2 = (p + sign n)/2 is a square below. */
+static bool mixed_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *p, const ttc_ratio *q,
+                       const ttc_ratio *n, int sign)
+{
+    fmpq_t factor;
+    ttc_ratio x, y;
+    ttc_ratio_init(ring, &x);
+    ttc_ratio_init(ring, &y);
+    fmpq_init(factor);
+    fmpq_set_si(factor, sign, 1);
+    ttc_ratio_scale(ring, &x, n, factor);
+    ttc_ratio_add(ring, &x, &x, p);
+    fmpq_set_si(factor, 1, 2);
+    ttc_ratio_scale(ring, &x, &x, factor);
+    bool found = !ttc_ratio_is_zero(ring, &x) && field_root(ring, level - 1, &x, &x);
+    if (found) {
+        ttc_ratio_divide(ring, &y, q, &x);
+        ttc_ratio_scale(ring, &y, &y, factor);
+        ttc_ratio_set_variable(ring, root, ring->generators[level - 1].variable);
+        ttc_ratio_multiply(ring, root, root, &y);
+        ttc_ratio_add(ring, root, root, &x);
+    }
+    fmpq_clear(factor);
+    ttc_ratio_clear(ring, &y);
+    ttc_ratio_clear(ring, &x);
+    return found;
+}
+
+/** A square root of a in the field of the first `level` generators, of either sign; false when a is no square there.
+ *  With r^2 = d the last generator, p + q r = (x + y r)^2 means p^2 - q^2 d = n^2 and x^2 = (p + n)/2 or (p - n)/2; for
+ *  q = 0, p or p/d is a square below. root may be a. */
+static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a)
+{
+    if (ring->status != TTC_RING_OK) return false;
+    if (level == 0) return rational_root(ring, root, a);
+    const ttc_ratio *square = &ring->generators[level - 1].square;
+    bool found = false;
+    ttc_ratio p, q, n;
+    ttc_ratio_init(ring, &p);
+    ttc_ratio_init(ring, &q);
+    ttc_ratio_init(ring, &n);
+    split(ring, &p, &q, a, level - 1);
+    if (ttc_ratio_is_zero(ring, &q)) {
+        found = field_root(ring, level - 1, root, &p);
+        if (!found) {
+            ttc_ratio_divide(ring, &n, &p, square);
+            found = field_root(ring, level - 1, &n, &n);
+            ttc_ratio_set_variable(ring, &p, ring->generators[level - 1].variable);
+            if (found) ttc_ratio_multiply(ring, root, &n, &p);
+        }
+    } else {
+        ttc_ratio_multiply(ring, &n, &q, &q);
+        ttc_ratio_multiply(ring, &n, &n, square);
+        ttc_ratio_scale(ring, &n, &n, ring->minus_one);
+        ttc_ratio_add_product(ring, &n, &p, &p);
+        found = field_root(ring, level - 1, &n, &n)
+                && (mixed_root(ring, level, root, &p, &q, &n, 1) || mixed_root(ring, level, root, &p, &q, &n, -1));
+    }
+    ttc_ratio_clear(ring, &n);
+    ttc_ratio_clear(ring, &q);
+    ttc_ratio_clear(ring, &p);
+    return found;
+}
+
+/* The sign of a, where it or its product with some of the positive generators is evident; else 0. */
+static int evident_sign(ttc_ring *ring, const ttc_ratio *a)
+{
+    int sign = 0;
+    ttc_ratio product, generator;
+    ttc_ratio_init(ring, &product);
+    ttc_ratio_init(ring, &generator);
+    for (unsigned subset = 0; sign == 0 && subset < 1u << ring->generator_count; subset++) {
+        bool positive = true;
+        ttc_ratio_set(ring, &product, a);
+        for (size_t i = 0; i < ring->generator_count && positive; i++)
+            if (subset >> i & 1) {
+                positive = ring->generators[i].positive;
+                ttc_ratio_set_variable(ring, &generator, ring->generators[i].variable);
+                ttc_ratio_multiply(ring, &product, &product, &generator);
+            }
+        if (positive) sign = ttc_ratio_sign(ring, &product);
+    }
+    ttc_ratio_clear(ring, &generator);
+    ttc_ratio_clear(ring, &product);
+    return sign;
+}
+
+/* A root that the field has already: the positive one, or the one that the choices say. */
+static bool known_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, bool positive)
+{
+    ttc_ratio root;
+    ttc_ratio_init(ring, &root);
+    bool found = field_root(ring, ring->generator_count, &root, radicand);
+    if (found) {
+        int sign = positive ? evident_sign(ring, &root) : 0;
+        if (sign == 0 && ring->choice_count < 16) sign = ring->choices >> ring->choice_count++ & 1 ? -1 : 1;
+        if (sign == 0) ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        if (sign < 0) ttc_ratio_scale(ring, &root, &root, ring->minus_one);
+        ttc_ratio_set(ring, out, &root);
+    }
+    ttc_ratio_clear(ring, &root);
+    return found;
+}
+
+/* What is evidently negative, or the opposite of a square, has no real root. */
+static void check_radicand(ttc_ring *ring, const ttc_ratio *radicand)
+{
+    ttc_ratio negative, root;
+    ttc_ratio_init(ring, &negative);
+    ttc_ratio_init(ring, &root);
+    ttc_ratio_scale(ring, &negative, radicand, ring->minus_one);
+    /* A quotient whose square it is says nothing where its denominator vanishes. */
+    if (ttc_ratio_is_zero(ring, radicand)) ttc_ring_fail(ring, TTC_RING_ROOT_OF_ZERO);
+    else if (ttc_ratio_sign(ring, radicand) < 0
+             || (field_root(ring, ring->generator_count, &root, &negative)
+                 && fmpz_mpoly_is_fmpz(root.denominator, ring->context)))
+        ttc_ring_fail(ring, TTC_RING_ROOT_OF_NEGATIVE);
+    ttc_ratio_clear(ring, &root);
+    ttc_ratio_clear(ring, &negative);
+}
+
+void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive)
+{
+    if (ring->status != TTC_RING_OK) return;
+    if (positive) check_radicand(ring, radicand);
+    if (!positive && ttc_ratio_is_zero(ring, radicand)) {
+        ttc_ratio_set_integer(ring, out, 0);
+        return;
+    }
+    if (ring->status != TTC_RING_OK || known_root(ring, out, radicand, positive) || ring->status != TTC_RING_OK) return;
+    if (variable < 0 && ring->next_spare < ring->variable_count) variable = (slong)ring->next_spare++;
+    if (variable < 0 || ring->generator_count == TTC_GENERATOR_LIMIT) {
+        ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        return;
+    }
+    ttc_generator *generator = &ring->generators[ring->generator_count];
+    generator->variable = variable;
+    generator->positive = positive;
+    ttc_ratio_init(ring, &generator->square);
+    ttc_ratio_set(ring, &generator->square, radicand);
+    ring->generator_count++;
+    ttc_ratio_set_variable(ring, out, variable);
+}
