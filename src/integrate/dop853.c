@@ -60,11 +60,14 @@ static inline void close_stage(jlt_dop853 *self, const jlt_field *field, double 
 }
 
 #define K(j) k[((j) - 1) * blocks + b]
+#define A(i, j) (jlt_dop853_a[i][j] * K(j))
+#define E5(j) (jlt_dop853_e5[j] * K(j))
+#define E3(j) ((jlt_dop853_a[13][j] - jlt_dop853_e3[j]) * K(j))
 #define ROW(j) (self->k + ((j) - 1) * (size_t)stride)
 #define FOR_BLOCKS for (unsigned b = 0; b < blocks; b++)
 #define STAGE(i, last, older)                                              \
     FOR_BLOCKS part[b] = x0[b] + h * (older);                              \
-    close_stage(self, field, h * DOP_A_##i##_##last, ROW(last), ROW(i))
+    close_stage(self, field, h * jlt_dop853_a[i][last], ROW(last), ROW(i))
 
 /* k2 .. k12 from k1, and the sum of the solution but for k12 in `part`. */
 static inline __attribute__((always_inline)) void stages(jlt_dop853 *self, const jlt_field *field, const double *x,
@@ -76,29 +79,25 @@ static inline __attribute__((always_inline)) void stages(jlt_dop853 *self, const
     lanes *part = (lanes *)(void *)self->part;
 
     FOR_BLOCKS part[b] = x0[b];
-    close_stage(self, field, h * DOP_A_2_1, ROW(1), ROW(2));
-    STAGE(3, 2, DOP_A_3_1 * K(1));
-    STAGE(4, 3, DOP_A_4_1 * K(1));
-    STAGE(5, 4, DOP_A_5_1 * K(1) + DOP_A_5_3 * K(3));
-    STAGE(6, 5, DOP_A_6_1 * K(1) + DOP_A_6_4 * K(4));
-    STAGE(7, 6, DOP_A_7_1 * K(1) + DOP_A_7_4 * K(4) + DOP_A_7_5 * K(5));
-    STAGE(8, 7, DOP_A_8_1 * K(1) + DOP_A_8_4 * K(4) + DOP_A_8_5 * K(5) + DOP_A_8_6 * K(6));
-    STAGE(9, 8, DOP_A_9_1 * K(1) + DOP_A_9_4 * K(4) + DOP_A_9_5 * K(5) + DOP_A_9_6 * K(6) + DOP_A_9_7 * K(7));
-    STAGE(10, 9, DOP_A_10_1 * K(1) + DOP_A_10_4 * K(4) + DOP_A_10_5 * K(5) + DOP_A_10_6 * K(6)
-                     + DOP_A_10_7 * K(7) + DOP_A_10_8 * K(8));
-    STAGE(11, 10, DOP_A_11_1 * K(1) + DOP_A_11_4 * K(4) + DOP_A_11_5 * K(5) + DOP_A_11_6 * K(6)
-                      + DOP_A_11_7 * K(7) + DOP_A_11_8 * K(8) + DOP_A_11_9 * K(9));
-    STAGE(12, 11, DOP_A_12_1 * K(1) + DOP_A_12_4 * K(4) + DOP_A_12_5 * K(5) + DOP_A_12_6 * K(6)
-                      + DOP_A_12_7 * K(7) + DOP_A_12_8 * K(8) + DOP_A_12_9 * K(9) + DOP_A_12_10 * K(10));
-    FOR_BLOCKS part[b] = h * (DOP_A_13_1 * K(1) + DOP_A_13_6 * K(6) + DOP_A_13_7 * K(7) + DOP_A_13_8 * K(8)
-                              + DOP_A_13_9 * K(9) + DOP_A_13_10 * K(10) + DOP_A_13_11 * K(11));
+    close_stage(self, field, h * jlt_dop853_a[2][1], ROW(1), ROW(2));
+    STAGE(3, 2, A(3, 1));
+    STAGE(4, 3, A(4, 1));
+    STAGE(5, 4, A(5, 1) + A(5, 3));
+    STAGE(6, 5, A(6, 1) + A(6, 4));
+    STAGE(7, 6, A(7, 1) + A(7, 4) + A(7, 5));
+    STAGE(8, 7, A(8, 1) + A(8, 4) + A(8, 5) + A(8, 6));
+    STAGE(9, 8, A(9, 1) + A(9, 4) + A(9, 5) + A(9, 6) + A(9, 7));
+    STAGE(10, 9, A(10, 1) + A(10, 4) + A(10, 5) + A(10, 6) + A(10, 7) + A(10, 8));
+    STAGE(11, 10, A(11, 1) + A(11, 4) + A(11, 5) + A(11, 6) + A(11, 7) + A(11, 8) + A(11, 9));
+    STAGE(12, 11, A(12, 1) + A(12, 4) + A(12, 5) + A(12, 6) + A(12, 7) + A(12, 8) + A(12, 9) + A(12, 10));
+    FOR_BLOCKS part[b] = h * (A(13, 1) + A(13, 6) + A(13, 7) + A(13, 8) + A(13, 9) + A(13, 10) + A(13, 11));
 }
 
 /* Solution into trial, with what rounding cuts off into trial_low; then k13, the slope there. */
 static inline void solution(jlt_dop853 *self, const jlt_stepper *stepper, const double *x, const double *x_low, double h)
 {
     const unsigned stride = stepper->stride, columns = stepper->columns;
-    const double hb = h * DOP_A_13_12, *newest = ROW(12);
+    const double hb = h * jlt_dop853_a[13][12], *newest = ROW(12);
 #if defined(__clang__)
 #pragma clang loop vectorize(disable)
 #endif
@@ -134,10 +133,8 @@ static inline __attribute__((always_inline)) double error_norm(const jlt_dop853 
     FOR_BLOCKS {
         lanes weight;
         largest(&weight, &x0[b], &x1[b], &scale[b]);
-        const lanes e5 = (DOP_E5_1 * K(1) + DOP_E5_6 * K(6) + DOP_E5_7 * K(7) + DOP_E5_8 * K(8) + DOP_E5_9 * K(9)
-                          + DOP_E5_10 * K(10) + DOP_E5_11 * K(11) + DOP_E5_12 * K(12)) / weight;
-        const lanes e3 = (DOP_E3_1 * K(1) + DOP_E3_6 * K(6) + DOP_E3_7 * K(7) + DOP_E3_8 * K(8) + DOP_E3_9 * K(9)
-                          + DOP_E3_10 * K(10) + DOP_E3_11 * K(11) + DOP_E3_12 * K(12)) / weight;
+        const lanes e5 = (E5(1) + E5(6) + E5(7) + E5(8) + E5(9) + E5(10) + E5(11) + E5(12)) / weight;
+        const lanes e3 = (E3(1) + E3(6) + E3(7) + E3(8) + E3(9) + E3(10) + E3(11) + E3(12)) / weight;
         sum5 += e5 * e5;
         sum3 += e3 * e3;
     }
@@ -207,10 +204,10 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     return JLT_OK;
 }
 
-#define D_SUM(i)                                                                                                  \
-    (DOP_D_##i##_1 * f0[b] + DOP_D_##i##_6 * K(6) + DOP_D_##i##_7 * K(7) + DOP_D_##i##_8 * K(8)                   \
-     + DOP_D_##i##_9 * K(9) + DOP_D_##i##_10 * K(10) + DOP_D_##i##_11 * K(11) + DOP_D_##i##_12 * K(12)            \
-     + DOP_D_##i##_13 * K(13) + DOP_D_##i##_14 * K(14) + DOP_D_##i##_15 * K(15) + DOP_D_##i##_16 * K(16))
+#define D(i, j) (jlt_dop853_d[i][j] * K(j))
+#define D_SUM(i)                                                                                                   \
+    (jlt_dop853_d[i][1] * f0[b] + D(i, 6) + D(i, 7) + D(i, 8) + D(i, 9) + D(i, 10) + D(i, 11) + D(i, 12) + D(i, 13)    \
+     + D(i, 14) + D(i, 15) + D(i, 16))
 
 /* Nested form of the book, x0 + theta (r1 + (1 - theta)(r2 + theta (r3 + ...))), multiplied out into powers of theta. */
 static void expand(jlt_stepper *stepper, const lanes r[8], unsigned b)
@@ -243,12 +240,9 @@ static void polynomial(jlt_dop853 *self, jlt_stepper *stepper, const double *x, 
     const lanes *x1 = (const lanes *)(const void *)x_end;
     lanes *part = (lanes *)(void *)self->part;
 
-    STAGE(14, 13, DOP_A_14_1 * f0[b] + DOP_A_14_7 * K(7) + DOP_A_14_8 * K(8) + DOP_A_14_9 * K(9)
-                      + DOP_A_14_10 * K(10) + DOP_A_14_11 * K(11) + DOP_A_14_12 * K(12));
-    STAGE(15, 14, DOP_A_15_1 * f0[b] + DOP_A_15_6 * K(6) + DOP_A_15_7 * K(7) + DOP_A_15_8 * K(8)
-                      + DOP_A_15_11 * K(11) + DOP_A_15_12 * K(12) + DOP_A_15_13 * K(13));
-    STAGE(16, 15, DOP_A_16_1 * f0[b] + DOP_A_16_6 * K(6) + DOP_A_16_7 * K(7) + DOP_A_16_8 * K(8)
-                      + DOP_A_16_9 * K(9) + DOP_A_16_13 * K(13) + DOP_A_16_14 * K(14));
+    STAGE(14, 13, jlt_dop853_a[14][1] * f0[b] + A(14, 7) + A(14, 8) + A(14, 9) + A(14, 10) + A(14, 11) + A(14, 12));
+    STAGE(15, 14, jlt_dop853_a[15][1] * f0[b] + A(15, 6) + A(15, 7) + A(15, 8) + A(15, 11) + A(15, 12) + A(15, 13));
+    STAGE(16, 15, jlt_dop853_a[16][1] * f0[b] + A(16, 6) + A(16, 7) + A(16, 8) + A(16, 9) + A(16, 13) + A(16, 14));
     stepper->evaluations += 3;
     FOR_BLOCKS {
         const lanes move = x1[b] - x0[b];
@@ -270,7 +264,7 @@ void jlt_dop853_single(jlt_dop853 *self, const jlt_stepper *stepper, const doubl
                        double *out)
 {
     const unsigned stride = stepper->stride;
-    const double hb = h * DOP_A_13_12;
+    const double hb = h * jlt_dop853_a[13][12];
 
     copy(ROW(1), f, stride);
     stages(self, stepper->field, x, h, stride / WIDTH);
