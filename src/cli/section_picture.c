@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
+
 /* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
 enum { POINTS = 400000, DOTS = 60000 };
 
@@ -27,13 +29,9 @@ void jlt_section_picture_close(jlt_section_picture *self)
 jlt_status jlt_section_picture_add(jlt_section_picture *self, const double *q)
 {
     if (self->stream == NULL || isnan(q[0]) || self->count + self->running_count == POINTS) return JLT_OK;
-    if (self->running_count == self->running_room) {
-        const size_t room = self->running_room == 0 ? 1024 : 2 * self->running_room;
-        double *grown = realloc(self->running, 2 * room * sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        self->running = grown;
-        self->running_room = room;
-    }
+    double *grown = jlt_memory_more(self->running, self->running_count, 2 * sizeof *grown);
+    if (grown == NULL) return JLT_ERR_NOMEM;
+    self->running = grown;
     for (unsigned k = 0; k < 2; k++) {
         const double value = k == 0 && self->shown[0] == self->shown[1] ? (double)self->running_count : q[self->shown[k]];
         self->running[2 * self->running_count + k] = value;

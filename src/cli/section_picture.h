@@ -10,7 +10,7 @@ typedef struct {
     char *text;
     size_t size;
     double *running; /* of the orbit that runs: shape (running_count, 2) */
-    size_t running_count, running_room;
+    size_t running_count;
     size_t count, orbits, by_fate[JLT_FATE_COUNT];
     unsigned shown[2];       /* which coordinates; one twice: that one, against the number of the return */
     jlt_extent extent[2];    /* of the points */

@@ -1,5 +1,6 @@
 #include "core/memory.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,4 +18,12 @@ void *jlt_memory_array(size_t count, size_t size)
     array = aligned_alloc(JLT_MEMORY_ALIGNMENT, bytes);
     if (array != NULL) memset(array, 0, bytes);
     return array;
+}
+
+void *jlt_memory_more(void *array, size_t count, size_t size)
+{
+    const bool full = (count & (count - 1)) == 0;
+
+    if (count > SIZE_MAX / 2 / size) return NULL;
+    return full ? realloc(array, (count == 0 ? 1 : 2 * count) * size) : array;
 }

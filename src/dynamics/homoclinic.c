@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
+
 static const double pi = 3.14159265358979323846;
 
 /* Segments p + a u and r + b w meet at a, b in [0, 1]. */
@@ -258,7 +260,6 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
                                   bool mirrored, const jlt_chart *chart)
 {
     refinement *list = NULL;
-    size_t room = 0;
 
     *count = 0;
     for (size_t i = 0; i + 1 < unstable->count; i++)
@@ -269,15 +270,12 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
                                 stable->points + 2 * j, stable->points + 2 * j + 2)) continue;
             point.sigma_unstable = unstable->sigma[i] + a * (unstable->sigma[i + 1] - unstable->sigma[i]);
             point.sigma_stable = stable->sigma[j] + b * (stable->sigma[j + 1] - stable->sigma[j]);
-            if (*count == room) {
-                room = room == 0 ? 64 : 2 * room;
-                refinement *grown = realloc(list, room * sizeof *grown);
-                if (grown == NULL) {
-                    free(list);
-                    return JLT_ERR_NOMEM;
-                }
-                list = grown;
+            refinement *grown = jlt_memory_more(list, *count, sizeof *grown);
+            if (grown == NULL) {
+                free(list);
+                return JLT_ERR_NOMEM;
             }
+            list = grown;
             begin_refinement(&list[*count], &point);
             list[(*count)++].has_twin = mirrored && i != j;
         }

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/memory.h"
+
 static const double same_point = 1e-7;
 
 void jlt_orbits_clear(jlt_orbits *self)
@@ -23,13 +25,9 @@ jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_pe
     jlt_periodic *grown;
 
     if (jlt_orbits_has(self, chart, orbit)) return JLT_OK;
-    if (self->count == self->capacity) {
-        const size_t capacity = self->capacity == 0 ? 16 : 2 * self->capacity;
-        grown = realloc(self->orbits, capacity * sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        self->orbits = grown;
-        self->capacity = capacity;
-    }
+    grown = jlt_memory_more(self->orbits, self->count, sizeof *grown);
+    if (grown == NULL) return JLT_ERR_NOMEM;
+    self->orbits = grown;
     self->orbits[self->count++] = *orbit;
     return JLT_OK;
 }

@@ -7,7 +7,7 @@
 /** A list of orbits without duplicates, which it owns. All zero, it is empty. */
 typedef struct {
     jlt_periodic *orbits; /* shape (count,) */
-    size_t count, capacity;
+    size_t count;
 } jlt_orbits;
 
 void jlt_orbits_clear(jlt_orbits *self); /* frees; legal on a zeroed list */

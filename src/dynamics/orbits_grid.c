@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/map_batch.h"
 #include "dynamics/newton.h"
 #include "dynamics/section_batch.h"
@@ -24,7 +25,7 @@ typedef struct {
     unsigned threads;
     jlt_section_batch *together;
     jlt_newton *newton;           /* (count,) */
-    size_t count, room, points, bytes; /* points of all of them */
+    size_t count, points, bytes;  /* points of all of them */
 } grid_search;
 
 static bool raised(const grid_search *self)
@@ -145,13 +146,9 @@ static jlt_status begin_window(grid_search *self, const double *window, size_t f
 
     for (size_t p = 1; p < filled; p++) {
         if (jlt_chart_distance(self->chart, window, window + p * d) > near) continue;
-        if (self->count == self->room) {
-            const size_t room = self->room == 0 ? 256 : 2 * self->room;
-            jlt_newton *grown = realloc(self->newton, room * sizeof *grown);
-            if (grown == NULL) return JLT_ERR_NOMEM;
-            self->newton = grown;
-            self->room = room;
-        }
+        jlt_newton *grown = jlt_memory_more(self->newton, self->count, sizeof *grown);
+        if (grown == NULL) return JLT_ERR_NOMEM;
+        self->newton = grown;
         JLT_TRY(jlt_newton_create(&self->newton[self->count], self->chart, window, p, NULL));
         self->count++;
         self->points += p;

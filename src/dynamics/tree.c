@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/memory.h"
+
 /* A bifurcation listed, and whether the branches that begin there are. */
 typedef struct {
     jlt_continuation_point point;
@@ -16,20 +18,17 @@ typedef struct {
     const jlt_continuation_options *options;
     const jlt_tree_sink *sink;
     node *nodes; /* in order */
-    size_t count, capacity;
+    size_t count;
     size_t branch, generation; /* under way */
     jlt_tree_end end;          /* of that */
 } tree;
 
 static jlt_status keep_node(tree *self, const jlt_continuation_point *point)
 {
-    if (self->count == self->capacity) {
-        const size_t capacity = self->capacity == 0 ? 8 : 2 * self->capacity;
-        node *grown = realloc(self->nodes, capacity * sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        self->nodes = grown;
-        self->capacity = capacity;
-    }
+    node *grown = jlt_memory_more(self->nodes, self->count, sizeof *grown);
+
+    if (grown == NULL) return JLT_ERR_NOMEM;
+    self->nodes = grown;
     self->nodes[self->count++] = (node){ *point, self->branch, self->generation, false };
     return JLT_OK;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "scene/source.h"
 #include "top/top.h"
@@ -12,7 +13,7 @@ enum { NAMES_MAX = 512 };
 
 static jlt_status add_option(jlt_scene_job *job, const jlt_key *key, const char *text, int line)
 {
-    jlt_scene_option *grown = realloc(job->options, (job->count + 1) * sizeof *grown);
+    jlt_scene_option *grown = jlt_memory_more(job->options, job->count, sizeof *grown);
     jlt_scene_option *option;
 
     if (grown == NULL) return JLT_ERR_NOMEM;
