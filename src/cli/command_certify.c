@@ -12,7 +12,7 @@
 
 typedef struct {
     jlt_motion_options motion;
-    const char *kind, *start;
+    const char *kind;
     size_t period, digits, which;
     double radius, distance;
     jlt_assign_list spread;
@@ -31,21 +31,21 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->motion;
-        return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case DIGITS: jlt_common_count(&o->digits, value, 10, JLT_GIVEN_DIGITS_MAX, "--digits"); return 0;
     case RADIUS: jlt_common_positive(&o->radius, value, "--radius"); return 0;
     case DISTANCE: jlt_common_positive(&o->distance, value, "--distance"); return 0;
     case ORBIT: jlt_common_count(&o->which, value, 1, 1000, "--orbit"); return 0;
     case SPREAD: jlt_common_list(&o->spread, value, "--spread"); return 0;
-    case 'a': o->start = value; return 0;
+    case 'a': jlt_motion_one_start(&o->motion, value); return 0;
     case ARGP_KEY_ARG:
         if (o->kind != NULL) return ARGP_ERR_UNKNOWN;
         o->kind = value;
@@ -57,13 +57,11 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
             argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
-        if (o->start == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
+        if (o->motion.starts[0] == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "cycle|homoclinic|obstruction|sink [MODEL]",
@@ -89,7 +87,7 @@ static jlt_exit find(double *x, double *T, unsigned *legs, const options *o, con
     jlt_map *map = NULL;
     jlt_periodic orbit = { 0 };
     jlt_image image;
-    jlt_exit code = jlt_motion_start(q, system, o->start);
+    jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
     jlt_status st;
 
     if (code != JLT_EXIT_DONE) return code;
@@ -102,7 +100,7 @@ static jlt_exit find(double *x, double *T, unsigned *legs, const options *o, con
     }
     *legs = (unsigned)orbit.period;
     jlt_map_destroy(map);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
 }
 
 static jlt_exit fail(const jlt_certificate_report *report)
@@ -137,7 +135,7 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 done:
     free(x);
     return st == JLT_OK ? JLT_EXIT_DONE
-                        : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s", o->start,
+                        : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s", o->motion.starts[0],
                                            jlt_status_text(st));
 }
 
@@ -177,8 +175,6 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    o.motion.begins.starts = &o.start;
-    o.motion.begins.start_count = 1;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code == JLT_EXIT_DONE) code = ask(&given, &d, &o, system);

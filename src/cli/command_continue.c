@@ -10,7 +10,7 @@
 
 typedef struct {
     jlt_motion_options motion;
-    const char *start, *along;
+    const char *along;
     size_t period, points, generations; /* of branches beside the first */
     double step;
     int direction;
@@ -31,17 +31,17 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->motion, state->child_inputs[1] = &o->motion.common;
-        state->child_inputs[2] = &o->motion.common;
-        return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case ALONG: o->along = value; return 0;
-    case 'a': o->start = value; return 0;
+    case 'a': jlt_motion_one_start(&o->motion, value); return 0;
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX / 2, "--period"); return 0;
     case 'c': jlt_common_count(&o->points, value, 1, 10000000, "--count"); return 0;
     case STEP: jlt_common_positive(&o->step, value, "--step"); return 0;
@@ -54,9 +54,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -213,7 +210,7 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
     jlt_status st;
-    jlt_exit code = jlt_motion_start(q, system, o->start);
+    jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
 
     if (code != JLT_EXIT_DONE) return code;
     *first = (jlt_continuation_point){ .value = *family->entries[0] };
@@ -224,7 +221,7 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
     if (st != JLT_OK && jlt_motion_interrupted(&o->motion))
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted before the first orbit was found; nothing is saved");
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
 }
 
 static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
@@ -271,12 +268,10 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     o.motion.flow.max_steps = 20000;
-    o.motion.begins.starts = &o.start;
-    o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
     if (code == JLT_EXIT_DONE) code = choose_axes(to.shown, &o, system, &axis);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);

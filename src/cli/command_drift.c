@@ -13,7 +13,6 @@ enum { PROJECT = 2000, METHODS_MAX = 16 };
 
 typedef struct {
     jlt_motion_options motion;
-    const char *start;
     size_t returns;
     bool project;
 } options;
@@ -49,25 +48,22 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
-        state->child_inputs[2] = &o->motion.common;
-        return 0;
-    case 'a': o->start = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'a': jlt_motion_one_start(&o->motion, value); return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case PROJECT: o->project = true; return 0;
     case ARGP_KEY_END: jlt_plot_check_log(&o->motion.common, "xy", state); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -282,14 +278,14 @@ static jlt_exit open_integrals(report *r, options *o)
     const jlt_surface *surface = r->drift.system->surface;
     jlt_exit code = JLT_EXIT_DONE;
 
-    code = jlt_motion_default_start(&o->start, &o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->drift.q, r->drift.system, o->start);
+    code = jlt_motion_default_start(&o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->drift.q, r->drift.system, o->motion.starts[0]);
     if (code != JLT_EXIT_DONE) return code;
     const jlt_status st = surface != NULL ? jlt_drift_whole_open(&r->whole, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
     if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
     r->drift.count = surface->count - surface->params;
     for (unsigned k = 0; k < r->drift.count; k++) r->drift.watched[k] = r->whole.watched[k], r->names[k] = surface->names[surface->params + k];
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->drift.system, o->start);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->drift.system, o->motion.starts[0]);
 }
 
 static void write_header(const report *r, const options *o)
@@ -310,11 +306,11 @@ static void write_header(const report *r, const options *o)
         fputs("# levels", file);
         for (unsigned k = 0; k < r->drift.count; k++)
             if (!isnan(levels[k])) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
-        fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->start, o->motion.flow.tolerance,
+        fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->motion.starts[0], o->motion.flow.tolerance,
                 o->project ? ", projected" : "");
     } else {
         jlt_motion_header(file, &o->motion, r->drift.system);
-        fprintf(file, "# start %s%s\n", o->start, o->project ? ", projected" : "");
+        fprintf(file, "# start %s%s\n", o->motion.starts[0], o->project ? ", projected" : "");
     }
     fputs("method,returns,t,evaluations", file);
     for (unsigned k = 0; k < r->drift.count; k++) fprintf(file, ",drift_%s", r->names[k]);
@@ -337,8 +333,6 @@ static jlt_exit run(int argc, char **argv)
     o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    o.motion.begins.starts = &o.start;
-    o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
     r.drift = (jlt_drift){ .system = system, .returns = o.returns };
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);

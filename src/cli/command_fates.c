@@ -31,17 +31,17 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
-        state->child_inputs[3] = &o->motion.common;
-        return 0;
-    case 'a': o->starts[o->start_count++] = value; return 0;
-    case 'g': o->grid = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'a': o->motion.starts[o->motion.start_count++] = value; return 0;
+    case 'g': o->motion.grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     case SWEEP: o->sweep = value; return 0;
     case ARGP_KEY_END:
@@ -50,9 +50,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -80,7 +77,7 @@ static const char default_grid[] = "60x40";
 /* NULL: none. */
 static const char *grid_of(const options *o, const jlt_system *system)
 {
-    return o->grid != NULL ? o->grid : o->start_count > 0 || system->surface == NULL ? NULL : default_grid;
+    return o->motion.grid != NULL ? o->motion.grid : o->motion.start_count > 0 || system->surface == NULL ? NULL : default_grid;
 }
 
 /* What starts of one system are followed with, and what becomes of them. */
@@ -103,11 +100,11 @@ static jlt_exit count_start(crowd *self, const double *q, size_t index, size_t n
     jlt_return last;
     const jlt_status st = jlt_section_batch_last(self->batch, &last, number);
 
-    if (index >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
+    if (index >= o->motion.start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
         self->sum->empty++;
         return JLT_EXIT_DONE;
     }
-    if (st != JLT_OK) return jlt_motion_fail(st, self->system, index < o->start_count ? o->starts[index] : "a start of the grid");
+    if (st != JLT_OK) return jlt_motion_fail(st, self->system, index < o->motion.start_count ? o->motion.starts[index] : "a start of the grid");
     if (last.interrupted) return JLT_EXIT_DONE;
     const jlt_fates_end end = jlt_fates_of(&last);
     jlt_shares_add(self->sum, self->system, q, &end);
@@ -123,10 +120,8 @@ static jlt_exit follow_block(crowd *self, double *q, size_t first, size_t count,
     const unsigned dim = self->system->flow.chart->dim;
     jlt_exit code = JLT_EXIT_DONE;
 
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
-        if (first + i < o->start_count) code = jlt_motion_start(q + i * dim, self->system, o->starts[first + i]);
-        else jlt_motion_grid_point(q + i * dim, self->axes, self->system, first + i - o->start_count);
-    }
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++)
+        code = jlt_motion_any_start(q + i * dim, &o->motion, self->axes, self->system, first + i);
     if (code != JLT_EXIT_DONE) return code;
     const jlt_status st = jlt_section_batch_run(self->batch, q, count, o->returns);
     if (st != JLT_OK) return jlt_motion_fail(st, self->system, "section");
@@ -143,7 +138,7 @@ static jlt_exit follow_all(crowd *self)
     const size_t block = BLOCK * o->motion.threads;
     jlt_section_batch_options batch = { .last_only = true };
     double *q = malloc(block * self->system->flow.chart->dim * sizeof *q);
-    size_t all = o->start_count;
+    size_t all = o->motion.start_count;
     jlt_exit code = q != NULL ? jlt_motion_axes(self->axes, self->system, grid, "--grid") : jlt_command_no_memory();
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_many_open(&self->batch, &batch, &o->motion, self->system);
@@ -296,28 +291,22 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_map map = { .points = NULL };
     jlt_exit code;
 
-    o.starts = calloc((size_t)argc, sizeof *o.starts);
-    if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    jlt_motion_many_choose(&o.motion, o.grid != NULL || o.start_count != 1, false);
-    o.motion.begins.starts = o.starts;
-    o.motion.begins.start_count = o.start_count;
-    o.motion.begins.grid = o.grid;
-    o.motion.begins.other = default_grid;
+    jlt_motion_many_choose(&o.motion, o.motion.grid != NULL || o.motion.start_count != 1, false);
+    o.motion.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && grid_of(&o, system) == NULL && o.start_count == 0)
+    if (code == JLT_EXIT_DONE && grid_of(&o, system) == NULL && o.motion.start_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, grid_of(&o, system), "--grid");
     if (code == JLT_EXIT_DONE && o.sweep == NULL) code = jlt_motion_map_open(&map, &o.motion, system, grid_of(&o, system), axes);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&o, system) : one_system(&o, system, &map);
     jlt_motion_map_close(&map);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
-    free(o.starts);
     return code;
 }
 

@@ -12,7 +12,6 @@
 
 typedef struct {
     jlt_motion_options motion;
-    const char *start, *grid;
     size_t returns, skip, threads;
 } options;
 
@@ -29,34 +28,30 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->motion;
-        state->child_inputs[1] = &o->motion.common;
-        state->child_inputs[2] = &o->motion.common;
-        return 0;
-    case 'a': o->start = value; return 0;
-    case 'g': o->grid = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'a': jlt_motion_one_start(&o->motion, value); return 0;
+    case 'g': o->motion.grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     case SKIP: jlt_common_count(&o->skip, value, 0, 1000000000000, "--skip"); return 0;
     case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case ARGP_KEY_END:
-        if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
-        if (o->grid == NULL && o->threads > 0) argp_error(state, "--threads are of a chart: add --grid");
-        if (o->grid == NULL && o->motion.common.axes != NULL && o->motion.common.sweep == NULL)
+        if (o->motion.starts[0] != NULL && o->motion.grid != NULL) argp_error(state, "--start and --grid exclude each other");
+        if (o->motion.grid == NULL && o->threads > 0) argp_error(state, "--threads are of a chart: add --grid");
+        if (o->motion.grid == NULL && o->motion.common.axes != NULL && o->motion.common.sweep == NULL)
             argp_error(state, "--axes are those of a chart: add --grid");
-        if (o->grid == NULL && o->motion.common.sweep == NULL) jlt_plot_check_log(&o->motion.common, "x", state);
+        if (o->motion.grid == NULL && o->motion.common.sweep == NULL) jlt_plot_check_log(&o->motion.common, "x", state);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -122,7 +117,7 @@ static jlt_exit draw_history(const options *o, const jlt_system *system)
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_block(&plot, "HISTORY", o->motion.common.drawn);
     jlt_plot_words(&plot, "Lyapunov exponents from ");
-    (void)jlt_motion_start(q, system, o->start);
+    (void)jlt_motion_start(q, system, o->motion.starts[0]);
     for (unsigned k = 0; k < system->flow.chart->dim; k++) jlt_plot_value(&plot, system->flow.chart->names[k], q[k]);
     jlt_plot_words(&plot, "\n");
     jlt_motion_caption(&plot, system, NULL);
@@ -157,7 +152,7 @@ static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
     jlt_lyapunov_state state = { .returns = 0 };
     double q[JLT_CHART_DIM_MAX];
     jlt_status st;
-    jlt_exit code = jlt_motion_start(q, system, o->start);
+    jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
 
     if (code != JLT_EXIT_DONE) return code;
     if (o->returns == 0) o->returns = 1000;
@@ -181,7 +176,7 @@ static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
     if (state.blurred > 0)
         fprintf(stderr, "jellett: %zu of %zu returns stretch by more than rounding can tell apart: exponents between the first and the "
                 "last are in doubt; a section that is met more often shows them\n", state.blurred, state.returns);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->motion.starts[0]);
 }
 
 static jlt_exit draw_chart(const options *o, const jlt_system *system, jlt_motion_map *map)
@@ -265,7 +260,7 @@ static const jlt_swept_form swept = { &jlt_command_lyapunov, true, 2 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .start = NULL };
+    options o = { .returns = 0 };
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     jlt_map *map = NULL;
@@ -279,30 +274,27 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    o.motion.begins.starts = &o.start;
-    o.motion.begins.start_count = o.start != NULL;
-    o.motion.begins.grid = o.grid;
     const bool has_method = o.motion.flow.method != NULL;
     if (!has_method) o.motion.flow.method = jlt_method_find(NULL);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && o.grid == NULL) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
-    if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);
-    if (code == JLT_EXIT_DONE && o.grid != NULL) code = jlt_motion_axes(axes, system, o.grid, "--grid");
-    if (code == JLT_EXIT_DONE && o.grid != NULL) code = jlt_motion_map_open(&picture, &o.motion, system, o.grid, axes);
+    if (code == JLT_EXIT_DONE && o.motion.grid == NULL) code = jlt_motion_default_start(&o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
+    if (code == JLT_EXIT_DONE && o.motion.starts[0] != NULL) code = jlt_motion_check_starts(system, o.motion.starts, 1);
+    if (code == JLT_EXIT_DONE && o.motion.grid != NULL) code = jlt_motion_axes(axes, system, o.motion.grid, "--grid");
+    if (code == JLT_EXIT_DONE && o.motion.grid != NULL) code = jlt_motion_map_open(&picture, &o.motion, system, o.motion.grid, axes);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
-    if (o.grid != NULL) system->flow.max_steps = 20000;
+    if (o.motion.grid != NULL) system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
-    if (st == JLT_OK && o.grid != NULL) st = open_maps(&maps, &o, system, has_method);
+    if (st == JLT_OK && o.motion.grid != NULL) st = open_maps(&maps, &o, system, has_method);
     if (st != JLT_OK) {
         code = jlt_motion_fail(st, system, "the map");
         goto done;
     }
     jlt_motion_header(common->table.file, &o.motion, system);
-    code = o.grid != NULL ? run_chart(&picture, map, maps, &o, axes) : run_history(map, &o, system);
+    code = o.motion.grid != NULL ? run_chart(&picture, map, maps, &o, axes) : run_history(map, &o, system);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && common->plot != NULL)
-        code = o.grid != NULL ? draw_chart(&o, system, &picture) : draw_history(&o, system);
+        code = o.motion.grid != NULL ? draw_chart(&o, system, &picture) : draw_history(&o, system);
 done:
     jlt_map_destroy(map);
     jlt_map_batch_destroy(maps);

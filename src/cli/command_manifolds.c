@@ -10,7 +10,7 @@
 
 typedef struct {
     jlt_motion_options motion;
-    const char *start, *points;
+    const char *points;
     size_t period;
     jlt_manifold_options growth;
     double seed;
@@ -32,16 +32,16 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
-        state->child_inputs[2] = &o->motion.common;
-        return 0;
-    case 'a': o->start = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'a': jlt_motion_one_start(&o->motion, value); return 0;
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case LENGTH: jlt_common_positive(&o->growth.length_max, value, "--length"); return 0;
     case SPACING:
@@ -64,9 +64,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -209,11 +206,9 @@ static jlt_exit run(int argc, char **argv)
     o.motion.common.lanes = o.motion.flow.method == NULL;
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
-    o.motion.begins.starts = &o.start;
-    o.motion.begins.start_count = o.start != NULL;
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.start, &o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.start);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.motion.starts[0]);
     if (code != JLT_EXIT_DONE) goto done;
     if (system->flow.chart->dim != 2) {
         code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
@@ -226,14 +221,14 @@ static jlt_exit run(int argc, char **argv)
     if (st == JLT_OK) st = jlt_periodic_find(map, &saddle, q, o.period, NULL);
     if (st != JLT_OK) {
         code = jlt_motion_interrupted(&o.motion) ? jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved")
-                                                 : jlt_motion_no_orbit(st, system, o.start);
+                                                 : jlt_motion_no_orbit(st, system, o.motion.starts[0]);
         goto done;
     }
     const char *const *names = system->flow.chart->names;
     if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
         code = jlt_command_fail(JLT_EXIT_INPUT,
                                 "the orbit near %s (%s=%.10g, %s=%.10g) is no saddle but %s; 'jellett orbits' lists what there is",
-                                o.start, names[0], saddle.points[0], names[1], saddle.points[1],
+                                o.motion.starts[0], names[0], saddle.points[0], names[1], saddle.points[1],
                                 jlt_periodic_type_name(saddle.type));
         goto done;
     }
@@ -247,7 +242,7 @@ static jlt_exit run(int argc, char **argv)
     if (touching > 0)
         fprintf(stderr, "jellett: at %zu places separatrices touch, or cross by no more than errors tell: they are no homoclinic points\n",
                 touching);
-    code = st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
+    code = st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.motion.starts[0]);
 done:
     jlt_stream_discard(&crossings);
     jlt_separatrices_clear(&p);

@@ -14,7 +14,6 @@ typedef struct {
     jlt_motion_options motion;
     size_t period_max, samples, settle, threads;
     const char *grid, *line;
-    const char *start; /* Newton from here alone */
     double near;
     const char *hold;
 } options;
@@ -36,16 +35,15 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->motion;
-        state->child_inputs[1] = &o->motion.common;
-        state->child_inputs[2] = &o->motion.common;
-        return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case 'n': jlt_common_count(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case 'g': o->grid = value; return 0;
     case NEAR: jlt_common_positive(&o->near, value, "--near"); return 0;
@@ -54,18 +52,15 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case LINE: o->line = value; return 0;
     case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case HOLD: o->hold = value; return 0;
-    case 'a': o->start = value; return 0;
+    case 'a': jlt_motion_one_start(&o->motion, value); return 0;
     case ARGP_KEY_END:
-        if (o->start == NULL && o->line != NULL) argp_error(state, "--line goes through a point: add --start");
-        if (o->start == NULL && o->hold != NULL) argp_error(state, "--hold keeps coordinates of --start: add it");
-        if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
+        if (o->motion.starts[0] == NULL && o->line != NULL) argp_error(state, "--line goes through a point: add --start");
+        if (o->motion.starts[0] == NULL && o->hold != NULL) argp_error(state, "--hold keeps coordinates of --start: add it");
+        if (o->motion.starts[0] != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -139,14 +134,14 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_periodic orbit;
     jlt_grid_axis axis;
     jlt_status st;
-    jlt_exit code = jlt_motion_start(line.base, system, o->start);
+    jlt_exit code = jlt_motion_start(line.base, system, o->motion.starts[0]);
 
     if (code == JLT_EXIT_DONE) code = held_mask(held, o, chart);
     if (code != JLT_EXIT_DONE) return code;
     if (o->line == NULL) {
         st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
         if (st == JLT_OK) st = jlt_orbits_add(list, chart, &orbit);
-        return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
+        return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }
     code = jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line");
     if (code != JLT_EXIT_DONE) return code;
@@ -272,17 +267,15 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    o.motion.begins.starts = &o.start;
-    o.motion.begins.start_count = o.start != NULL;
-    if (!searches_nowhere(&o)) o.motion.begins.grid = o.grid;
-    if (!searches_nowhere(&o)) o.motion.begins.other = default_grid;
+    if (!searches_nowhere(&o)) o.motion.grid = o.grid;
+    if (!searches_nowhere(&o)) o.motion.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_motion_shown(shown, &o.motion, system);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
-    code = st != JLT_OK ? jlt_motion_fail(st, system, "the map") : o.start != NULL ? from_start(&list, map, &o, system)
+    code = st != JLT_OK ? jlt_motion_fail(st, system, "the map") : o.motion.starts[0] != NULL ? from_start(&list, map, &o, system)
                                                                                    : search_all(&list, map, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);

@@ -17,9 +17,6 @@ enum { BLOCK = 256, ROWS = 1024, ROWS_MAX = 1 << 16 };
 
 typedef struct {
     jlt_motion_options motion;
-    const char **starts;
-    size_t start_count;
-    const char *grid;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX]; /* of the grid */
     size_t returns, skip;
     int time_direction;
@@ -44,33 +41,29 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
-        state->child_inputs[3] = &o->motion.common;
-        state->child_inputs[4] = &o->motion.common;
-        return 0;
-    case 'a': o->starts[o->start_count++] = value; return 0;
-    case 'g': o->grid = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'a': o->motion.starts[o->motion.start_count++] = value; return 0;
+    case 'g': o->motion.grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 4, "--returns"); return 0;
     case SKIP: jlt_common_count(&o->skip, value, 0, SIZE_MAX / 4, "--skip"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
     case PROJECT: o->project = true; return 0;
     case ARGP_KEY_END:
-        if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
+        if (o->motion.start_count == 0 && o->motion.grid == NULL) argp_error(state, "say where to start: --start or --grid");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -220,7 +213,7 @@ static jlt_exit closing_words(const follower *f)
 /* Whether orbits are followed together: an orbit put back onto integrals of a section that tables describe as well, which lanes can. */
 static bool are_many(const options *o)
 {
-    return o->grid != NULL || o->start_count > 1 || (o->project && o->motion.section == NULL);
+    return o->motion.grid != NULL || o->motion.start_count > 1 || (o->project && o->motion.section == NULL);
 }
 
 /* Whatever orbits are followed with. */
@@ -261,10 +254,10 @@ static jlt_exit run_block(follower *f, const double *q, size_t first, size_t cou
     }
     for (size_t i = 0; i < (f->batch != NULL ? jlt_section_batch_begun(f->batch) : count); i++) {
         st = run_orbit(f, q + i * system->flow.chart->dim, i);
-        if (first + i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) f->sum->empty++;
+        if (first + i >= o->motion.start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) f->sum->empty++;
         else if (ferror(f->writer.stream)) return JLT_EXIT_DONE; /* it says so when it is closed */
         else if (st != JLT_OK)
-            return jlt_motion_fail(st, system, first + i < o->start_count ? o->starts[first + i] : "a start of the grid");
+            return jlt_motion_fail(st, system, first + i < o->motion.start_count ? o->motion.starts[first + i] : "a start of the grid");
         if (stopped(f)) break;
     }
     st = jlt_writer_flush(&f->writer);
@@ -279,7 +272,7 @@ static jlt_exit run_all(follower *f, FILE *stream)
     const size_t rows = f->batch == NULL ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
     const jlt_chart *chart = f->system->flow.chart;
     const unsigned dim = chart->dim;
-    const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->start_count + grid;
+    const size_t grid = o->motion.grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->motion.start_count + grid;
     double *q = calloc(room, dim * sizeof *q);
     jlt_exit code = JLT_EXIT_DONE;
 
@@ -293,11 +286,8 @@ static jlt_exit run_all(follower *f, FILE *stream)
     f->all = f->returns > ((size_t)1 << 40) ? 0 : all * f->returns;
     jlt_progress_start(&f->progress, "returns");
     for (size_t first = 0, count; first < all && code == JLT_EXIT_DONE; first += count) {
-        for (count = 0; count < room && first + count < all && code == JLT_EXIT_DONE; count++) {
-            const size_t i = first + count;
-            if (i < o->start_count) code = jlt_motion_start(q + count * dim, f->system, o->starts[i]);
-            else jlt_motion_grid_point(q + count * dim, o->axes, f->system, i - o->start_count);
-        }
+        for (count = 0; count < room && first + count < all && code == JLT_EXIT_DONE; count++)
+            code = jlt_motion_any_start(q + count * dim, &o->motion, o->axes, f->system, first + count);
         if (code == JLT_EXIT_DONE) code = run_block(f, q, first, count);
         if (ferror(stream) || jlt_motion_interrupted(&o->motion)) break;
     }
@@ -322,20 +312,15 @@ static jlt_exit run(int argc, char **argv)
     jlt_system *system = NULL;
     jlt_exit code, verdict;
 
-    o.starts = calloc((size_t)argc, sizeof *o.starts);
-    if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     jlt_motion_many_choose(&o.motion, are_many(&o), o.project);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    o.motion.begins.starts = o.starts;
-    o.motion.begins.start_count = o.start_count;
-    o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = jlt_section_picture_open(&picture, &o.motion, system);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.motion.grid, "--grid");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count);
     f.system = system;
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
@@ -349,7 +334,7 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     verdict = closing_words(&f);
     if (o.motion.common.plot != NULL)
-        code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.grid, o.axes, o.returns);
+        code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.motion.grid, o.axes, o.returns);
     if (code == JLT_EXIT_DONE) code = verdict;
 done:
     jlt_section_destroy(f.section);
@@ -358,7 +343,6 @@ done:
     jlt_motion_end(&o.motion);
     jlt_map_destroy(f.map);
     jlt_section_picture_close(&picture);
-    free(o.starts);
     return code;
 }
 

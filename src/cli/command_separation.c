@@ -10,7 +10,7 @@
 
 typedef struct {
     jlt_motion_options motion;
-    const char *grid, *cells;
+    const char *cells;
     size_t returns, settle;
 } options;
 
@@ -24,16 +24,16 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = &o->motion;
-        state->child_inputs[2] = &o->motion.common;
-        return 0;
-    case 'g': o->grid = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'g': o->motion.grid = value; return 0;
     case CELLS: o->cells = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case SETTLE: jlt_common_count(&o->settle, value, 0, (size_t)1 << 40, "--settle"); return 0;
@@ -41,9 +41,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_motion_many_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -67,7 +64,7 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     double *starts = NULL;
     size_t all;
     jlt_status st = JLT_ERR_NOMEM;
-    jlt_exit code = jlt_motion_axes(axes, system, o->grid, "--grid");
+    jlt_exit code = jlt_motion_axes(axes, system, o->motion.grid, "--grid");
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(cells, system, o->cells, "--cells");
     if (code == JLT_EXIT_DONE) code = jlt_grid_whole(cells, "--cells");
@@ -121,7 +118,7 @@ static const jlt_swept_form swept = { &jlt_command_separation, true, 6 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .grid = "24x16", .cells = "200x200", .returns = 1024, .settle = 200 };
+    options o = { .cells = "200x200", .returns = 1024, .settle = 200 };
     jlt_separation table[48];
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
@@ -129,11 +126,11 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
+    o.motion.grid = "24x16";
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     jlt_motion_many_choose(&o.motion, true, false);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    o.motion.begins.grid = o.grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code == JLT_EXIT_DONE) code = measure(table, &rows, &o, system);

@@ -25,16 +25,15 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_simulate_request *r = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &r->session;
-        state->child_inputs[1] = &r->session.common;
-        state->child_inputs[2] = &r->session.common;
-        return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case TIMES: r->times_text = value; return 0;
     case UNTIL: jlt_common_number(&r->until, value, "--until"); return 0;
     case EVERY: jlt_common_positive(&r->every, value, "--every"); return 0;
@@ -50,9 +49,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
-                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",

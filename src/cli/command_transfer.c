@@ -12,7 +12,6 @@ enum { STRATA = 2000, NOISE, COARSE, SEED, BACKWARD, CANDIDATES, LIST_MAX = 8, B
 
 typedef struct {
     jlt_motion_options motion;
-    const char *boxes;
     size_t strata, eigenvalues, candidates, seed;
     double noise[LIST_MAX];
     size_t noise_count, coarse[LIST_MAX], coarse_count;
@@ -75,16 +74,16 @@ static void parse_coarse(options *o, const char *value, struct argp_state *state
     }
 }
 
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &o->motion;
-        state->child_inputs[3] = &o->motion.common;
-        return 0;
-    case 'b': o->boxes = value; return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
+    case 'b': o->motion.grid = value; return 0;
     case STRATA: jlt_common_count(&o->strata, value, 1, 1000, "--strata"); return 0;
     case 'e': jlt_common_count(&o->eigenvalues, value, 0, 100, "--eigenvalues"); return 0;
     case NOISE: parse_noise(o, value, state); return 0;
@@ -100,9 +99,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -157,7 +153,7 @@ static jlt_exit choose_boxes(study *s, jlt_grid_axis *axes)
 {
     const options *o = s->o;
     const jlt_chart *chart = s->system->flow.chart;
-    const char *text = o->boxes != NULL ? o->boxes : s->system->surface != NULL && chart->dim == 2 ? default_boxes : NULL;
+    const char *text = o->motion.grid != NULL ? o->motion.grid : s->system->surface != NULL && chart->dim == 2 ? default_boxes : NULL;
     size_t all;
     jlt_exit code;
 
@@ -343,13 +339,12 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_choose(&o.motion, true, false);
     o.motion.seed = o.seed;
     o.motion.is_random = true;
-    o.motion.begins.grid = o.boxes;
-    o.motion.begins.other = default_boxes;
+    o.motion.other = default_boxes;
     code = jlt_motion_system(&s.system, &o.motion);
     if (code == JLT_EXIT_DONE) code = choose_boxes(&s, axes);
     if (code == JLT_EXIT_DONE) {
         centre_axes(axes, &s.boxes);
-        code = jlt_motion_map_open(&map, &o.motion, s.system, o.boxes != NULL ? o.boxes : default_boxes, axes);
+        code = jlt_motion_map_open(&map, &o.motion, s.system, o.motion.grid != NULL ? o.motion.grid : default_boxes, axes);
     }
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE) code = build(&s);

@@ -108,6 +108,12 @@ static const struct argp_child children[] = { { &jlt_plot_argp, 0, NULL, 0 }, { 
 const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, children, NULL, NULL };
 const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NULL, NULL, NULL, NULL };
 
+error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *its)
+{
+    for (unsigned i = 0; its[i].argp != NULL; i++) state->child_inputs[i] = state->input;
+    return 0;
+}
+
 void jlt_common_begin(jlt_common *self, int argc, char **argv)
 {
     *self = (jlt_common){ .command = jlt_command_line(argc, argv), .argc = argc };

@@ -42,6 +42,9 @@ typedef struct {
 /* Child parsers: MODEL, --set, --output, --plot, --keep, and the look of pictures with a jlt_common for input; --tol, --method with a jlt_accuracy. */
 extern const struct argp jlt_common_argp, jlt_accuracy_argp;
 
+/** At ARGP_KEY_INIT of options that begin with those of their children, which all begin with a jlt_common: 0. */
+error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *children);
+
 /** To be called before argp_parse, with its argv. */
 void jlt_common_begin(jlt_common *self, int argc, char **argv);
 void jlt_common_end(jlt_common *self);

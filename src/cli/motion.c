@@ -91,6 +91,8 @@ void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
     options->flow.method = jlt_method_find(NULL);
     options->flow.interrupt = jlt_interrupt_install();
     options->accuracy = (jlt_accuracy){ &options->flow.tolerance, &options->flow.method };
+    options->starts = calloc((size_t)argc + 1, sizeof *options->starts);
+    if (options->starts == NULL) exit((int)jlt_command_no_memory());
     jlt_common_begin(&options->common, argc, argv);
 }
 
@@ -98,6 +100,7 @@ void jlt_motion_end(jlt_motion_options *options)
 {
     jlt_common_end(&options->common);
     jlt_assign_clear(&options->level);
+    free(options->starts);
 }
 
 bool jlt_motion_interrupted(const jlt_motion_options *options)
@@ -252,4 +255,17 @@ void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_syste
         q[k] = jlt_grid_value(&axes[k], index % axes[k].count, system->flow.chart->period[k]);
         index /= axes[k].count;
     }
+}
+
+void jlt_motion_one_start(jlt_motion_options *options, const char *text)
+{
+    options->starts[0] = text;
+    options->start_count = 1;
+}
+
+jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system, size_t index)
+{
+    if (index < options->start_count) return jlt_motion_start(q, system, options->starts[index]);
+    jlt_motion_grid_point(q, axes, system, index - options->start_count);
+    return JLT_EXIT_DONE;
 }

@@ -28,13 +28,11 @@ typedef struct {
     size_t seed;
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
-    char start[512]; /* the one by default */
-    struct {
-        const char *const *starts; /* (start_count,), as typed */
-        size_t start_count;
-        const char *grid;  /* as typed; NULL: */
-        const char *other; /* where there are no starts either and tables describe the section; NULL: none */
-    } begins;              /* where orbits begin: looked at by plans alone */
+    const char **starts; /* where orbits begin: (start_count,), as typed, owned; of a command of one start, NULL first: none is given */
+    size_t start_count;
+    char start[512];     /* the one by default, which is then the first, and not counted */
+    const char *grid;    /* as typed; NULL: */
+    const char *other;   /* where there are no starts either and tables describe the section; NULL: none */
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -44,7 +42,7 @@ extern const struct argp jlt_motion_argp;
 extern const struct argp jlt_contact_argp;
 
 /** To be called before argp_parse, with its argv; the options must not move after that. Installs the
- *  handler of Ctrl-C. */
+ *  handler of Ctrl-C. Ends the program where memory is out. */
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
@@ -68,9 +66,11 @@ jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, 
 #define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
 jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
+/** While options are parsed: the one start of a command that takes no more. */
+void jlt_motion_one_start(jlt_motion_options *options, const char *text);
+
 /** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
-jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
-                                  const char *wanted);
+jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose, const char *wanted);
 
 /** Name of the method that orbits are followed with: in lanes it is chosen by the tolerance; "each" where all are asked. */
 const char *jlt_motion_method(const jlt_motion_options *options);
@@ -91,6 +91,9 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
 /** Point number `index` of those of the grid that are meant (the first coordinate runs fastest), or their number. */
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system);
+
+/** Number `index` of all starts: those as typed, then those of a grid. */
+jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
 
 /** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);

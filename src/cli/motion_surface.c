@@ -199,10 +199,10 @@ static const char *start_name(jlt_surface_start purpose)
     return names[purpose];
 }
 
-jlt_exit jlt_motion_default_start(const char **start, jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
-                                  const char *wanted)
+jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose, const char *wanted)
 {
     const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
+    const char **start = &options->starts[0];
     size_t used = 0;
 
     for (unsigned i = 0; *start == NULL && section != NULL && i < section->start_count; i++) {

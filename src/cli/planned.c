@@ -60,13 +60,13 @@ enum { LOOKED_AT = 1 << 20 }; /* points of a grid */
 /* Where orbits begin. Says why one cannot. */
 static jlt_exit show_starts(const jlt_system *system, const jlt_motion_options *options)
 {
-    const size_t starts = options->begins.start_count;
-    const char *other = starts == 0 && system->surface != NULL ? options->begins.other : NULL;
-    const char *grid = options->begins.grid != NULL ? options->begins.grid : other;
+    const size_t starts = options->start_count;
+    const char *other = starts == 0 && system->surface != NULL ? options->other : NULL;
+    const char *grid = options->grid != NULL ? options->grid : other;
     const jlt_chart *chart = system->flow.chart;
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     size_t points = 0, there = 0;
-    jlt_exit code = jlt_motion_check_starts(system, options->begins.starts, starts);
+    jlt_exit code = jlt_motion_check_starts(system, options->starts, starts);
 
     if (code == JLT_EXIT_DONE && grid != NULL) code = jlt_motion_axes(axes, system, grid, "--grid");
     if (code != JLT_EXIT_DONE || (starts == 0 && grid == NULL)) return code;

@@ -24,15 +24,14 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_portrait_request *r = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &r->session;
-        state->child_inputs[1] = &r->session.common;
-        return 0;
+    case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case 'l': jlt_common_list(&r->level, value, "--level"); return 0;
     case ORBITS: jlt_common_count(&r->orbits, value, 0, 100000, "--orbits"); return 0;
     case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
@@ -49,8 +48,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default: return ARGP_ERR_UNKNOWN;
     }
 }
-
-static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "",
