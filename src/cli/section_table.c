@@ -59,14 +59,7 @@ static void write_check(FILE *stream, jlt_section_table *table, const jlt_sectio
         table->worst_defect = fabs(image.defect);
     }
     const double values[] = { trace, image.determinant, image.expansion, image.defect };
-    fputc(',', stream);
-    jlt_csv_values(stream, values, 4);
-}
-
-static void write_field(FILE *stream, double value)
-{
-    fputc(',', stream);
-    jlt_csv_value(stream, value);
+    jlt_csv_more(stream, values, 4);
 }
 
 void jlt_section_table_row(FILE *stream, void *table, const void *row)
@@ -77,20 +70,25 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
     const unsigned d = system->flow.chart->dim;
     const double *q = at->values, *x = at->values + d;
+    double values[3 + JLT_CHART_DIM_MAX + 2 * JLT_CHART_STATES_MAX], off[JLT_CHART_DIM_MAX];
     char fate[JLT_FATE_TEXT_MAX];
-    double shown[JLT_CHART_STATES_MAX], off[JLT_CHART_DIM_MAX];
+    unsigned count = 0;
 
+    values[count++] = (double)at->orbit;
+    values[count++] = (double)at->number;
+    values[count++] = at->t;
     if (section != NULL) jlt_surface_off_section(off, system, x);
-    fprintf(stream, "%zu,%zu", at->orbit, at->number);
-    write_field(stream, at->t);
-    for (unsigned k = 0; k < d; k++) write_field(stream, section != NULL && isnan(q[k]) ? off[k] : q[k]);
-    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) write_field(stream, x[system->flow.chart->solved[i]]);
-    if (section != NULL) jlt_surface_beside(shown, system, x);
-    for (unsigned i = 0; section != NULL && i < section->beside_count; i++) write_field(stream, shown[i]);
+    for (unsigned k = 0; k < d; k++) values[count++] = section != NULL && isnan(q[k]) ? off[k] : q[k];
+    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) values[count++] = x[system->flow.chart->solved[i]];
+    if (section != NULL) {
+        jlt_surface_beside(values + count, system, x);
+        count += section->beside_count;
+    }
+    jlt_csv_values(stream, values, count);
     fputc(',', stream);
     jlt_section_fate_text(fate, system->observed, at->fate, at->lost);
     fputs(fate, stream);
-    if (self->least) write_field(stream, at->least);
+    if (self->least) jlt_csv_more(stream, &at->least, 1);
     if (self->check) write_check(stream, self, at);
     fputc('\n', stream);
 }

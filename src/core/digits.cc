@@ -4,11 +4,10 @@ extern "C" {
 }
 
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 namespace {
-
-enum { LEAST = 15 /* digits that every decimal of so many keeps */ };
 
 /* What std::to_chars writes as d.ddde-XX. */
 struct decimal {
@@ -41,7 +40,7 @@ char *put(char *to, const char *from, int count)
     return to + count;
 }
 
-void write_fixed(char *text, const decimal &d)
+char *write_fixed(char *text, const decimal &d)
 {
     const int whole = d.exponent + 1; /* digits before the point */
 
@@ -58,18 +57,28 @@ void write_fixed(char *text, const decimal &d)
         *text++ = '.';
         text = put(text, d.digits + whole, d.count - whole);
     }
-    *text = '\0';
+    return text;
+}
+
+/* Where printf's %g changes to an exponent, with at least 15 digits asked for. */
+char *write_shortest(char *text, double value)
+{
+    char *const end = text + JLT_DIGITS_SIZE - 1;
+    const double size = std::fabs(value);
+
+    if (size == 0 || (size >= 1e-4 && size < 1e15)) return std::to_chars(text, end, value, std::chars_format::fixed).ptr;
+    char *at = std::to_chars(text, end, value, std::chars_format::scientific).ptr;
+    if (!(value - value == 0)) return at; /* nan, inf */
+    const decimal d = read_scientific(text, at);
+    return d.exponent >= -4 && d.exponent < d.count ? write_fixed(text, d) : at;
 }
 
 } // namespace
 
-/* Where printf's %g changes to an exponent, with at least 15 digits asked for. */
-extern "C" void jlt_digits_shortest(char *text, double value)
+extern "C" char *jlt_digits_shortest(char *text, double value)
 {
-    char *end = std::to_chars(text, text + JLT_DIGITS_SIZE - 1, value, std::chars_format::scientific).ptr;
+    char *end = write_shortest(text, value);
 
     *end = '\0';
-    if (!(value - value == 0)) return; /* nan, inf */
-    const decimal d = read_scientific(text, end);
-    if (d.exponent >= -4 && d.exponent < (d.count > LEAST ? d.count : LEAST)) write_fixed(text, d);
+    return end;
 }

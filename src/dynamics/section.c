@@ -56,7 +56,7 @@ void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *obs
 {
     if (fate == JLT_FATE_INVALID && observed != NULL)
         snprintf(text, JLT_FATE_TEXT_MAX, "lost_%s", jlt_observed_condition(observed, lost));
-    else snprintf(text, JLT_FATE_TEXT_MAX, "%s", jlt_section_fate_name(fate));
+    else strcpy(text, jlt_section_fate_name(fate));
 }
 
 jlt_status jlt_section_fate_status(jlt_fate fate)

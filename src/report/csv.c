@@ -5,7 +5,11 @@
 #include "report/json.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
+
+/* Fields whose text is made at a stretch. */
+enum { FIELDS = 32 };
 
 /* A text, or null for none. */
 static json_t *text_or_null(const char *text)
@@ -51,27 +55,31 @@ void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)
 
 void jlt_csv_value(FILE *stream, double value)
 {
-    char text[JLT_DIGITS_SIZE];
+    jlt_csv_values(stream, &value, 1);
+}
 
-    if (!isfinite(value)) return;
-    jlt_digits_shortest(text, value);
-    fputs(text, stream);
+/* The text of many fields is made first: a stream is asked once. */
+static void write_fields(FILE *stream, const double *values, size_t count, bool more)
+{
+    char text[FIELDS * JLT_DIGITS_SIZE], *at = text;
+
+    for (size_t i = 0; i < count; i++) {
+        if (more || i > 0) *at++ = ',';
+        if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i]);
+        if (i % FIELDS < FIELDS - 1 && i + 1 < count) continue;
+        fwrite(text, 1, (size_t)(at - text), stream);
+        at = text;
+    }
 }
 
 void jlt_csv_values(FILE *stream, const double *values, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (i > 0) fputc(',', stream);
-        jlt_csv_value(stream, values[i]);
-    }
+    write_fields(stream, values, count, false);
 }
 
 void jlt_csv_more(FILE *stream, const double *values, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        fputc(',', stream);
-        jlt_csv_value(stream, values[i]);
-    }
+    write_fields(stream, values, count, true);
 }
 
 void jlt_csv_row(FILE *stream, const double *values, size_t count)
