@@ -147,7 +147,9 @@ static uint64_t hash_cube(uint64_t hash, const ttc_cube *cube)
 uint64_t ttc_binomial_key(const ttc_binomial *binomial)
 {
     uint64_t key = hash_cube(hash_cube((uint64_t)(binomial->rest_b.sign + 2), &binomial->rest_a), &binomial->rest_b);
-    return mix(mix(key, binomial->rest_a.scale), binomial->rest_b.scale);
+    key = mix(mix(key, binomial->rest_a.scale), binomial->rest_b.scale);
+    /* A sign that the count of one factor cancels leaves this where a sign stands, so that x - b has the key of 1 - b. */
+    return binomial->rest_a.count == 1 ? key ^ 1 : key;
 }
 
 bool ttc_binomial_same(const ttc_binomial *a, const ttc_binomial *b)
