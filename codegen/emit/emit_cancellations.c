@@ -90,10 +90,10 @@ static void add_output_name(survey *s, size_t index)
         ttc_text_add(s->text, model->validities[index].name);
         break;
     case TTC_KERNEL_DOMAIN_VALUES:
-        ttc_text_add(s->text, model->regions[s->kernels->regions[index]].name);
+        ttc_text_add(s->text, s->kernels->watched[index].name);
         break;
     case TTC_KERNEL_DOMAIN_GRADIENTS:
-        ttc_text_format(s->text, "d(%s)/d(%s)", model->regions[s->kernels->regions[index / n]].name, state_name(s, index % n));
+        ttc_text_format(s->text, "d(%s)/d(%s)", s->kernels->watched[index / n].name, state_name(s, index % n));
         break;
     default:
         ttc_text_add(s->text, "the divergence");

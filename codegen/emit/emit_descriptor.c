@@ -175,14 +175,12 @@ static void add_validities(ttc_text *text, const ttc_model *model)
     ttc_text_add(text, "};\n\n");
 }
 
-static void add_regions(ttc_text *text, const ttc_kernels *k)
+static void add_conditions(ttc_text *text, const ttc_kernels *k)
 {
-    const ttc_model *model = k->field->model;
     ttc_text_add(text, "static const jlt_region domains[] = {\n");
-    for (size_t i = 0; i < k->region_count; i++) {
-        const ttc_region *region = model->regions + k->regions[i];
-        ttc_text_format(text, "    { \"%s\", \"", region->name);
-        ttc_text_add_escaped(text, region->text);
+    for (size_t i = 0; i < k->watched_count; i++) {
+        ttc_text_format(text, "    { \"%s\", \"", k->watched[i].name);
+        ttc_text_add_escaped(text, k->watched[i].text);
         ttc_text_format(text, "\", %d },\n", ttc_field_is_constant(k->field, k->kernels[TTC_KERNEL_DOMAIN_VALUES].outputs[i]));
     }
     ttc_text_add(text, "};\n\n");
@@ -252,7 +250,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
         ttc_text_format(text, "    .observe_count = %zu, .observes = observes,\n", model->observed_count);
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0)
         ttc_text_format(text, "    .valid_count = %zu, .valids = valids,\n", model->validity_count);
-    if (k->region_count > 0) ttc_text_format(text, "    .domain_count = %zu, .domains = domains,\n", k->region_count);
+    if (k->watched_count > 0) ttc_text_format(text, "    .domain_count = %zu, .domains = domains,\n", k->watched_count);
     ttc_emit_reversor_member(text, field);
     ttc_emit_pole_member(text, field);
     if (sections > 0) ttc_text_format(text, "    .section_count = %zu, .sections = sections,\n", sections);
@@ -311,7 +309,7 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->kernels[TTC_KERNEL_OBSERVE_VALUES].count > 0)
         ttc_emit_quantities(text, "observes", field->model, field->model->observed, field->model->observed_count, NULL);
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0) add_validities(text, field->model);
-    if (k->region_count > 0) add_regions(text, k);
+    if (k->watched_count > 0) add_conditions(text, k);
     ttc_emit_reversors(text, field);
     ttc_emit_poles(text, field);
     add_descriptor(text, k, sections, ways);

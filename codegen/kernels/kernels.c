@@ -166,27 +166,15 @@ static bool add_observed_kernels(ttc_kernels *k)
     return !field->failed;
 }
 
-/* Whether the condition is that of a root which is a state here, and cannot come to zero: it would do so by rounding alone. */
-static bool is_radicand(ttc_field *field, ttc_id value)
-{
-    for (size_t i = 0; i < ttc_field_lifted_count(field); i++)
-        if (value == ttc_field_specialise(field, field->model->symbols[field->time->lifted[i]].definition)) return true;
-    return false;
-}
-
-/* Whoever keeps states within their intervals, and parameters within their signs, need not look at a condition that follows. */
 static bool add_domain_kernels(ttc_kernels *k)
 {
     ttc_field *field = k->field;
-    const ttc_model *model = field->model;
-    k->regions = calloc(model->region_count + 1, sizeof *k->regions);
-    if (k->regions == NULL || !reserve(k, TTC_KERNEL_DOMAIN_VALUES, model->region_count)
-        || !reserve(k, TTC_KERNEL_DOMAIN_GRADIENTS, model->region_count * field->state_count))
+    if (!ttc_watched_find(&k->watched, &k->watched_count, field) ||
+        !reserve(k, TTC_KERNEL_DOMAIN_VALUES, k->watched_count) ||
+        !reserve(k, TTC_KERNEL_DOMAIN_GRADIENTS, k->watched_count * field->state_count))
         return false;
-    for (uint32_t i = 0; i < model->region_count; i++) {
-        ttc_id value = ttc_field_specialise(field, model->regions[i].expression);
-        if (is_radicand(field, value) || ttc_extent_is_positive(ttc_field_extent(field, value))) continue;
-        k->regions[k->region_count++] = i;
+    for (size_t i = 0; i < k->watched_count; i++) {
+        ttc_id value = ttc_field_specialise(field, k->watched[i].expression);
         append(k, TTC_KERNEL_DOMAIN_VALUES, value);
         for (size_t j = 0; j < field->state_count; j++) append(k, TTC_KERNEL_DOMAIN_GRADIENTS, ttc_field_partial(field, value, j));
     }
@@ -270,7 +258,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
     free(kernels->integrals);
     free(kernels->measures);
     free(kernels->families);
-    free(kernels->regions);
+    ttc_watched_destroy(kernels->watched, kernels->watched_count);
     free(kernels->unproved);
     ttc_field_destroy(kernels->field);
     free(kernels);

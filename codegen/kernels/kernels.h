@@ -4,6 +4,7 @@
 
 #include "fields/prepared.h"
 #include "fields/field.h"
+#include "kernels/watched.h"
 #include "optimize/lower.h"
 #include "optimize/optimize.h"
 #include "optimize/program.h"
@@ -48,9 +49,8 @@ typedef struct {
     size_t measure_count;
     uint32_t *families;  /* equilibria claims served here */
     size_t family_count;
-    uint32_t *regions;   /* conditions of the domain that are to be looked at: those that do not follow from intervals,
-                            signs and lifted roots */
-    size_t region_count;
+    ttc_watched *watched; /* conditions of the domain */
+    size_t watched_count;
     char *unproved;      /* names of claims that these kernels rest on without a proof; NULL: none */
     ttc_effort effort;
     const ttc_claim *failed_claim; /* of a family of equilibria, whose kernels could not be written; NULL: none */

@@ -162,6 +162,13 @@ bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *cl
     return false;
 }
 
+ttc_id ttc_model_inside(const ttc_model *model, uint32_t state, bool is_high)
+{
+    const ttc_symbol_entry *s = model->symbols + state;
+    if ((is_high ? s->high : s->low) == TTC_NONE) return TTC_NONE;
+    return is_high ? ttc_subtract(model->graph, s->high, s->node) : ttc_subtract(model->graph, s->node, s->low);
+}
+
 ttc_id ttc_model_field(const ttc_model *model, size_t k) { return model->equations[k].sum; }
 
 const char *ttc_claim_kind_name(ttc_claim_kind kind)

@@ -331,6 +331,9 @@ ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
  *  by itself, so that factors cancel in it. TTC_NONE, with the graph's error set, when that fails. */
 ttc_id ttc_model_rate(const ttc_model *model, ttc_id id);
 
+/* What is positive where a state stands on the inner side of this end of its interval; TTC_NONE: it has no such end. */
+ttc_id ttc_model_inside(const ttc_model *model, uint32_t state, bool is_high);
+
 /* The k-th equation's right-hand side: the sum of its terms. */
 ttc_id ttc_model_field(const ttc_model *model, size_t k);
 

@@ -124,7 +124,7 @@ static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t in
     } else if (kind == TTC_KERNEL_VALID_VALUES) {
         ttc_evaluate(v, out, model->validities[index].expression);
     } else if (kind == TTC_KERNEL_DOMAIN_VALUES) {
-        ttc_evaluate(v, out, model->regions[p->kernels->regions[index]].expression);
+        ttc_evaluate(v, out, p->kernels->watched[index].expression);
     } else if (kind == TTC_KERNEL_INTEGRAL_VALUES) {
         ttc_evaluate(v, out, model->claims[p->kernels->integrals[index]].expression);
     } else if (kind == TTC_KERNEL_MEASURE_VALUES) {

@@ -47,7 +47,7 @@ typedef struct {
     const char *unit;    /* "" when dimensionless or not said */
     const char *meaning; /* "" when not said */
     double low, high;    /* states: open interval of the domain, -INFINITY and INFINITY where unbounded, or where the
-                            bound depends on parameters; parameters: -INFINITY and INFINITY */
+                            bound is no number, see domain_count; parameters: -INFINITY and INFINITY */
     jlt_sign sign;       /* parameters: their sign condition; states: JLT_ANY_SIGN */
     double value;        /* parameters: the default, NaN when the table gives none */
     double period;       /* states: what the table claims to be a period, see the claim `periodic`; 0 when nothing */
@@ -282,7 +282,7 @@ typedef struct jlt_descriptor {
     const jlt_validity *valids;     /* conditions under which the model holds */
     jlt_kernel valid_values;        /* shape (valids,); the model holds where all are > 0 */
     unsigned domain_count;          /* conditions of the domain, without those that follow from intervals of states, signs of */
-    const jlt_region *domains;      /* parameters and lifted roots; on all fields */
+    const jlt_region *domains;      /* parameters and lifted roots; with ends of intervals that are no numbers; on all fields */
     jlt_kernel domain_values;       /* shape (domains,); the field means nothing where one is not > 0 */
     jlt_kernel domain_gradients;    /* shape (domains, states) */
     unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no more; */

@@ -14,7 +14,7 @@
 JLT_CHECKED jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_descriptor *descriptor,
                                         const double *params, const double *x);
 
-enum { JLT_REGION_CONDITIONS_MAX = 256 }; /* as in a table */
+enum { JLT_REGION_CONDITIONS_MAX = 512 }; /* 256 records and the ends of 128 intervals */
 
 /** Whether such conditions hold, shape (count,), at x in the units that the prepared values p are for. values: their kernel;
  *  not called when count is 0. */

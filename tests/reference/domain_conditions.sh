@@ -32,9 +32,12 @@ table() { # NAME STATE-U CONDITION
 table linear 'state u' $'domain above : 1 - depth + u > 0\ndomain order : top - depth - 1 > 0'
 table curved 'state u' 'domain above : (1 - depth)^2 - u^2 + 3*(1 + u) > 0'
 table between 'state u in (-0.999999, 3)' 'domain trivial : 4 - u > 0'
+table moving 'state u in (depth - 1, pi)' '' # ends that are no numbers
 
 refuses "--start: outside the domain of linear: above needs 1 - depth + u > 0, and it is -0.500001 here" \
     simulate ./linear.tt --start u=-1.5,v=0,z=0,w=1 --times 1
+refuses "--start: outside the domain of moving: u needs -depth + u + 1 > 0, and it is -0.500001 here" \
+    simulate ./moving.tt --start u=-1.5,v=0,z=0,w=1 --times 1
 refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -0.500001 here" \
     section ./linear.tt --section z=0 --start u=-1.5,v=0,w=1
 refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -1.000001 here" eigen ./linear.tt --at u=-2,v=0,z=0,w=0
@@ -52,7 +55,7 @@ ttc cost --json linear.tt | grep -q domain_gradients || fail "a condition has no
 allowed=1.2e-8
 time=$(awk 'BEGIN { d = 1e-6; printf "%.15g", atan2(0, -1) - atan2(sqrt(2*d - d*d), 1 - d) }')
 for method in $methods; do
-    for model in linear between; do
+    for model in linear between moving; do
         for sign in "" -; do
             jellett simulate ./$model.tt --start u=1,v=0,z=0,w=1 --times "${sign}1,${sign}20" --method $method > rows.csv 2> err
             ends "simulate $model $method" rows.csv 1 "$sign$time" $allowed
@@ -66,6 +69,21 @@ for method in $methods; do
     jellett simulate ./linear.tt --set depth=-1e-6 --start u=1,v=0,z=0,w=1 --times 1,20 --method $method > rows.csv 2> err
     tail -1 rows.csv | grep -q '^20,.*,alive$' || fail "$method ends an orbit that stays inside: $(tail -1 rows.csv)"
 done
+
+# In a time that lifts a root, which keeps orbits from the pole, the other intervals end them.
+printf 'model lifted\nparam top\ndefault top = 0.5\nstate x in (-1, 1)\nstate u in (-2, top)\nstate z in (-3, 0.25)\nroot s = sqrt(1 - x^2)
+eq x = s^2/2\neq u = 1\neq z = - 1\ntime slow : s lifting s\npole x\n' > lifted.tt
+jellett plan simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1 | grep -qE '^  \* .*lifted in slow' || fail "lifted is not computed in its time"
+for method in $methods; do
+    jellett simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1,2 --method $method > rows.csv 2> err
+    ends "simulate lifted $method" rows.csv 1 1.5 1e-11
+    jellett simulate ./lifted.tt --start x=0,u=-1,z=0 --times -0.1,-1 --method $method > rows.csv 2> err
+    ends "simulate lifted $method" rows.csv 1 -0.25 1e-11
+    jellett section ./lifted.tt --section x=0.9 --start u=-1,z=0 --start u=-1.1,z=0 --method $method > rows.csv 2> err
+    ends "section lifted $method" rows.csv 3 1.6 1e-11
+done
+jellett section ./lifted.tt --section x=0.9 --start u=-1,z=0 --start u=-1.1,z=0 > rows.csv 2> err
+ends "section lifted, in lanes" rows.csv 3 1.6 1e-11
 
 # A condition of `valid` that is lost as shortly is told by simulate, with its time and depth.
 table short 'state u' 'valid contact : 1 - depth + u > 0'
@@ -87,7 +105,7 @@ refuses "--sweep: at top=0.5: outside the domain of linear: order needs top - de
 # Orbits of other amplitudes: those of A > 1 - depth leave, at arccos(-(1 - depth)/A); in lanes as one at a time.
 starts=()
 for a in 0.5 0.9999989 0.9999995 1 1.1 2; do starts+=(--start "u=$a,v=0,w=1"); done
-for model in linear between; do
+for model in linear between moving; do
     for how in "" "--method gauss"; do
         jellett section ./$model.tt --section z=0 --direction down --returns 3 $how "${starts[@]}" > rows.csv 2> err || fail "section: $(cat err)"
         grep -v '^#' rows.csv | grep left_domain | cut -d, -f1-3 | awk -F, -v from=2 '
