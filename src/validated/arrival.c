@@ -95,7 +95,7 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_srcptr x, unsi
     }
     for (unsigned attempt = 0; attempt < 4 && !inside; attempt++) {
         jlt_step_evaluate(step, y);
-        inside = jlt_step_holds(step, y);
+        inside = jlt_step_holds(step);
         for (unsigned i = 0; inside && i < jlt_step_formulas(step)->states; i++) {
             rate(f, step, i);
             arb_mul(z, f, span, bits);

@@ -22,9 +22,26 @@ static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
     return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
 }
 
+/* Returns how many there are; they are made where ids is not NULL. */
+static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
+{
+    const ttc_model *model = self->model;
+    unsigned count = 0;
+
+    for (size_t i = 0; i < model->region_count; i++, count++)
+        if (ids != NULL) ids[count] = ttc_field_specialise(field, model->regions[i].expression);
+    for (size_t i = 0; i < 2 * model->state_count; i++) {
+        const ttc_id inside = ttc_model_inside(model, model->states[i / 2], i % 2 == 1);
+        if (inside == TTC_NONE) continue;
+        if (ids != NULL) ids[count] = ttc_field_specialise(field, inside);
+        count++;
+    }
+    return count;
+}
+
 static ttc_program *make_variation(const jlt_formulas *self, ttc_field *field)
 {
-    const unsigned n = self->states, count = n + n * self->dim + 1 + self->valid_count;
+    const unsigned n = self->states, count = jlt_formulas_domain(self, self->domain_count);
     ttc_id *ids = calloc(count, sizeof *ids), *divergence = NULL;
     ttc_program *program = NULL;
 
@@ -40,6 +57,7 @@ static ttc_program *make_variation(const jlt_formulas *self, ttc_field *field)
     }
     for (unsigned i = 0; i < self->valid_count; i++)
         ids[jlt_formulas_valid(self, i)] = ttc_field_specialise(field, self->model->validities[i].expression);
+    add_domain(self, field, ids + jlt_formulas_domain(self, 0));
     program = lower(field, ids, count);
     free(ids);
     return program;
@@ -88,6 +106,7 @@ jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *de
     for (unsigned i = 0; i < free_count; i++) self->free[i] = free[i];
     self->dim = self->states + free_count;
     self->valid_count = (unsigned)self->model->validity_count;
+    self->domain_count = add_domain(self, field, NULL);
     self->level_count = level_count;
     self->motion = lower(field, field->rhs, self->states);
     self->variation = make_variation(self, field);
@@ -125,4 +144,9 @@ unsigned jlt_formulas_divergence(const jlt_formulas *self)
 unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index)
 {
     return self->states * (1 + self->dim) + 1 + index;
+}
+
+unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index)
+{
+    return jlt_formulas_valid(self, self->valid_count) + index;
 }

@@ -1,5 +1,5 @@
 /** What a validated integration evaluates of a table, as the compiler's straight-line programs: the field, its derivatives, the
- *  divergence, conditions under which the model holds, integrals with their gradients.
+ *  divergence, conditions under which the model holds, those of its domain, integrals with their gradients.
  *
  *  They are made from the text that the descriptor carries, by the passes that make kernels in balls, and interpreted over whatever
  *  arithmetic is wanted. A free parameter is one that may have any value of a ball: it becomes a state whose rate is 0, so that
@@ -20,9 +20,10 @@ typedef struct {
     unsigned states, params;
     unsigned free_count, free[JLT_FORMULAS_FREE_MAX]; /* parameters that are states as well, behind the states */
     unsigned dim;                                     /* states + free_count */
-    unsigned valid_count, level_count;
+    unsigned valid_count, domain_count, level_count;
     ttc_program *motion;    /* f, (states,) */
-    ttc_program *variation; /* f, (states,); df/d(x, free), (states, dim); div f, (1,); valids, (valid_count,) */
+    ttc_program *variation; /* f, (states,); df/d(x, free), (states, dim); div f, (1,); valids, (valid_count,);
+                               what is positive in the domain, by its records and the states' intervals, (domain_count,) */
     ttc_program *levels;    /* integrals, (level_count,); their gradients, (level_count, dim) */
 } jlt_formulas;
 
@@ -37,5 +38,6 @@ void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column);
 unsigned jlt_formulas_divergence(const jlt_formulas *self);
 unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);
+unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index);
 
 #endif

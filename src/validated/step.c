@@ -317,11 +317,19 @@ static void lower(arf_t least, const arb_t value, slong bits)
     arf_clear(bound);
 }
 
-/* Conditions over [0, h], piece by piece. */
-static void watch(const jlt_step *self, arf_struct *least, const arb_t h)
+/* An output over a part of the step. */
+static void over(const jlt_step *self, arb_t value, unsigned output, const arb_t span)
 {
     const unsigned K = self->accuracy.order - 1;
+
+    sum(value, jlt_jets_output(self->hull, output), K, jlt_jets_output(self->rough, output) + K, span, self->accuracy.bits);
+}
+
+/* Conditions over [0, h], piece by piece. False where the set may leave the domain. */
+static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
+{
     const slong bits = self->accuracy.bits;
+    bool inside = true;
     arb_t span, value;
 
     arb_init(span);
@@ -332,24 +340,28 @@ static void watch(const jlt_step *self, arf_struct *least, const arb_t h)
         arb_mul(span, span, h, bits);
         arb_div_ui(span, span, 2 * PIECES, bits);
         for (unsigned i = 0; i < self->of->valid_count; i++) {
-            const unsigned output = jlt_formulas_valid(self->of, i);
-            sum(value, jlt_jets_output(self->hull, output), K, jlt_jets_output(self->rough, output) + K, span, bits);
+            over(self, value, jlt_formulas_valid(self->of, i), span);
             lower(least + i, value, bits);
+        }
+        for (unsigned i = 0; inside && i < self->of->domain_count; i++) {
+            over(self, value, jlt_formulas_domain(self->of, i), span);
+            inside = arb_is_positive(value);
         }
     }
     arb_clear(span);
     arb_clear(value);
+    return inside;
 }
 
 jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansion, arf_struct *least)
 {
     const slong bits = self->accuracy.bits;
     arb_t length;
+    bool inside;
 
     jlt_set_hull(self->x, set);
     jlt_jets_run(self->hull, self->x, self->params, bits);
     if (!validate(self, h)) return JLT_ERR_NO_PROGRESS;
-    if (!jlt_step_holds(self, self->y)) return JLT_ERR_DOMAIN;
     self->caution = fmin(self->caution * 1.02, 0.9);
     vary(self, self->V, self->hull, bits);
     for (unsigned i = 0; i < self->of->dim; i++) arb_set(self->x + i, arb_mat_entry(set->x, i, 0));
@@ -358,10 +370,10 @@ jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansi
     arb_set_arf(length, h);
     build(self, length);
     expand(self, expansion, length);
-    watch(self, least, length);
+    inside = watch(self, least, length);
     jlt_set_move(set, self->image, self->slope, self->derivative);
     arb_clear(length);
-    return JLT_OK;
+    return inside ? JLT_OK : JLT_ERR_DOMAIN;
 }
 
 void jlt_step_evaluate(jlt_step *self, arb_srcptr x)
@@ -380,21 +392,11 @@ void jlt_step_conditions(const jlt_step *self, arf_struct *least)
         lower(least + i, jlt_step_output(self, jlt_formulas_valid(self->of, i)), self->accuracy.bits);
 }
 
-bool jlt_step_holds(const jlt_step *self, arb_srcptr x)
+bool jlt_step_holds(const jlt_step *self)
 {
-    bool holds = true;
-    arb_t end;
-
-    arb_init(end);
-    for (unsigned i = 0; holds && i < self->of->states; i++) {
-        const jlt_quantity *state = &self->of->descriptor->states[i];
-        arb_set_d(end, state->low);
-        if (!isinf(state->low)) holds = arb_gt(x + i, end);
-        arb_set_d(end, state->high);
-        if (!isinf(state->high)) holds = holds && arb_lt(x + i, end);
-    }
-    arb_clear(end);
-    return holds;
+    for (unsigned i = 0; i < self->of->domain_count; i++)
+        if (!arb_is_positive(jlt_step_output(self, jlt_formulas_domain(self->of, i)))) return false;
+    return true;
 }
 
 const jlt_formulas *jlt_step_formulas(const jlt_step *self) { return self->of; }

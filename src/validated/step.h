@@ -7,8 +7,8 @@
  *  V(0) = 1: with A the matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 entry by entry, as Picard's series of V is majorized by
  *  that of e^(A h). This is its rough enclosure W, and V_K(Y) W h^K its remainder.
  *
- *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces.
- *  */
+ *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces,
+ *  and those of its domain shown to be positive. */
 #ifndef JLT_VALIDATED_STEP_H
 #define JLT_VALIDATED_STEP_H
 
@@ -35,7 +35,7 @@ void jlt_step_destroy(jlt_step *step); /* legal on NULL */
 
 /** Move the set by *h at most. In and out: *h, an exact positive number, the step's length; expansion, to which the integral of the
  *  divergence is added; least, shape (of->valid_count,), lower bounds of the conditions so far. Errors: NO_PROGRESS, no step
- *  that was tried can be validated; DOMAIN, the set may leave the open intervals of the table's states. */
+ *  that was tried can be validated; DOMAIN, the set may leave the table's domain. */
 JLT_CHECKED jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansion, arf_struct *least);
 
 /** Field, its derivative, divergence and conditions over a box, by the program `variation`; borrowed until the next call. In: x,
@@ -43,8 +43,8 @@ JLT_CHECKED jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, a
 arb_srcptr jlt_step_output(const jlt_step *self, unsigned index);
 void jlt_step_evaluate(jlt_step *self, arb_srcptr x);
 
-/** Whether a box lies in the open intervals of the table's states. */
-bool jlt_step_holds(const jlt_step *self, arb_srcptr x);
+/* Whether the box last evaluated lies in the table's domain. */
+bool jlt_step_holds(const jlt_step *self);
 
 /* Lower bounds of the conditions at the box last evaluated. */
 void jlt_step_conditions(const jlt_step *self, arf_struct *least);

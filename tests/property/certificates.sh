@@ -8,9 +8,9 @@ trap 'rm -rf "$scratch"' EXIT
 status=0
 certificate=tools/certificates/lorenz_ab.json
 
-expect() { # STATUS FILE TEXT
+expect() { # STATUS FILE TEXT OPTION...
     local got=0
-    jellett check "$2" > "$scratch/out" 2>&1 || got=$?
+    jellett check "${@:4}" "$2" > "$scratch/out" 2>&1 || got=$?
     if [ $got -ne "$1" ] || ! grep -qF -- "$3" "$scratch/out"; then
         echo "$2: status $got, wanted $1 and '$3':"
         cat "$scratch/out"
@@ -71,6 +71,19 @@ expect 3 "$scratch/form.json" 'no certificate'
 head -c 1000 $certificate > "$scratch/half.json"
 expect 3 "$scratch/half.json" half.json
 expect 5 "$scratch/nowhere.json" 'cannot read'
+
+# An orbit of van der Pol's that leaves the domain of its table at another wall is none of the table's.
+cycle=(--section y=0 --direction down --start x=2.0086198608748)
+for wall in 'domain inside : wall^2 - y^2 > 0' 'domain inside : wall - 14/5 > 0' 'state u in (-wall, wall)' 'state u in (-14/5, wall)'; do
+    y=y
+    [ "${wall%% *}" = domain ] || y=u
+    printf 'model vdp\nparam wall > 0\ndefault wall = 3\nstate x\n%s\n%s\neq x = %s\neq %s = - x + %s - x^2*%s\n' \
+        "$([ $y = u ] || echo 'state y')" "$wall" $y $y $y $y > "$scratch/vdp.tt"
+    jellett certify cycle "$scratch/vdp.tt" "${cycle[@]/y=0/$y=0}" -o "$scratch/vdp.json" > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
+    certificate=$scratch/vdp.json change wall 'c["given"]["parameters"]["wall"] = "2.6"' digest
+    expect 4 "$scratch/wall.json" "outside the model's domain" --model "$scratch/vdp.tt"
+    python3 tools/check_certificate.py --table "$scratch/vdp.tt" "$scratch/wall.json" > "$scratch/out" 2>&1 && { cat "$scratch/out"; status=1; }
+done
 
 # The second program proves the same, and refuses the same.
 python3 tools/check_certificate.py $certificate > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }

@@ -115,9 +115,12 @@ class Table:
         elif word == "state":
             self.states.append(name)
             self.names[name] = self.graph.put("v", name)
-            ends = re.search(r"in \(([-\d./]+), *([-\d./]+)\)", rest)
+            rest = rest[len(name):].strip()
+            ends = re.fullmatch(r"in \(([-\d./]+), *([-\d./]+)\)", rest)
             if ends:
                 self.intervals[name] = (Fraction(ends.group(1)), Fraction(ends.group(2)))
+            elif rest:
+                raise Unserved("the table has " + rest)
         elif word == "root":
             self.names[name] = self.graph.put("r", self.parse(re.match(r"\s*sqrt(.*)", body).group(1)))
         elif word == "let" or (word == "observe" and body):
@@ -130,7 +133,7 @@ class Table:
             self.valids[name] = self.parse(rest.split(":", 1)[1].rsplit(">", 1)[0])
         elif word == "reversor" and "when" not in rest:
             self.reversor = rest
-        elif word in ("angle", "exp", "log"):
+        elif word in ("angle", "exp", "log", "domain"):
             raise Unserved("the table has " + word)
 
     def parse(self, text):
