@@ -164,8 +164,37 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
     return certificate;
 }
 
-/* Everything said holds of everything recomputed: the same form, balls that contain balls, bounds below bounds, other text alike.
- * */
+/* Whether all of the ball proved, rounded outwards, is surely in the one said. */
+static bool holds_ball(const json_t *said, const json_t *proved)
+{
+    const slong bits = 64 + 4 * (slong)strlen(json_string_value(json_object_get(proved, "middle")));
+    arb_t middle, radius, inner;
+    arf_t reach, room;
+    bool good;
+
+    arb_init(middle);
+    arb_init(radius);
+    arb_init(inner);
+    arf_init(reach);
+    arf_init(room);
+    good = jlt_given_legs_number(middle, json_string_value(json_object_get(said, "middle")), bits)
+           && jlt_given_legs_number(radius, json_string_value(json_object_get(said, "radius")), bits)
+           && jlt_given_legs_ball(inner, proved, bits);
+    if (good) {
+        arb_sub(inner, inner, middle, bits);
+        arb_get_abs_ubound_arf(reach, inner, bits);
+        arb_get_lbound_arf(room, radius, bits);
+        good = arf_cmp(reach, room) <= 0;
+    }
+    arf_clear(reach);
+    arf_clear(room);
+    arb_clear(middle);
+    arb_clear(radius);
+    arb_clear(inner);
+    return good;
+}
+
+/* Everything said holds of everything recomputed: the same form, balls that contain balls, other text alike. */
 static bool covers(const json_t *said, const json_t *proved)
 {
     const char *name;
@@ -181,17 +210,8 @@ static bool covers(const json_t *said, const json_t *proved)
     }
     if (!json_is_object(said)) return json_equal(said, proved);
     if (json_object_size(said) != json_object_size(proved)) return false;
-    if (json_object_get(said, "middle") != NULL && json_object_get(proved, "middle") != NULL) {
-        const slong bits = 64 + 4 * (slong)strlen(json_string_value(json_object_get(proved, "middle")));
-        arb_t outer, inner;
-        arb_init(outer);
-        arb_init(inner);
-        good = json_equal(said, proved)
-               || (jlt_given_legs_ball(outer, said, bits) && jlt_given_legs_ball(inner, proved, bits) && arb_contains(outer, inner));
-        arb_clear(outer);
-        arb_clear(inner);
-        return good;
-    }
+    if (json_object_get(said, "middle") != NULL && json_object_get(proved, "middle") != NULL)
+        return json_equal(said, proved) || holds_ball(said, proved);
     json_object_foreach((json_t *)(uintptr_t)said, name, part) {
         const json_t *other = json_object_get(proved, name);
         good = good && other != NULL && covers(part, other);

@@ -124,7 +124,7 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *c
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
         if (!(strtod(json_string_value(bound), NULL) > 0))
             fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
-        else fprintf(out, "%sThe condition %s (%s) holds all along %s: its quantity is above %s.", first ? "" : " ", name, meaning, where,
+        else fprintf(out, "%sThe condition %s (%s) holds all along %s: its quantity is at least %s.", first ? "" : " ", name, meaning, where,
                      json_string_value(bound));
         first = false;
     }

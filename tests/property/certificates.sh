@@ -42,6 +42,11 @@ change period 'c["shown"]["period"]["middle"] = "1.5586522107161747277"' digest
 expect 1 "$scratch/period.json" 'does not follow'
 change radius 'c["shown"]["trace"]["radius"] = "1e-40"' digest
 expect 1 "$scratch/radius.json" 'does not follow'
+# a ball in which the one found surely is, and one that falls short of it by less than a radius is rounded by
+change wide 'c["shown"]["determinant_of_matrix"]["radius"] = "1e-9"' digest
+expect 0 "$scratch/wide.json" proved
+change narrow 'from decimal import Decimal as D; r = c["shown"]["determinant_of_matrix"]; r["radius"] = str(D(r["radius"]) * (1 - D("1e-12")))' digest
+expect 1 "$scratch/narrow.json" 'does not follow'
 change theorem 'c["theorem"][1] = c["theorem"][1].replace("exactly one", "no")' digest
 expect 1 "$scratch/theorem.json" 'its theorem is not what its numbers say'
 change box 'c["given"]["legs"][1]["box"]["x"]["middle"] = "13.763620"' digest
