@@ -1,9 +1,11 @@
+#include "cli/certify_family.h"
 #include "cli/certify_given.h"
 #include "cli/certify_homoclinic.h"
 #include "dynamics/periodic.h"
 #include "kernel/descriptor.h"
 #include "report/json.h"
 #include "validated/certificate.h"
+#include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
 #include "validated/theorem.h"
 
@@ -13,12 +15,13 @@
 typedef struct {
     jlt_motion_options motion;
     const char *kind;
-    size_t period, digits, which;
+    size_t period, digits, which, limit;
     double radius, distance;
     jlt_assign_list spread;
+    const char *family, *box;
 } options;
 
-enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT };
+enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "The orbit closes after N returns, at most 64; default 1", 1 },
@@ -27,6 +30,9 @@ static const struct argp_option option_table[] = {
     { "radius", RADIUS, "R", 0, "Of the box, in units of the table's states; default 1e-10", 1 },
     { "distance", DISTANCE, "VALUE", 0, "Of a homoclinic orbit's beginning from the saddle, in coordinates; default 1e-7", 1 },
     { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is met, by returns; default 1", 1 },
+    { "family", FAMILY, "NAME", 0, "Of equilibria, where the table has more than one", 1 },
+    { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0, "Ranges of parameters, and of all states that the family leaves free", 1 },
+    { "limit", LIMIT, "N", 0, "Parts to cut the box of a family into, at most; default 100000", 1 },
     { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels have any value within this distance of theirs", 1 },
     { 0 },
 };
@@ -44,19 +50,27 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case RADIUS: jlt_common_positive(&o->radius, value, "--radius"); return 0;
     case DISTANCE: jlt_common_positive(&o->distance, value, "--distance"); return 0;
     case ORBIT: jlt_common_count(&o->which, value, 1, 1000, "--orbit"); return 0;
+    case FAMILY: o->family = value; return 0;
+    case BOX: o->box = value; return 0;
+    case LIMIT: jlt_common_count(&o->limit, value, 1, JLT_GIVEN_FAMILY_LIMIT_MAX, "--limit"); return 0;
     case SPREAD: jlt_common_list(&o->spread, value, "--spread"); return 0;
     case 'a': jlt_motion_one_start(&o->motion, value); return 0;
     case ARGP_KEY_ARG:
         if (o->kind != NULL) return ARGP_ERR_UNKNOWN;
         o->kind = value;
         if (!jlt_theorem_is_kind(value))
-            argp_error(state, "'%s' is no kind of certificate: write cycle, homoclinic, obstruction or sink", value);
+            argp_error(state, "'%s' is no kind of certificate: write cycle, equilibria, homoclinic, obstruction or sink", value);
         return 0;
     case ARGP_KEY_END:
-        if (o->kind == NULL) argp_error(state, "say what to certify: cycle, homoclinic, obstruction or sink");
+        if (o->kind == NULL) argp_error(state, "say what to certify: cycle, equilibria, homoclinic, obstruction or sink");
         if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
             argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
+        if (strcmp(o->kind, "equilibria") == 0) {
+            if (o->motion.starts[0] != NULL || o->spread.count > 0) argp_error(state, "equilibria have a --box: leave out --start and --spread");
+            return 0;
+        }
+        if (o->family != NULL || o->box != NULL) argp_error(state, "--family and --box are of equilibria alone");
         if (o->motion.starts[0] == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -64,14 +78,19 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp parser = {
-    option_table, parse, "cycle|homoclinic|obstruction|sink [MODEL]",
-    "Prove a periodic or homoclinic orbit in ball arithmetic, and write the certificate, from which `jellett check` replays the proof."
+    option_table, parse, "cycle|equilibria|homoclinic|obstruction|sink [MODEL]",
+    "Prove a periodic or homoclinic orbit, or what a family of equilibria excludes, in ball arithmetic, and write the certificate, from "
+    "which `jellett check` replays the proof."
     "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. obstruction: besides, "
     "the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. sink: besides, all "
     "multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no invariant measure has "
     "a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its unstable and stable manifolds "
-    "cross transversally at a point that the reversor keeps. Values typed and defaults of tables are taken exactly. Orbits are found in "
+    "cross transversally at a point that the reversor keeps. equilibria: at all points of a family that the table claims, in a whole box "
+    "of parameters and states, the trace of the linearization has one sign, so that no invariant measure has a continuous positive "
+    "density near any of them; the box is cut in halves as far as needed. Values typed and defaults of tables are taken exactly. Orbits are found in "
     "doubles first.\n\n"
+    "  jellett certify equilibria --family spin \\\n"
+    "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959",
     children, NULL, NULL,
@@ -162,9 +181,22 @@ done:
     return code;
 }
 
+/* What to prove, and the table. */
+static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_system **system, options *o)
+{
+    const jlt_certify_family_options family = { o->family, o->box, o->limit, o->digits };
+    jlt_common *common = &o->motion.common;
+    const bool is_family = strcmp(o->kind, "equilibria") == 0;
+    jlt_exit code = is_family ? jlt_common_model(common, d) : jlt_motion_system(system, &o->motion);
+
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
+    if (code != JLT_EXIT_DONE) return code;
+    return is_family ? jlt_certify_family(given, &family, &common->set, *d) : ask(given, d, o, *system);
+}
+
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .digits = 20, .radius = 1e-10, .distance = 1e-7, .which = 1 };
+    options o = { .period = 1, .digits = 20, .radius = 1e-10, .distance = 1e-7, .which = 1, .limit = 100000 };
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     const jlt_descriptor *d = NULL;
@@ -175,9 +207,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code == JLT_EXIT_DONE) code = ask(&given, &d, &o, system);
+    code = find_question(&given, &d, &system, &o);
     if (code != JLT_EXIT_DONE) goto done;
     certificate = jlt_certificate_make(&report, o.kind, given, d);
     code = fail(&report);
@@ -195,5 +225,6 @@ done:
 }
 
 const jlt_command jlt_command_certify = {
-    "certify", "cycle|homoclinic|obstruction|sink [MODEL] [OPTION...]", "Prove a periodic or homoclinic orbit, and write the certificate", run, NULL
+    "certify", "cycle|equilibria|homoclinic|obstruction|sink [MODEL] [OPTION...]",
+    "Prove an orbit, or what equilibria exclude, and write the certificate", run, NULL
 };

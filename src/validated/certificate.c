@@ -1,6 +1,7 @@
 #include "validated/certificate.h"
 
 #include "base/sha256.h"
+#include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
 #include "validated/shown.h"
 #include "validated/theorem.h"
@@ -108,6 +109,30 @@ static json_t *prove_homoclinic(jlt_certificate_report *report, const json_t *js
     return shown;
 }
 
+static json_t *prove_family(jlt_certificate_report *report, const json_t *json, const jlt_descriptor *d)
+{
+    jlt_given_family given;
+    jlt_family_result result;
+    json_t *shown = NULL;
+    jlt_status st;
+
+    *report = say(JLT_CERTIFICATE_MALFORMED, "");
+    if (jlt_given_family_read(&given, json, d, report->problem)) {
+        jlt_family_result_init(&result, &given.question);
+        st = jlt_family_prove(&result, &given.question);
+        if (st == JLT_OK && result.verdict == JLT_FAMILY_PROVED) shown = jlt_given_family_shown(&given, &result);
+        if (st != JLT_OK) *report = fail(st);
+        else if (result.verdict == JLT_FAMILY_PROVED) *report = shown == NULL ? fail(JLT_ERR_NOMEM) : say(JLT_CERTIFICATE_GOOD, "");
+        else {
+            report->verdict = result.verdict == JLT_FAMILY_LEFT ? JLT_CERTIFICATE_FAILED : JLT_CERTIFICATE_REFUSED;
+            jlt_given_family_problem(report->problem, &given, &result);
+        }
+        jlt_family_result_clear(&result);
+    }
+    jlt_given_family_clear(&given);
+    return shown;
+}
+
 /* What follows from `given`, as an object `shown`; NULL where the report is not GOOD. */
 static json_t *prove(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_descriptor *d)
 {
@@ -116,6 +141,7 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     json_t *shown = NULL;
     jlt_status st;
 
+    if (strcmp(kind, "equilibria") == 0) return prove_family(report, json, d);
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
     if (jlt_given_read(&given, json, d, report->problem) && jlt_given_read_legs(&given, json, report->problem)) {
         st = jlt_cycle_create(&cycle, &given.question);

@@ -6,7 +6,7 @@
 
 #include <jansson.h>
 
-enum { JLT_GIVEN_PROBLEM_MAX = 256 };
+enum { JLT_GIVEN_PROBLEM_MAX = 1024 };
 
 typedef struct {
     unsigned count;        /* 0 before they are read or made */

@@ -5,13 +5,16 @@
 #include <stdio.h>
 #include <string.h>
 
-static json_t *write_ball(const arb_t ball, unsigned digits)
+json_t *jlt_shown_ball(const arb_t ball, unsigned digits)
 {
     char *text = arb_get_str(ball, (slong)digits, ARB_STR_MORE);
     char *between = strstr(text, " +/- "), *end = strchr(text, ']');
     json_t *out = NULL;
 
-    if (between == NULL || end == NULL) out = json_pack("{s:s,s:s}", "middle", text, "radius", "0");
+    if (strncmp(text, "[+/- ", 5) == 0 && end != NULL) { /* no digit of the middle is right */
+        *end = '\0';
+        out = json_pack("{s:s,s:s}", "middle", "0", "radius", text + 5);
+    } else if (between == NULL || end == NULL) out = json_pack("{s:s,s:s}", "middle", text, "radius", "0");
     else {
         *between = *end = '\0';
         out = json_pack("{s:s,s:s}", "middle", text + 1, "radius", between + 5);
@@ -20,8 +23,7 @@ static json_t *write_ball(const arb_t ball, unsigned digits)
     return out;
 }
 
-/* A decimal below the bound. */
-static json_t *lower_bound(const arf_t bound)
+json_t *jlt_shown_lower_bound(const arf_t bound)
 {
     json_t *out = NULL;
     char text[64];
@@ -44,6 +46,24 @@ static json_t *lower_bound(const arf_t bound)
     return out;
 }
 
+json_t *jlt_shown_upper_bound(const arf_t bound)
+{
+    const char *below;
+    char text[64];
+    json_t *lower;
+    arf_t opposite;
+
+    arf_init(opposite);
+    arf_neg(opposite, bound);
+    lower = jlt_shown_lower_bound(opposite);
+    arf_clear(opposite);
+    below = json_string_value(lower);
+    if (below == NULL) return NULL;
+    snprintf(text, sizeof text, "%s%s", below[0] == '-' || strcmp(below, "0") == 0 ? "" : "-", below + (below[0] == '-'));
+    json_decref(lower);
+    return json_string(text);
+}
+
 static bool set(json_t *object, const char *key, json_t *value)
 {
     return json_object_set_new(object, key, value) == 0;
@@ -63,11 +83,11 @@ static json_t *claims_of(const jlt_given *given, bool with_reversor)
     return claims;
 }
 
-static json_t *write_conditions(const arf_struct *least, const jlt_descriptor *d)
+json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *d)
 {
     json_t *conditions = json_object();
 
-    for (unsigned i = 0; i < d->valid_count; i++) json_object_set_new(conditions, d->valids[i].name, lower_bound(least + i));
+    for (unsigned i = 0; i < d->valid_count; i++) json_object_set_new(conditions, d->valids[i].name, jlt_shown_lower_bound(least + i));
     return conditions;
 }
 
@@ -80,7 +100,7 @@ static json_t *point_of(arb_srcptr y, const jlt_given *given)
 
     for (unsigned i = 0; i < d->state_count; i++)
         if (i != given->question.column)
-            good = set(point, d->states[i].name, write_ball(y++, given->question.digits)) && good;
+            good = set(point, d->states[i].name, jlt_shown_ball(y++, given->question.digits)) && good;
     if (good) return point;
     json_decref(point);
     return NULL;
@@ -94,7 +114,7 @@ static json_t *states_of(arb_srcptr x, const jlt_given *given)
     bool good = true;
 
     for (unsigned i = 0; i < d->state_count; i++)
-        if (i != given->question.column) good = set(point, d->states[i].name, write_ball(x + i, given->question.digits)) && good;
+        if (i != given->question.column) good = set(point, d->states[i].name, jlt_shown_ball(x + i, given->question.digits)) && good;
     if (good) return point;
     json_decref(point);
     return NULL;
@@ -110,15 +130,15 @@ json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, 
         good = good && json_array_append_new(orbit, point_of(result->solution + i * result->unknowns, given)) == 0;
     for (unsigned i = 0; i < result->multipliers && result->multipliers <= 2; i++)
         good = good && json_array_append_new(multipliers,
-                   json_pack("{s:o,s:o}", "re", write_ball(acb_realref(result->multiplier + i), digits), "im",
-                             write_ball(acb_imagref(result->multiplier + i), digits))) == 0;
+                   json_pack("{s:o,s:o}", "re", jlt_shown_ball(acb_realref(result->multiplier + i), digits), "im",
+                             jlt_shown_ball(acb_imagref(result->multiplier + i), digits))) == 0;
     good = set(shown, "orbit", orbit) && good;
-    good = set(shown, "period", write_ball(result->period, digits)) && good;
-    good = set(shown, "determinant", write_ball(result->determinant, digits)) && good;
-    good = set(shown, "determinant_of_matrix", write_ball(result->matrix_determinant, digits)) && good;
-    good = set(shown, "trace", write_ball(result->trace, digits)) && good;
+    good = set(shown, "period", jlt_shown_ball(result->period, digits)) && good;
+    good = set(shown, "determinant", jlt_shown_ball(result->determinant, digits)) && good;
+    good = set(shown, "determinant_of_matrix", jlt_shown_ball(result->matrix_determinant, digits)) && good;
+    good = set(shown, "trace", jlt_shown_ball(result->trace, digits)) && good;
     good = set(shown, "multipliers", multipliers) && good;
-    good = set(shown, "conditions", write_conditions(result->least, given->question.descriptor)) && good;
+    good = set(shown, "conditions", jlt_shown_conditions(result->least, given->question.descriptor)) && good;
     good = set(shown, "claims", claims_of(given, with_reversor)) && good;
     if (good) return shown;
     json_decref(shown);
@@ -128,12 +148,12 @@ json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, 
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given)
 {
     json_t *shown = jlt_shown_cycle(&result->saddle, given, true), *part = json_object();
-    bool good = set(part, "start", write_ball(result->start, given->question.digits));
+    bool good = set(part, "start", jlt_shown_ball(result->start, given->question.digits));
 
     good = set(part, "first", point_of(result->solution, given)) && good;
     good = set(part, "point", states_of(result->point, given)) && good;
     good = set(part, "tangent", states_of(result->tangent, given)) && good;
-    good = set(part, "conditions", write_conditions(result->least, given->question.descriptor)) && good;
+    good = set(part, "conditions", jlt_shown_conditions(result->least, given->question.descriptor)) && good;
     good = shown != NULL && set(shown, "homoclinic", part) && good;
     if (good) return shown;
     json_decref(shown);

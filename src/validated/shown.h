@@ -12,4 +12,14 @@ json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, 
  *  "first", its point there, "point", the symmetric one, "tangent" of the unstable manifold there, "conditions" on the way. */
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given);
 
+/** {"middle": DECIMAL, "radius": DECIMAL} around a ball; a new reference. */
+json_t *jlt_shown_ball(const arb_t ball, unsigned digits);
+
+/** A decimal below a bound, or at it; above it likewise: five digits. A new reference. */
+json_t *jlt_shown_lower_bound(const arf_t bound);
+json_t *jlt_shown_upper_bound(const arf_t bound);
+
+/** Lower bounds of the model's conditions by names, shape (valid_count,). */
+json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *descriptor);
+
 #endif

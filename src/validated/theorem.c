@@ -1,5 +1,7 @@
 #include "validated/theorem.h"
 
+#include "validated/theorem_family.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,7 +126,7 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *c
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
         if (!(strtod(json_string_value(bound), NULL) > 0))
             fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
-        else fprintf(out, "%sThe condition %s (%s) holds all along %s: its quantity is at least %s.", first ? "" : " ", name, meaning, where,
+        else fprintf(out, "%sThe condition %s (%s) holds %s: its quantity is at least %s.", first ? "" : " ", name, meaning, where,
                      json_string_value(bound));
         first = false;
     }
@@ -163,7 +165,7 @@ typedef struct {
 } subject;
 
 typedef enum { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, EXPANDS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE,
-               END } sentence;
+               FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, END } sentence;
 
 /* What each kind says, in this order. */
 static const struct {
@@ -171,6 +173,7 @@ static const struct {
     sentence sentences[10];
 } contents[] = {
     { "cycle", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, END } },
+    { "equilibria", { FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, END } },
     { "homoclinic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE, END } },
     { "obstruction", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, EXPANDS, END } },
     { "sink", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, END } },
@@ -217,7 +220,7 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
     case SETTING: write_setting(out, s->descriptor, s->given); break;
     case ORBIT: write_orbit(out, s->given, s->shown); break;
     case MULTIPLIERS: write_multipliers(out, s->shown); break;
-    case CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "the orbit"); break;
+    case CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "all along the orbit"); break;
     case ATTRACTS:
         fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, "
               "what begins near it on its levels, and so do its continuations on all levels nearby.", out); break;
@@ -236,7 +239,7 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
     case HOMOCLINIC: write_homoclinic(out, s); break;
     case TRANSVERSAL: write_tangent(out, s); break;
     case WAY:
-        write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"), "that orbit from its first point to the "
+        write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"), "all along that orbit from its first point to the "
                          "symmetric one"); break;
     case HORSESHOE:
         fputs("Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return map "
@@ -244,6 +247,10 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
               "saddle type. A transversal crossing remains on all levels nearby, so that no real-analytic function that is defined on "
               "a connected neighbourhood of both orbits is a further integral: it depends on those named (J. Moser, Stable and Random "
               "Motions, 1973).", out); break;
+    case FAMILY: jlt_theorem_family_setting(out, s->descriptor, s->given, s->shown); break;
+    case FAMILY_TRACE: jlt_theorem_family_trace(out, s->shown); break;
+    case FAMILY_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "at each of them"); break;
+    case FAMILY_MEASURE: jlt_theorem_family_measure(out); break;
     case END: break;
     }
 }

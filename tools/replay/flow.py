@@ -12,6 +12,11 @@ class Refused(Exception):
     """The certificate is not shown to be right."""
 
 
+def must(holds, what):
+    if not holds:
+        raise Refused(what)
+
+
 class Flow:
     def __init__(self, table, params):
         self.table, self.n = table, len(table.states)

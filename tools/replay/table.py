@@ -88,7 +88,7 @@ class Table:
     def __init__(self, text):
         self.graph = Graph()
         self.params, self.states, self.names, self.field, self.integrals, self.valids, self.reversor = [], [], {}, {}, {}, {}, None
-        self.intervals = {}
+        self.intervals, self.signs, self.families, self.traces, self.domains = {}, {}, {}, {}, []
         for record in self.records(text):
             self.read(record)
 
@@ -111,6 +111,9 @@ class Table:
         body = rest.split("=", 1)[1] if "=" in rest else ""
         if word == "param":
             self.params.append(name)
+            sign = re.search(r"(>=|>|!=) *0", rest)
+            if sign:
+                self.signs[name] = sign.group(1)
             self.names[name] = self.graph.put("v", name)
         elif word == "state":
             self.states.append(name)
@@ -129,6 +132,13 @@ class Table:
             self.field[name] = self.parse(body)
         elif word == "integral" and not re.search(r"\b(when|modulo)\b", body):
             self.integrals[name] = self.names[name] = self.parse(body)
+        elif word == "equilibria":
+            parts = [part.split("=", 1) for part in re.split(r",|\bwhen\b", rest.split(":", 1)[1])]
+            self.families[name] = {state.strip(): self.parse(value) for state, value in parts}
+        elif word == "trace":
+            self.traces[name] = self.parse(body)
+        elif word == "domain":
+            self.domains.append(self.parse(rest.split(":", 1)[1].rsplit(">", 1)[0]))
         elif word == "valid":
             self.valids[name] = self.parse(rest.split(":", 1)[1].rsplit(">", 1)[0])
         elif word == "reversor" and "when" not in rest:
