@@ -97,7 +97,7 @@ static jlt_exit single(jlt_eigen_request *r)
     } else {
         jlt_eigen_write_text(output.stream, row);
     }
-    code = jlt_command_deliver(&output, r->common.output);
+    code = jlt_stream_deliver(&output, r->common.output);
     if (code == JLT_EXIT_DONE && r->common.plot != NULL) code = jlt_eigen_draw(r, row, 1);
 done:
     jlt_command_discard(&output);

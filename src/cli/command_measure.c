@@ -206,7 +206,7 @@ static jlt_exit deliver(const jlt_measure_finding *f, const request *r)
         else if (r->csv) write_csv(output.stream, f, r);
         else write_text(output.stream, f);
     }
-    if (st == JLT_OK) return jlt_command_deliver(&output, r->common.output);
+    if (st == JLT_OK) return jlt_stream_deliver(&output, r->common.output);
     jlt_command_discard(&output);
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(st));
 }

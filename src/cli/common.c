@@ -24,7 +24,7 @@ static const struct argp_option common_table[] = {
     { "set", 's', "PARAM=VALUE,...", 0,
       "Parameters; the others have the table's defaults, which jellett models MODEL shows, for the spherical top (5.1) of the paper", 10 },
     { NULL, 0, NULL, 0, "Output:", 12 },
-    { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
+    { "output", 'o', "FILE", 0, "Where the results go; a table goes to FILE.npy as an array of NumPy; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, all data included: gnuplot FILE draws it again", 12 },
     { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },

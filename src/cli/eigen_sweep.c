@@ -59,7 +59,7 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, count, true);
     else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows, count);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
-    if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, request->common.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_deliver(&output, request->common.output);
     if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
-#include "shards/npy.h"
 
 bool jlt_merged_known(jlt_merged_kind *kind, const char *path)
 {
@@ -50,12 +49,35 @@ static jlt_exit begin_file(jlt_merged *self)
     if (st == JLT_OK) jlt_interrupt_remember(&self->place);
     else code = st == JLT_ERR_IO ? jlt_command_cannot_write(self->path) : jlt_command_no_memory();
     jlt_interrupt_release();
-    if (code != JLT_EXIT_DONE || self->kind == JLT_MERGED_SQLITE) return code;
+    if (code != JLT_EXIT_DONE || self->kind != JLT_MERGED_CSV) return code;
     const int copy = dup(self->place.descriptor); /* the place closes its own */
     self->stream = copy >= 0 ? fdopen(copy, "w") : NULL;
     if (self->stream != NULL) return JLT_EXIT_DONE;
     if (copy >= 0) close(copy);
     return jlt_command_no_memory();
+}
+
+static void write_names(FILE *stream, const jlt_table_form *form, const char *header)
+{
+    fputs(header, stream);
+    for (size_t i = 0; i < form->count; i++) fprintf(stream, "%s%s", i > 0 ? "," : "", form->columns[i].name);
+    fputc('\n', stream);
+}
+
+static jlt_exit begin_array(jlt_merged *self, const jlt_table_form *form, const char *header)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    jlt_status st = stream != NULL ? JLT_OK : JLT_ERR_NOMEM;
+
+    if (st == JLT_OK) write_names(stream, form, header);
+    if (st == JLT_OK && fclose(stream) != 0) st = JLT_ERR_NOMEM;
+    if (st == JLT_OK) st = jlt_npy_create(&self->array, &self->place);
+    if (st == JLT_OK) st = jlt_npy_take(self->array, text, size);
+    free(text);
+    if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_cannot_write(self->path);
 }
 
 jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study,
@@ -68,16 +90,13 @@ jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_for
     (void)jlt_merged_known(&self->kind, path);
     code = begin_file(self);
     if (code != JLT_EXIT_DONE) return code;
-    switch (self->kind) {
-    case JLT_MERGED_CSV:
-        fputs(header, self->stream);
-        for (size_t i = 0; i < form->count; i++) fprintf(self->stream, "%s%s", i > 0 ? "," : "", form->columns[i].name);
-        fputc('\n', self->stream);
+    if (self->kind == JLT_MERGED_CSV) {
+        write_names(self->stream, form, header);
         return JLT_EXIT_DONE;
-    case JLT_MERGED_NPY: return jlt_npy_begin(self->stream, form) == JLT_OK ? JLT_EXIT_DONE : jlt_command_no_memory();
-    case JLT_MERGED_SQLITE: break;
     }
-    if (self->place.temporary == NULL) return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': SQLite writes files alone", path);
+    if (self->place.temporary == NULL)
+        return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': arrays and SQLite go to files alone", path);
+    if (self->kind == JLT_MERGED_NPY) return begin_array(self, form, header);
     if (jlt_database_create(&self->database, &message, self->place.temporary, form, over, study) == JLT_OK) return JLT_EXIT_DONE;
     return database_failed(self, message);
 }
@@ -97,7 +116,7 @@ bool jlt_merged_row(jlt_merged *self, const jlt_table_form *form, char *const *f
         }
         fputc('\n', self->stream);
         break;
-    case JLT_MERGED_NPY: jlt_npy_row(self->stream, form, fields); break;
+    case JLT_MERGED_NPY: return jlt_npy_row(self->array, fields) == JLT_OK;
     case JLT_MERGED_SQLITE: return jlt_database_row(self->database, fields) == JLT_OK;
     }
     return ferror(self->stream) == 0;
@@ -112,6 +131,8 @@ jlt_exit jlt_merged_close(jlt_merged *self)
         const jlt_status st = jlt_database_finish(self->database, &message);
         self->database = NULL;
         if (st != JLT_OK) return database_failed(self, message);
+    } else if (self->array != NULL) {
+        if (jlt_npy_flush(self->array) != JLT_OK) return jlt_command_cannot_write(self->path);
     } else {
         errno = 0;
         const bool failed = fflush(self->stream) != 0 || ferror(self->stream) != 0;
@@ -130,6 +151,7 @@ void jlt_merged_discard(jlt_merged *self)
     jlt_database_destroy(self->database);
     if (self->stream != NULL && self->stream != stdout) fclose(self->stream);
     jlt_interrupt_hold();
+    jlt_npy_destroy(self->array);
     jlt_interrupt_forget(&self->place);
     jlt_file_end(&self->place);
     jlt_interrupt_release();

@@ -6,9 +6,9 @@
 #include <stdio.h>
 
 #include "cli/command.h"
-#include "report/file.h"
+#include "report/npy.h"
 #include "shards/database.h"
-#include "shards/table.h"
+#include "report/table.h"
 
 typedef enum { JLT_MERGED_CSV, JLT_MERGED_NPY, JLT_MERGED_SQLITE } jlt_merged_kind;
 
@@ -16,7 +16,8 @@ typedef struct {
     const char *path;
     jlt_merged_kind kind;
     jlt_file place; /* zeroed for standard output */
-    FILE *stream;   /* of CSV and NumPy */
+    FILE *stream;   /* of CSV */
+    jlt_npy *array;
     jlt_database *database;
 } jlt_merged;
 
@@ -24,7 +25,7 @@ typedef struct {
 bool jlt_merged_known(jlt_merged_kind *kind, const char *path);
 
 /** Begin a file, with what stands before its rows. The first `over` columns are those that the study runs over; header: comments of
- *  CSV. Says what is wrong; *self is discarded after, whatever is returned. */
+ *  CSV and NumPy. Says what is wrong; *self is discarded after, whatever is returned. */
 jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study,
                          const char *header);
 

@@ -7,10 +7,47 @@
 
 #include "cli/interrupt.h"
 
+/* Text that is looked at together for an array. */
+enum { BUFFER = 1 << 16 };
+
 static jlt_exit cannot_write(const jlt_stream *self, int reason)
 {
     errno = reason;
     return jlt_command_cannot_write(self->path);
+}
+
+/* What the FILE of an array passes on; the signals are held while rows may be moved. */
+static ssize_t take(void *stream, const char *text, size_t size)
+{
+    const jlt_stream *self = stream;
+
+    if (self->array == NULL) return (ssize_t)size; /* given up */
+    jlt_interrupt_hold();
+    errno = EINVAL;
+    const jlt_status st = jlt_npy_take(self->array, text, size);
+    if (st == JLT_ERR_NOMEM) errno = ENOMEM;
+    jlt_interrupt_release();
+    return st == JLT_OK ? (ssize_t)size : 0;
+}
+
+/* The file is there: what its rows are written to. */
+static jlt_status open_rows(jlt_stream *self)
+{
+    if (!jlt_stream_is_array(self->path)) {
+        self->file = fdopen(self->place.descriptor, "w");
+        return self->file != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    }
+    const jlt_status st = jlt_npy_create(&self->array, &self->place);
+    if (st == JLT_OK) self->file = fopencookie(self, "w", (cookie_io_functions_t){ .write = take });
+    if (self->file == NULL) return st != JLT_OK ? st : JLT_ERR_NOMEM;
+    return setvbuf(self->file, NULL, _IOFBF, BUFFER) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+}
+
+bool jlt_stream_is_array(const char *path)
+{
+    const char *dot = jlt_command_is_standard_output(path) ? NULL : strrchr(path, '.');
+
+    return dot != NULL && strcmp(dot, ".npy") == 0;
 }
 
 jlt_exit jlt_stream_open(jlt_stream *self, const char *path)
@@ -26,11 +63,13 @@ jlt_exit jlt_stream_open(jlt_stream *self, const char *path)
     }
     jlt_interrupt_hold();
     st = jlt_file_begin(&self->place, path);
-    if (st == JLT_OK) self->file = fdopen(self->place.descriptor, "w");
-    if (self->file != NULL) jlt_interrupt_remember(&self->place);
-    else code = st == JLT_ERR_IO ? cannot_write(self, errno) : jlt_command_no_memory();
-    if (self->file == NULL) jlt_file_end(&self->place);
+    if (st == JLT_OK) st = open_rows(self);
+    if (st == JLT_OK) jlt_interrupt_remember(&self->place);
+    else if (st == JLT_ERR_IO) code = cannot_write(self, errno);
+    else if (st == JLT_ERR_UNSUPPORTED) code = jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': arrays go to files alone", path);
+    else code = jlt_command_no_memory();
     jlt_interrupt_release();
+    if (st != JLT_OK) jlt_stream_discard(self);
     return code;
 }
 
@@ -47,26 +86,44 @@ jlt_exit jlt_stream_close(jlt_stream *self)
     jlt_exit code = JLT_EXIT_DONE;
 
     errno = 0;
-    if (fflush(self->file) != 0 || ferror(self->file)) {
+    if (fflush(self->file) != 0 || ferror(self->file) || (self->array != NULL && self->place.whole == 0)) {
         const int reason = errno != 0 ? errno : EIO;
         jlt_interrupt_hold();
         code = save_rows(self, reason);
         clearerr(self->file);
     } else {
         jlt_interrupt_hold();
-        if (self->file != stdout && jlt_file_commit(&self->place) != JLT_OK) code = cannot_write(self, errno);
+        if (self->file != stdout && jlt_file_commit(&self->place) != JLT_OK) code = save_rows(self, errno);
     }
     jlt_interrupt_release();
     jlt_stream_discard(self);
     return code;
 }
 
+jlt_exit jlt_stream_deliver(jlt_command_output *output, const char *path)
+{
+    jlt_stream stream;
+    jlt_exit code;
+
+    if (!jlt_stream_is_array(path)) return jlt_command_deliver(output, path);
+    code = jlt_command_close(output) == JLT_OK ? jlt_stream_open(&stream, path) : jlt_command_no_memory();
+    if (code == JLT_EXIT_DONE) {
+        fwrite(output->text, 1, output->size, stream.file);
+        code = jlt_stream_close(&stream);
+    }
+    jlt_command_discard(output);
+    return code;
+}
+
 void jlt_stream_discard(jlt_stream *self)
 {
-    if (self->file == NULL) return;
     jlt_interrupt_hold();
-    if (self->file != stdout) fclose(self->file);
-    self->place.descriptor = -1;
+    jlt_npy_destroy(self->array);
+    if (self->file != NULL && self->file != stdout) {
+        if (self->array == NULL) self->place.descriptor = -1;
+        self->array = NULL;
+        fclose(self->file);
+    }
     jlt_interrupt_forget(&self->place);
     jlt_file_end(&self->place);
     jlt_interrupt_release();

@@ -6,6 +6,7 @@ extern "C" {
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <system_error>
 
 namespace {
 
@@ -81,4 +82,12 @@ extern "C" char *jlt_digits_shortest(char *text, double value)
 
     *end = '\0';
     return end;
+}
+
+extern "C" bool jlt_digits_read(double *value, const char *text)
+{
+    const char *end = text + std::strlen(text);
+    const std::from_chars_result read = std::from_chars(text, end, *value);
+
+    return read.ec == std::errc() && read.ptr == end;
 }

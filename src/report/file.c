@@ -53,7 +53,7 @@ static int make_temporary(jlt_file *self)
     for (uint32_t i = 0; i < NAMES_TRIED; i++) {
         const uint32_t word = ((uint32_t)now.tv_nsec + (uint32_t)getpid() * 0x9e3779b1u + i) % 0x1000000u;
         snprintf(self->temporary, room, "%s.%06x", self->target, (unsigned)word);
-        descriptor = open(self->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        descriptor = open(self->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0 || errno != EEXIST) break;
     }
     if (descriptor < 0) {
@@ -91,9 +91,43 @@ static bool move(const jlt_file *self)
     return fsync(self->descriptor) == 0 && rename(self->temporary, self->target) == 0;
 }
 
+jlt_status jlt_file_put(const jlt_file *self, const char *data, size_t size, size_t offset)
+{
+    while (size > 0) {
+        const ssize_t written = pwrite(self->descriptor, data, size, (off_t)offset);
+        if (written < 0) {
+            if (errno == EINTR) continue;
+            return JLT_ERR_IO;
+        }
+        data += written;
+        offset += (size_t)written;
+        size -= (size_t)written;
+    }
+    return JLT_OK;
+}
+
+jlt_status jlt_file_get(const jlt_file *self, char *data, size_t size, size_t offset)
+{
+    ssize_t got;
+
+    do got = pread(self->descriptor, data, size, (off_t)offset);
+    while (got < 0 && errno == EINTR);
+    if (got >= 0) errno = EIO;
+    return got == (ssize_t)size ? JLT_OK : JLT_ERR_IO;
+}
+
+/* The tail of a file that is no text. */
+static jlt_status put_tail(const jlt_file *self)
+{
+    if (self->whole == 0) return JLT_ERR_EMPTY;
+    if (ftruncate(self->descriptor, (off_t)self->whole) != 0) return JLT_ERR_IO;
+    return jlt_file_put(self, self->tail, self->tail_size, self->whole);
+}
+
 jlt_status jlt_file_commit(jlt_file *self)
 {
     if (self->temporary == NULL) return JLT_OK;
+    if (self->tail != NULL && put_tail(self) != JLT_OK) return JLT_ERR_IO;
     if (!move(self)) return JLT_ERR_IO;
     free(self->temporary);
     self->temporary = NULL;
@@ -124,6 +158,10 @@ static off_t whole_lines(const char *path)
 
 jlt_status jlt_file_commit_lines(const jlt_file *self)
 {
+    if (self->temporary != NULL && self->tail != NULL) {
+        if (put_tail(self) == JLT_ERR_EMPTY) return JLT_ERR_EMPTY;
+        return move(self) ? JLT_OK : JLT_ERR_IO;
+    }
     const off_t length = self->temporary == NULL ? 0 : whole_lines(self->temporary);
 
     if (length == 0) return JLT_ERR_EMPTY;

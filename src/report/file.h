@@ -12,6 +12,8 @@ typedef struct {
     int descriptor;  /* to write to; closed by jlt_file_end */
     char *target;    /* the place, symbolic links followed */
     char *temporary; /* NULL for a device such as /dev/stdout, which is written to directly, and once the file is in place */
+    char *tail;      /* what is to follow the first `whole` bytes of a file that is no text, shape (tail_size,); NULL: it is text */
+    size_t tail_size, whole;
 } jlt_file;
 
 /** Begin a file for `path`, in a folder that exists. A file that is there keeps its content and its permissions until the new
@@ -21,9 +23,14 @@ JLT_CHECKED jlt_status jlt_file_begin(jlt_file *self, const char *path);
 /** Flush to the disk, and move into place. Errors: IO (errno says why). */
 JLT_CHECKED jlt_status jlt_file_commit(jlt_file *self);
 
-/** The same with the whole lines that were written: what follows the last newline is cut. A signal handler may call it: it
- *  frees nothing, and the file still has to be ended. Errors: EMPTY, there is no whole line; IO. */
+/** The same with the whole lines that were written: what follows the last newline is cut; and of a file that is no text with its whole
+ *  bytes, and the tail as far as there is room. A signal handler may call it: it frees nothing, and the file still has to be ended.
+ *  Errors: EMPTY, nothing is whole; IO. */
 JLT_CHECKED jlt_status jlt_file_commit_lines(const jlt_file *self);
+
+/** Write at an offset, and read what was written there. Errors: IO (errno says why). */
+JLT_CHECKED jlt_status jlt_file_put(const jlt_file *self, const char *data, size_t size, size_t offset);
+JLT_CHECKED jlt_status jlt_file_get(const jlt_file *self, char *data, size_t size, size_t offset);
 
 /** Close, and remove what was not moved into place. Legal when zeroed, and twice; keeps errno. */
 void jlt_file_end(jlt_file *self);

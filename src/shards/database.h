@@ -5,7 +5,7 @@
 #define JLT_SHARDS_DATABASE_H
 
 #include "shards/shard.h"
-#include "shards/table.h"
+#include "report/table.h"
 
 typedef struct jlt_database jlt_database;
 

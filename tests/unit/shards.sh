@@ -54,11 +54,12 @@ form = ast.literal_eval(data[10:length].decode())
 assert form["shape"] == (len(rows),) and not form["fortran_order"] and [n for n, _ in form["descr"]] == names
 assert form["descr"][-1][0] == "fate" and form["descr"][-1][1].startswith("|S") and form["descr"][0][1] == "<f8"
 code = "<" + "".join("d" if kind == "<f8" else kind[2:] + "s" for _, kind in form["descr"])
-assert len(data) == length + len(rows) * struct.calcsize(code)
+end = length + len(rows) * struct.calcsize(code)
+assert data[end:].decode() == "".join(l for l in open(sys.argv[1] + ".csv") if l[0] == "#")
 stored = list(sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT * FROM rows ORDER BY rowid"))
 assert len(stored) == len(rows)
 empty = 0
-for row, packed, kept in zip(rows, struct.iter_unpack(code, data[length:]), stored):
+for row, packed, kept in zip(rows, struct.iter_unpack(code, data[length:end]), stored):
     for field, number, value in zip(row, packed, kept):
         empty += field == ""
         if isinstance(number, bytes): assert number.rstrip(b"\0").decode() == field == value

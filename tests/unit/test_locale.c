@@ -121,6 +121,7 @@ static void digits_are_as_few_as_read_back(void **unused)
 {
     jlt_random random;
     char text[JLT_DIGITS_SIZE], expected[JLT_DIGITS_SIZE];
+    double back = NAN;
     int exponent;
 
     (void)unused;
@@ -134,6 +135,7 @@ static void digits_are_as_few_as_read_back(void **unused)
             jlt_digits_shortest(text, values[k]);
             const int digits = fewest_by_trial(expected, text, values[k]);
             if (values[k] != 0) assert_true(count_digits(text) <= digits);
+            assert_true(jlt_digits_read(&back, text) && back == values[k]);
             if (fabs(frexp(values[k], &exponent)) != 0.5) assert_string_equal(text, expected);
         }
     }

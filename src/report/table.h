@@ -1,6 +1,6 @@
-/** The rows of all pieces as one table: fields of text, and what kind of column each is in. */
-#ifndef JLT_SHARDS_TABLE_H
-#define JLT_SHARDS_TABLE_H
+/** Rows of text as one table: their fields, and what kind of column each is in. */
+#ifndef JLT_REPORT_TABLE_H
+#define JLT_REPORT_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -9,8 +9,8 @@
 
 typedef struct {
     char *name;
-    bool is_text;  /* a field that is not empty is no number */
-    size_t width;  /* of the longest field, in bytes; at least 1 */
+    bool is_text; /* a field that is not empty is no number */
+    size_t width; /* of texts in an array, in bytes */
 } jlt_table_column;
 
 typedef struct {
@@ -21,7 +21,7 @@ typedef struct {
 /** Cut a line at its commas, which become NULs. fields, shape (room,). Returns how many there are, also beyond `room`. */
 size_t jlt_table_cut(char **fields, size_t room, char *line);
 
-/** Take these names for the columns. Errors: NOMEM; ARG, one is there twice. */
+/** Take these names for the columns; one that is there already becomes NAME_2. Errors: NOMEM; ARG, that is there as well. */
 JLT_CHECKED jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count);
 void jlt_table_form_close(jlt_table_form *self); /* legal when zeroed */
 

@@ -1,4 +1,6 @@
-#include "shards/table.h"
+#include "report/table.h"
+
+#include "core/digits.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,16 +18,29 @@ size_t jlt_table_cut(char **fields, size_t room, char *line)
     }
 }
 
+static bool has_name(const jlt_table_form *self, const char *name)
+{
+    size_t i = 0;
+
+    while (i < self->count && strcmp(self->columns[i].name, name) != 0) i++;
+    return i < self->count;
+}
+
 jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count)
 {
+    static const char second[] = "_2";
+
     *self = (jlt_table_form){ .columns = calloc(count + 1, sizeof *self->columns) };
     if (self->columns == NULL) return JLT_ERR_NOMEM;
     for (; self->count < count; self->count++) {
-        jlt_table_column *column = &self->columns[self->count];
-        for (size_t i = 0; i < self->count; i++)
-            if (strcmp(self->columns[i].name, names[self->count]) == 0) return JLT_ERR_ARG;
-        *column = (jlt_table_column){ .name = strdup(names[self->count]), .width = 1 };
-        if (column->name == NULL) return JLT_ERR_NOMEM;
+        char *name = malloc(strlen(names[self->count]) + sizeof second);
+        if (name == NULL) return JLT_ERR_NOMEM;
+        strcpy(name, names[self->count]);
+        if (has_name(self, name)) strcat(name, second);
+        self->columns[self->count] = (jlt_table_column){ .name = name };
+        if (!has_name(self, name)) continue;
+        free(name);
+        return JLT_ERR_ARG;
     }
     return JLT_OK;
 }
@@ -37,17 +52,14 @@ void jlt_table_form_close(jlt_table_form *self)
     *self = (jlt_table_form){ .columns = NULL };
 }
 
-/* Numbers begin as decimals do: words that strtod knows, such as nan, name something here. */
+/* Numbers begin as decimals do: words for numbers, such as nan, name something here. */
 bool jlt_table_number(double *value, const char *field)
 {
-    char *end;
-
     *value = NAN;
     if (*field == '\0') return true;
     if (strchr("-.0123456789", *field) == NULL) return false;
     if (field[0] == '-' && field[1] != '.' && (field[1] < '0' || field[1] > '9')) return false;
-    *value = strtod(field, &end);
-    return *end == '\0';
+    return jlt_digits_read(value, field);
 }
 
 void jlt_table_form_see(jlt_table_form *self, char *const *fields)
@@ -57,8 +69,6 @@ void jlt_table_form_see(jlt_table_form *self, char *const *fields)
     self->rows++;
     for (size_t i = 0; i < self->count; i++) {
         jlt_table_column *column = &self->columns[i];
-        const size_t width = strlen(fields[i]);
-        if (width > column->width) column->width = width;
         if (!column->is_text && !jlt_table_number(&value, fields[i])) column->is_text = true;
     }
 }

@@ -1,0 +1,263 @@
+#include "report/npy.h"
+
+#include "core/digits.h"
+#include "report/table.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALIGNMENT = 64, NUMBER = sizeof(uint64_t), BLOCK = 1 << 20 };
+
+struct jlt_npy {
+    jlt_file *place;
+    FILE *notes;          /* the comments: the file's tail */
+    jlt_table_form form;  /* rows: those in the file */
+    char **fields;        /* of a row, shape (form.count,) */
+    size_t head, width;   /* bytes before the rows, and of a row */
+    char *begun;          /* the line that is not whole yet */
+    size_t begun_size, begun_room;
+    char *block;          /* rows that are not in the file yet */
+    size_t held;
+    jlt_status failed;    /* what was taken is lost from then on */
+};
+
+static size_t width_of(const jlt_table_column *column) { return column->is_text ? column->width : NUMBER; }
+
+static void put_number(char *to, uint64_t value, unsigned bytes)
+{
+    for (unsigned i = 0; i < bytes; i++) to[i] = (char)(value >> 8 * i & 0xff);
+}
+
+/* The array's description as Python writes it, for so many rows. */
+static jlt_status describe(char **text, size_t *size, const jlt_table_form *form, size_t rows)
+{
+    FILE *stream = open_memstream(text, size);
+
+    if (stream == NULL) return JLT_ERR_NOMEM;
+    fputs("{'descr': [", stream);
+    for (size_t i = 0; i < form->count; i++) {
+        const jlt_table_column *column = &form->columns[i];
+        fprintf(stream, "%s('%s', '", i > 0 ? ", " : "", column->name);
+        if (column->is_text) fprintf(stream, "|S%zu", column->width);
+        else fputs("<f8", stream);
+        fputs("')", stream);
+    }
+    fprintf(stream, "], 'fortran_order': False, 'shape': (%zu,), }", rows);
+    return fclose(stream) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+}
+
+/* Bytes of what stands before the rows, however many these become. */
+static jlt_status measure(jlt_npy *self)
+{
+    char *text = NULL;
+    size_t size = 0;
+    const jlt_status st = describe(&text, &size, &self->form, SIZE_MAX);
+
+    free(text);
+    if (st != JLT_OK) return st;
+    self->width = 0;
+    for (size_t i = 0; i < self->form.count; i++) self->width += width_of(&self->form.columns[i]);
+    self->head = (12 + size + 1 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    return self->width <= BLOCK / 2 ? JLT_OK : JLT_ERR_ARG;
+}
+
+static jlt_status write_head(jlt_npy *self)
+{
+    char *text = NULL, *head = malloc(self->head);
+    size_t size = 0;
+    jlt_status st = describe(&text, &size, &self->form, self->form.rows);
+
+    if (head == NULL) st = JLT_ERR_NOMEM;
+    if (st == JLT_OK) {
+        const unsigned version = self->head - 10 <= UINT16_MAX ? 1 : 2, lead = version == 1 ? 10 : 12;
+        memset(head, ' ', self->head);
+        memcpy(head, "\x93NUMPY", 6);
+        head[6] = (char)version;
+        head[7] = 0;
+        put_number(head + 8, self->head - lead, lead - 8);
+        memcpy(head + lead, text, size);
+        head[self->head - 1] = '\n';
+        st = jlt_file_put(self->place, head, self->head, 0);
+    }
+    free(head);
+    free(text);
+    return st;
+}
+
+jlt_status jlt_npy_create(jlt_npy **out, jlt_file *place)
+{
+    jlt_npy *self;
+
+    *out = NULL;
+    if (place->temporary == NULL) return JLT_ERR_UNSUPPORTED;
+    self = calloc(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->place = place;
+    self->block = malloc(BLOCK);
+    self->notes = open_memstream(&place->tail, &place->tail_size);
+    if (self->block == NULL || self->notes == NULL) {
+        jlt_npy_destroy(self);
+        return JLT_ERR_NOMEM;
+    }
+    *out = self;
+    return JLT_OK;
+}
+
+void jlt_npy_destroy(jlt_npy *self)
+{
+    if (self == NULL) return;
+    if (self->notes != NULL) fclose(self->notes);
+    free(self->place->tail);
+    self->place->tail = NULL;
+    jlt_table_form_close(&self->form);
+    free(self->fields);
+    free(self->begun);
+    free(self->block);
+    free(self);
+}
+
+/* The head tells of no row that is not there. */
+jlt_status jlt_npy_flush(jlt_npy *self)
+{
+    jlt_status st = JLT_OK;
+
+    if (self->form.count == 0) return JLT_ERR_ARG; /* there is no table */
+    if (fflush(self->notes) != 0) return JLT_ERR_NOMEM;
+    JLT_TRY(jlt_file_put(self->place, self->block, self->held, self->head + self->form.rows * self->width));
+    self->form.rows += self->held / self->width;
+    self->held = 0;
+    JLT_TRY(write_head(self));
+    self->place->whole = self->head + self->form.rows * self->width;
+done:
+    return st;
+}
+
+/* What a row had in a column, as text of this width. */
+static void put_text(char *to, size_t width, const char *from, bool was_text, size_t was_width)
+{
+    char text[JLT_DIGITS_SIZE] = "";
+    uint64_t bits = 0;
+    double value;
+
+    memset(to, 0, width);
+    if (was_text) {
+        memcpy(to, from, was_width);
+        return;
+    }
+    for (unsigned i = 0; i < sizeof bits; i++) bits |= (uint64_t)(unsigned char)from[i] << 8 * i;
+    memcpy(&value, &bits, sizeof value);
+    if (!isnan(value)) jlt_digits_shortest(text, value);
+    memcpy(to, text, strlen(text));
+}
+
+/* A column becomes one of texts, or of longer ones. Rows become no shorter: the last one is moved first. */
+static jlt_status widen(jlt_npy *self, size_t index, size_t width)
+{
+    jlt_table_column *column = &self->form.columns[index];
+    const bool was_text = column->is_text;
+    const size_t was_head = self->head, was_row = self->width, was_width = width_of(column);
+    size_t before = 0;
+    jlt_status st = jlt_npy_flush(self);
+
+    if (st != JLT_OK) return st;
+    for (size_t i = 0; i < index; i++) before += width_of(&self->form.columns[i]);
+    column->width = (width + NUMBER - 1) / NUMBER * NUMBER;
+    if (!was_text && self->form.rows > 0 && column->width < JLT_DIGITS_SIZE) column->width = JLT_DIGITS_SIZE;
+    column->is_text = true;
+    JLT_TRY(measure(self));
+    char *const from = self->block, *const to = self->block + BLOCK / 2; /* both free: all rows are in the file */
+    for (size_t i = self->form.rows; i-- > 0;) {
+        JLT_TRY(jlt_file_get(self->place, from, was_row, was_head + i * was_row));
+        memcpy(to, from, before);
+        put_text(to + before, column->width, from + before, was_text, was_width);
+        memcpy(to + before + column->width, from + before + was_width, was_row - before - was_width);
+        JLT_TRY(jlt_file_put(self->place, to, self->width, self->head + i * self->width));
+    }
+    st = jlt_npy_flush(self);
+done:
+    return st;
+}
+
+/* The row behind those that wait. Returns the first column whose kind is not that of its field, or how many columns there are. */
+static size_t pack(jlt_npy *self, char *const *fields)
+{
+    char *to = self->block + self->held;
+
+    for (size_t i = 0; i < self->form.count; i++) {
+        const jlt_table_column *column = &self->form.columns[i];
+        uint64_t bits;
+        double value;
+        if (column->is_text) {
+            if (strlen(fields[i]) > column->width) return i;
+            strncpy(to, fields[i], column->width);
+        } else {
+            if (!jlt_table_number(&value, fields[i])) return i;
+            memcpy(&bits, &value, sizeof bits);
+            put_number(to, bits, sizeof bits);
+        }
+        to += width_of(column);
+    }
+    return self->form.count;
+}
+
+jlt_status jlt_npy_row(jlt_npy *self, char *const *fields)
+{
+    size_t column;
+    jlt_status st = JLT_OK;
+
+    if (self->held + self->width > BLOCK) JLT_TRY(jlt_npy_flush(self));
+    while ((column = pack(self, fields)) < self->form.count) JLT_TRY(widen(self, column, strlen(fields[column])));
+    self->held += self->width;
+done:
+    return st;
+}
+
+/* Names of columns: numbers, until a field shows another kind. */
+static jlt_status take_names(jlt_npy *self, char *line)
+{
+    const size_t count = jlt_table_cut(NULL, 0, line);
+    jlt_status st;
+
+    self->fields = calloc(count, sizeof *self->fields);
+    if (self->fields == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++, line += strlen(line) + 1) self->fields[i] = line;
+    st = jlt_table_form_open(&self->form, self->fields, count);
+    return st == JLT_OK ? measure(self) : st;
+}
+
+static jlt_status take_line(jlt_npy *self, char *line)
+{
+    if (*line == '#') return fprintf(self->notes, "%s\n", line) >= 0 ? JLT_OK : JLT_ERR_NOMEM;
+    if (self->form.count == 0) return take_names(self, line);
+    if (jlt_table_cut(self->fields, self->form.count, line) != self->form.count) return JLT_ERR_ARG;
+    return jlt_npy_row(self, self->fields);
+}
+
+jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
+{
+    char *line, *end;
+    jlt_status st = self->failed;
+
+    if (st != JLT_OK) return st;
+    if (self->begun_size + size > self->begun_room) {
+        char *more = realloc(self->begun, self->begun_size + size);
+        if (more == NULL) return JLT_ERR_NOMEM;
+        self->begun = more;
+        self->begun_room = self->begun_size + size;
+    }
+    memcpy(self->begun + self->begun_size, text, size);
+    self->begun_size += size;
+    for (line = self->begun; (end = memchr(line, '\n', self->begun_size - (size_t)(line - self->begun))) != NULL; line = end + 1) {
+        *end = '\0';
+        JLT_TRY(take_line(self, line));
+    }
+    self->begun_size -= (size_t)(line - self->begun);
+    memmove(self->begun, line, self->begun_size);
+    if (self->form.count > 0) st = jlt_npy_flush(self);
+done:
+    self->failed = st;
+    return st;
+}

@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# -o FILE.npy has what -o FILE.csv has, of every command that writes rows: the same names, doubles bit for bit, texts, and the comments
+# behind the array; in a form that NumPy reads. An interrupt and a full disk leave an array of the rows so far.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+status=0
+fail() { echo "$*"; status=1; }
+
+# The array read by what its format says, and by NumPy where there is one.
+cat > read.py << 'END'
+import ast, csv, struct, sys
+def read(path):
+    data = open(path, "rb").read()
+    assert data[:8] == b"\x93NUMPY\x01\x00", data[:8]
+    start = 10 + struct.unpack("<H", data[8:10])[0]
+    assert start % 64 == 0 and data[start - 1:start] == b"\n"
+    form = ast.literal_eval(data[10:start].decode())
+    code = "<" + "".join("d" if kind == "<f8" else kind[2:] + "s" for _, kind in form["descr"])
+    (count,) = form["shape"]
+    end = start + count * struct.calcsize(code)
+    assert not form["fortran_order"] and struct.calcsize(code) % 8 == 0 and end <= len(data)
+    try:
+        import numpy
+        with open(path, "rb") as stream:
+            whole, tail = numpy.load(stream), stream.read()
+        assert whole.tobytes() == data[start:end] and tail == data[end:] and len(numpy.load(path, mmap_mode="r")) == count
+    except ImportError: pass
+    return [name for name, _ in form["descr"]], list(struct.iter_unpack(code, data[start:end])), data[end:].decode()
+def same(array, text):
+    lines = open(text).read().split("\n")
+    names, *rows = csv.reader(l for l in lines if l and l[0] != "#")
+    has, values, tail = read(array)
+    names = [name + "_2" * (name in names[:i]) for i, name in enumerate(names)]
+    assert has == names and len(values) == len(rows) > 0, (has, names, len(values), len(rows))
+    said = [l for l in lines if l[:1] == "#"]
+    assert [l.replace(array, text) for l in tail.split("\n")[:-1]] == said, tail
+    kinds = set()
+    for row, value in zip(rows, values):
+        for field, got in zip(row, value):
+            if isinstance(got, bytes): assert got.rstrip(b"\0").decode() == field, (got, field)
+            elif field == "": assert got != got
+            else: assert struct.pack("d", got) == struct.pack("d", float(field)), (got, field)
+            kinds.add(type(got))
+    return kinds
+END
+pair() { # COMMAND...
+    "$@" -o rows.csv 2> err || { fail "$*: $(cat err)"; return; }
+    "$@" -o rows.npy 2> err || { fail "$*, an array: $(cat err)"; return; }
+    python3 -c 'from read import *; same("rows.npy", "rows.csv")' || fail "$*: the array has something else"
+}
+pair jellett section --grid 12x8 --returns 20 --contact end
+pair jellett section --start eta=0.1,gamma3=-0.6 --returns 5 --check
+pair jellett simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 10 --every 5 --track
+pair jellett fates --grid 12x8 --returns 5 --contact end
+pair jellett fates --grid 6x4 --returns 5 --sweep a3=0.4:0.5:3
+pair jellett orbits --period 1
+pair jellett lyapunov --returns 30
+pair jellett lyapunov --sweep a3=0.45:0.55:3 --returns 20
+pair jellett drift --returns 64
+pair jellett separation --grid 4x4 --returns 5
+pair jellett manifolds --length 0.2 --tol 1e-8
+pair jellett continue --along E=1.9:2.2 --decreasing
+pair jellett transfer --boxes 10x10 --tol 1e-4
+pair jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
+pair jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:9
+
+# What is no table is no array, and an array is a file.
+jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 -o none.npy 2> err && fail "a report was written as an array"
+ln -s /dev/null null.npy
+jellett section --start eta=0.1,gamma3=-0.6 --returns 1 -o null.npy 2> err && fail "an array went to a device"
+grep -q "arrays go to files alone" err || fail "an array for a device: $(cat err)"
+
+# A full disk, and an interrupt.
+(ulimit -f 16; trap '' XFSZ; jellett section --grid 20x20 --returns 100 -o limited.npy 2> err) && fail "a full disk was not told of"
+grep -q "the whole rows before are saved there" err || fail "a full disk: $(cat err)"
+python3 -c 'from read import *; assert len(read("limited.npy")[1]) > 50' || fail "a full disk left no array"
+jellett section --start eta=0.44,gamma3=-0.62 --returns 100000000 -o stopped.npy 2> err & job=$!
+sleep 1; kill -TERM $job; wait $job
+[ $? -eq 143 ] || fail "an interrupt: $(cat err)"
+python3 -c 'from read import *; rows = read("stopped.npy"); assert len(rows[1]) > 100 and "# command" in rows[2]' || fail "an interrupt left no array"
+[ -z "$(ls | grep -E 'npy\.')" ] || fail "temporary files stay: $(ls)"
+exit $status

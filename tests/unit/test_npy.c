@@ -1,0 +1,101 @@
+/* An array of NumPy from a table's text, however that is cut, and whatever its columns turn out to be. Oracle: the bytes that the format
+ * says, written down here. */
+#include "check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "report/npy.h"
+
+static const char text[] = "# first\nn,late,word,empty\n1,2.5,,\n-0,,a,\n0.1,1e-05,bc,\n# between\n3,eighteen letters..,abcdefghi,\n4,x,,\n# last\n";
+
+static char *write_in_pieces(size_t piece, size_t *size)
+{
+    char path[] = "/tmp/jellett_npy_XXXXXX", *data = calloc(1, 4096);
+    jlt_npy *array = NULL;
+    jlt_file place;
+    FILE *file;
+
+    close(mkstemp(path));
+    assert_ok(jlt_file_begin(&place, path));
+    assert_ok(jlt_npy_create(&array, &place));
+    for (size_t at = 0; at < sizeof text - 1; at += piece)
+        assert_ok(jlt_npy_take(array, text + at, piece < sizeof text - 1 - at ? piece : sizeof text - 1 - at));
+    assert_ok(jlt_file_commit(&place));
+    jlt_npy_destroy(array);
+    jlt_file_end(&place);
+    file = fopen(path, "r");
+    *size = fread(data, 1, 4096, file);
+    fclose(file);
+    unlink(path);
+    return data;
+}
+
+static double number_at(const char *data)
+{
+    double value;
+
+    memcpy(&value, data, sizeof value);
+    return value;
+}
+
+static void columns_become_texts_when_their_fields_show_it(void **unused)
+{
+    static const char head[] = "{'descr': [('n', '<f8'), ('late', '|S32'), ('word', '|S32'), ('empty', '<f8')], 'fortran_order': False, "
+                               "'shape': (5,), }";
+    static const char *const late[] = { "2.5", "", "1e-05", "eighteen letters..", "x" }, *const word[] = { "", "a", "bc", "abcdefghi", "" };
+    static const double n[] = { 1, -0.0, 0.1, 3, 4 };
+
+    (void)unused;
+    for (size_t piece = 1; piece < sizeof text + 1; piece++) {
+        size_t size = 0;
+        char *data = write_in_pieces(piece, &size), *rows = data + 192;
+        assert_memory_equal(data, "\x93NUMPY\1\0\xb6\0", 10);
+        assert_memory_equal(data + 10, head, sizeof head - 1);
+        for (size_t i = 10 + sizeof head - 1; i < 191; i++) assert_int_equal(data[i], ' ');
+        assert_int_equal(rows[-1], '\n');
+        for (size_t i = 0; i < 5; i++, rows += 80) {
+            assert_memory_equal(rows, &n[i], 8);
+            assert_string_equal(rows + 8, late[i]);
+            assert_string_equal(rows + 40, word[i]);
+            assert_true(number_at(rows + 72) != number_at(rows + 72));
+        }
+        assert_string_equal(rows, "# first\n# between\n# last\n");
+        assert_int_equal(size, (size_t)(rows - data) + strlen(rows));
+        free(data);
+    }
+}
+
+static void what_is_no_table_is_refused(void **unused)
+{
+    static const char *const bad[] = { "a,b\n1\n", "a,b\n1,2,3\n", "a,a,a\n" };
+    char path[] = "/tmp/jellett_npy_XXXXXX";
+    jlt_npy *array = NULL;
+    jlt_file place;
+
+    (void)unused;
+    close(mkstemp(path));
+    for (size_t i = 0; i < 3; i++) {
+        assert_ok(jlt_file_begin(&place, path));
+        assert_ok(jlt_npy_create(&array, &place));
+        assert_int_equal(jlt_npy_take(array, bad[i], strlen(bad[i])), JLT_ERR_ARG);
+        assert_int_equal(jlt_npy_take(array, "1,2\n", 4), JLT_ERR_ARG);
+        jlt_npy_destroy(array);
+        jlt_file_end(&place);
+    }
+    unlink(path);
+    assert_ok(jlt_file_begin(&place, "/dev/null"));
+    assert_int_equal(jlt_npy_create(&array, &place), JLT_ERR_UNSUPPORTED);
+    jlt_file_end(&place);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(columns_become_texts_when_their_fields_show_it),
+        cmocka_unit_test(what_is_no_table_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
