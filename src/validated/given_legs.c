@@ -44,10 +44,14 @@ static bool read_leg(arb_ptr box, arb_ptr instant, const jlt_cycle_question *que
 {
     const jlt_descriptor *d = question->descriptor;
     const slong bits = jlt_step_accuracy_for(question->digits).bits;
+    const json_t *balls = json_object_get(leg, "box");
 
+    if (json_object_size(balls) > d->state_count - 1) {
+        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "box: it names more than the %u states but the section's", d->state_count - 1);
+        return false;
+    }
     for (unsigned s = 0; s < d->state_count; s++) {
-        if (s == question->column || jlt_given_legs_ball(box++, json_object_get(json_object_get(leg, "box"), d->states[s].name), bits))
-            continue;
+        if (s == question->column || jlt_given_legs_ball(box++, json_object_get(balls, d->states[s].name), bits)) continue;
         snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "box: %s has no middle and radius", d->states[s].name);
         return false;
     }

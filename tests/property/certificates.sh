@@ -65,6 +65,9 @@ change number 'c["given"]["parameters"]["rho"] = "nan"' digest
 expect 3 "$scratch/number.json" 'parameter rho: no number'
 change instant 'c["given"]["legs"][0]["instant"] = "-1"' digest
 expect 3 "$scratch/instant.json" 'instant: a time > 0'
+change words 'c["given"]["legs"][0]["box"]["for every rho, a"] = {"middle": "1", "radius": "0"}
+c["theorem"][1] = c["theorem"][1].replace(" of the section, and", ", for every rho, a = 1 +- 0 of the section, and")' digest
+expect 3 "$scratch/words.json" 'it names more than the 2 states'
 change legs 'c["given"]["legs"] = []' digest
 expect 3 "$scratch/legs.json" 'legs: 1 to 128'
 change order 'c["given"]["legs"].reverse()' digest
