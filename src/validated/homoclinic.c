@@ -21,17 +21,6 @@ void jlt_homoclinic_result_clear(jlt_homoclinic_result *result)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
 }
 
-bool jlt_homoclinic_flipped(unsigned *state, const jlt_homoclinic_question *question)
-{
-    const jlt_cycle_question *q = question->question;
-    unsigned count = 0;
-
-    if (question->signs == NULL || question->signs[q->column] > 0 || !arb_is_zero(q->section)) return false;
-    for (unsigned i = 0; i < q->descriptor->state_count; i++)
-        if (i != q->column && question->signs[i] < 0) *state = i, count++;
-    return count == 1 && (*state == question->kept[0] || *state == question->kept[1]);
-}
-
 /* Its mirror image lies in the box, hence is the same: it is a cycle that is back at the section at the same time. */
 static bool is_symmetric(const jlt_homoclinic_chain *chain, const jlt_cycle_result *saddle)
 {

@@ -55,10 +55,6 @@ typedef struct {
 void jlt_homoclinic_result_init(jlt_homoclinic_result *result, const jlt_cycle *of, unsigned legs); /* ends with _clear */
 void jlt_homoclinic_result_clear(jlt_homoclinic_result *result);
 
-/** The state other than the section's that the reversor flips. False: there is not exactly one, it is not among the kept, or the
- *  section is not mapped to itself. */
-bool jlt_homoclinic_flipped(unsigned *state, const jlt_homoclinic_question *question);
-
 /** The proof. In: of, of the same question. Errors: as jlt_cycle_prove; ARG, more coordinates than two. */
 JLT_CHECKED jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, const jlt_homoclinic_question *question);
 

@@ -1,5 +1,18 @@
 #include "validated/homoclinic_chain.h"
 
+/* The state other than the section's that the reversor flips. False: there is not exactly one, it is not among the kept, or the
+ *  section is not mapped to itself. */
+static bool find_flipped(unsigned *state, const jlt_homoclinic_question *question)
+{
+    const jlt_cycle_question *q = question->question;
+    unsigned count = 0;
+
+    if (question->signs == NULL || question->signs[q->column] > 0 || !arb_is_zero(q->section)) return false;
+    for (unsigned i = 0; i < q->descriptor->state_count; i++)
+        if (i != q->column && question->signs[i] < 0) *state = i, count++;
+    return count == 1 && (*state == question->kept[0] || *state == question->kept[1]);
+}
+
 bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question, arb_srcptr saddle)
 {
     const slong n = (slong)of->unknowns, count = n * (slong)question->legs, dim = (slong)of->formulas->dim;
@@ -21,7 +34,7 @@ bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const 
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), question->frame + i);
     regular = arb_mat_inv(self->inverse, frame, jlt_step_bits(of->step));
     arb_mat_clear(frame);
-    return jlt_homoclinic_flipped(&self->flipped, question) && regular;
+    return find_flipped(&self->flipped, question) && regular;
 }
 
 void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self)
