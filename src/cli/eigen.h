@@ -28,7 +28,7 @@ typedef struct {
 
 typedef struct {
     const jlt_descriptor *descriptor;
-    double *params, *x; /* borrowed, or owned by a sweep */
+    double *params, *x; /* borrowed */
     jlt_equilibrium found;
 } jlt_eigen_row;
 

@@ -1,8 +1,13 @@
 #include "cli/eigen.h"
 #include "cli/interrupt.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 enum { POINTS_MAX = 1000000 };
 
@@ -16,46 +21,91 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
     return code;
 }
 
-/* Row `k` of the grid, the last axis fastest; its parameters and states are copies that it owns. */
-static jlt_status compute_row(jlt_eigen_row *row, const jlt_eigen_request *r, size_t k)
+/* What the processes of a sweep share. They are no threads, which FLINT's numbers and ARPACK's state would be in the way of. */
+typedef struct {
+    size_t next, done;    /* rows, changed atomically */
+    jlt_eigen_row rows[]; /* then what they point to */
+} shared_rows;
+
+static size_t numbers_of(const jlt_descriptor *d) { return d->param_count + d->state_count; }
+
+static size_t bytes_of(const jlt_eigen_request *r)
+{
+    return sizeof(shared_rows) + r->points * (sizeof(jlt_eigen_row) + numbers_of(r->question.descriptor) * sizeof(double));
+}
+
+/* Row `k` of the grid, the last axis fastest. */
+static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 {
     const jlt_descriptor *d = r->question.descriptor;
+    jlt_eigen_row *row = &all->rows[k];
     double values[JLT_EIGEN_AXES_MAX];
 
     row->descriptor = d;
-    row->params = malloc((d->param_count + 1) * sizeof *row->params);
-    row->x = malloc(d->state_count * sizeof *row->x);
-    if (row->params == NULL || row->x == NULL) return JLT_ERR_NOMEM;
+    row->params = (double *)(all->rows + r->points) + k * numbers_of(d);
+    row->x = row->params + d->param_count;
     memcpy(row->params, r->params, d->param_count * sizeof *row->params);
     memcpy(row->x, r->x, d->state_count * sizeof *row->x);
     jlt_grid_point(values, r->axes, r->axis_count, k);
     for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? row->x : row->params)[r->targets[i].index] = values[i];
     jlt_equilibrium_compute(&row->found, &r->question, row->params, row->x);
-    return JLT_OK;
+}
+
+static void compute_some(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
+{
+    for (size_t k; *interrupt == 0 && (k = __atomic_fetch_add(&all->next, 1, __ATOMIC_RELAXED)) < r->points;) {
+        compute_row(all, r, k);
+        __atomic_add_fetch(&all->done, 1, __ATOMIC_RELEASE);
+    }
+}
+
+/* By as many processes as there are processors, this one among them. */
+static void compute_all(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
+{
+    const size_t others = (r->points < jlt_common_processors() ? r->points : jlt_common_processors()) - 1;
+    pid_t *made = calloc(others + 1, sizeof *made);
+
+    for (size_t i = 0; made != NULL && i < others; i++) {
+        made[i] = fork();
+        if (made[i] != 0) continue;
+        prctl(PR_SET_PDEATHSIG, SIGTERM); /* also where this one is killed */
+        compute_some(all, r, interrupt);
+        _exit(0);
+    }
+    compute_some(all, r, interrupt);
+    for (size_t i = 0; made != NULL && i < others; i++) {
+        if (made[i] < 0) continue; /* then there are fewer */
+        if (*interrupt != 0) kill(made[i], SIGTERM);
+        while (waitpid(made[i], NULL, 0) < 0 && errno == EINTR) {}
+    }
+    free(made);
 }
 
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
-    size_t count, computed = 0, refused = 0;
-    jlt_eigen_row *rows;
+    const size_t count = request->points;
+    size_t refused = 0;
     const jlt_eigen_row *first = NULL;
     char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st;
 
-    count = request->points;
-    rows = calloc(count, sizeof *rows);
-    st = rows != NULL ? JLT_OK : JLT_ERR_NOMEM;
-    for (; st == JLT_OK && computed < count && !*interrupt; computed++) st = compute_row(&rows[computed], request, computed);
-    if (st == JLT_OK && computed < count) {
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved, as only %zu of %zu rows are there", computed, count);
+    const int kind = MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE;
+    shared_rows *const all = mmap(NULL, bytes_of(request), PROT_READ | PROT_WRITE, kind, -1, 0);
+    if (all == MAP_FAILED) return jlt_command_no_memory();
+    const jlt_eigen_row *const rows = all->rows;
+    compute_all(all, request, interrupt);
+    if (all->done < count) {
+        code = JLT_EXIT_NUMERICAL;
+        if (*interrupt == 0) (void)jlt_command_fail(code, "a process that computed rows is gone; nothing is saved");
+        else (void)jlt_command_fail(code, "interrupted; nothing is saved, as only %zu of %zu rows are there", all->done, count);
         goto done;
     }
-    for (size_t k = 0; st == JLT_OK && k < count; k++)
+    for (size_t k = 0; k < count; k++)
         if (rows[k].found.status != JLT_OK && refused++ == 0) first = &rows[k];
-    if (st == JLT_OK) st = jlt_command_open(&output);
+    st = jlt_command_open(&output);
     if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, count, true);
     else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows, count);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
@@ -68,10 +118,6 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     }
 done:
     jlt_command_discard(&output);
-    for (size_t k = 0; k < computed; k++) {
-        free(rows[k].params);
-        free(rows[k].x);
-    }
-    free(rows);
+    munmap(all, bytes_of(request));
     return code;
 }

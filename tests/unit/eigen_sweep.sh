@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Rows of a sweep of `jellett eigen` are the same bytes by one process and by several; where one is killed, or the command is
+# interrupted, nothing is saved, and that is said.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+status=0
+fail() { echo "$*"; status=1; }
+at=v_nu=0.7,omega3=1.1
+sweep=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:37,v_nu=0:0.7:3)
+for how in "" --fast --json; do
+    for count in 1 2 5; do OMP_NUM_THREADS=$count jellett "${sweep[@]}" $how > rows.$count 2> err || fail "$how, $count: $(cat err)"; done
+    cmp rows.1 rows.2 && cmp rows.1 rows.5 || fail "$how: other rows by several processes"
+done
+
+many=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:30000 --fast)
+OMP_NUM_THREADS=2 jellett "${many[@]}" -o none.csv 2> err & job=$!
+for try in $(seq 200); do child=$(cat /proc/$job/task/$job/children); [ -n "$child" ] && break; sleep 0.01; done
+kill -KILL $child
+wait $job
+[ $? -eq 4 ] && grep -q "a process that computed rows is gone; nothing is saved" err && [ ! -e none.csv ] || fail "a process was killed: $(cat err)"
+OMP_NUM_THREADS=2 jellett "${many[@]}" -o none.csv 2> err & job=$!
+sleep 0.3
+kill -TERM $job
+wait $job
+[ $? -eq 143 ] && grep -q "nothing is saved, as only" err && [ ! -e none.csv ] || fail "an interrupt: $(cat err)"
+exit $status
