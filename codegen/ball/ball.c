@@ -14,10 +14,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_PRECISION = 256, LAST_PRECISION = 2048, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
+enum { FULL_PRECISION = 256, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
 
-/* In balls of full precision, or in 53-bit balls with roots taken in full or as written. */
-typedef enum { FULL, ROUNDED, PLAIN, MODES } evaluation;
+/* In balls of full precision, of twice, four times, eight times that, or in 53-bit balls with roots taken in full or as written. */
+typedef enum { FULL, FULLEST = FULL + 3, ROUNDED, PLAIN, MODES } evaluation;
 
 typedef enum { UNKNOWN, GOOD, BAD } knowledge;
 
@@ -32,7 +32,6 @@ struct ttc_ball {
     ttc_ball_symbols symbols;
     ball_memory balls[MODES];
     ttc_ball_exact exact;
-    long precision;
 };
 
 ttc_ball *ttc_ball_create(const ttc_model *model)
@@ -43,7 +42,6 @@ ttc_ball *ttc_ball_create(const ttc_model *model)
     if (ball == NULL) return NULL;
     symbols = &ball->symbols;
     symbols->model = model;
-    ball->precision = FIRST_PRECISION;
     symbols->values = malloc((model->symbol_count + 1) * sizeof *symbols->values);
     symbols->known = calloc(model->symbol_count + 1, 1);
     symbols->bound = calloc(model->symbol_count + 1, sizeof *symbols->bound);
@@ -137,6 +135,11 @@ static void add_rounding(arb_t ball)
     mag_clear(radius);
 }
 
+static long precision_of(evaluation mode)
+{
+    return mode <= FULLEST ? (long)FULL_PRECISION << (mode - FULL) : DOUBLE_PRECISION;
+}
+
 static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t symbol, long precision)
 {
     const ttc_symbol_entry *entry = &ball->symbols.model->symbols[symbol];
@@ -161,7 +164,7 @@ static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t
     of = ball->balls[inner].balls + entry->definition;
     switch (entry->kind) {
     case TTC_ROOT:
-        arb_sqrt(out, of, inner == FULL ? ball->precision : precision);
+        arb_sqrt(out, of, precision_of(inner));
         if (mode == ROUNDED) arb_set_round(out, out, precision);
         return true;
     case TTC_COSINE: arb_cos(out, of, precision); return true;
@@ -205,7 +208,7 @@ static bool evaluate_parts(arb_t out, ttc_ball *ball, evaluation mode, ttc_id id
 
 static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
 {
-    const long precision = mode == FULL ? ball->precision : DOUBLE_PRECISION;
+    const long precision = precision_of(mode);
     ball_memory *m = &ball->balls[mode];
     const ttc_kind kind = ttc_kind_of(ball->symbols.model->graph, id);
     bool good;
@@ -224,18 +227,18 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
     return good;
 }
 
-/* Full precision, raised until the ball is thin or holds zero at the last one. */
-static bool evaluate_full(ttc_ball *ball, ttc_id id)
+/* Full precision, raised until the ball is thin or holds zero at the last one. NULL: there is no finite one. */
+static arb_srcptr evaluate_full(ttc_ball *ball, ttc_id id)
 {
-    if (!room(ball)) return false;
-    for (;;) {
-        arb_srcptr value = ball->balls[FULL].balls + id;
-        if (!evaluate(ball, FULL, id)) return false;
-        if (arb_is_zero(value) || (arb_is_finite(value) && arb_rel_accuracy_bits(value) >= KEEP_BITS)) return true;
-        if (ball->precision >= LAST_PRECISION) return arb_is_finite(value);
-        ball->precision *= 2;
-        memset(ball->balls[FULL].state, UNKNOWN, ball->balls[FULL].size);
+    arb_srcptr value = NULL;
+
+    if (id == TTC_NONE || !room(ball)) return NULL;
+    for (evaluation mode = FULL; mode <= FULLEST; mode++) {
+        value = ball->balls[mode].balls + id;
+        if (!evaluate(ball, mode, id)) return NULL;
+        if (arb_is_zero(value) || (arb_is_finite(value) && arb_rel_accuracy_bits(value) >= KEEP_BITS)) return value;
     }
+    return arb_is_finite(value) ? value : NULL;
 }
 
 static double radius_of(ttc_ball *ball, evaluation mode, ttc_id id)
@@ -247,14 +250,9 @@ static double radius_of(ttc_ball *ball, evaluation mode, ttc_id id)
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
 {
     arf_t rest, value;
-    arb_srcptr enclosure;
-    bool good = id != TTC_NONE && evaluate_full(ball, id);
+    arb_srcptr enclosure = evaluate_full(ball, id);
 
-    if (!good) {
-        ball->precision = FIRST_PRECISION;
-        return false;
-    }
-    enclosure = ball->balls[FULL].balls + id;
+    if (enclosure == NULL) return false;
     arf_init(rest);
     arf_init(value);
     out->value = arf_get_d(arb_midref(enclosure), ARF_RND_NEAR);
@@ -267,10 +265,6 @@ bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
     out->radius = mag_get_d(arb_radref(enclosure));
     arf_clear(value);
     arf_clear(rest);
-    if (ball->precision != FIRST_PRECISION) {
-        ball->precision = FIRST_PRECISION;
-        memset(ball->balls[FULL].state, UNKNOWN, ball->balls[FULL].size);
-    }
     return true;
 }
 
@@ -293,9 +287,11 @@ static char *owned(char *written)
 
 char *ttc_ball_text(ttc_ball *ball, ttc_id id, long digits, bool *excludes_zero)
 {
-    if (id == TTC_NONE || !evaluate_full(ball, id)) return NULL;
-    *excludes_zero = !arb_contains_zero(ball->balls[FULL].balls + id);
-    return owned(arb_get_str(ball->balls[FULL].balls + id, digits, ARB_STR_MORE));
+    arb_srcptr enclosure = evaluate_full(ball, id);
+
+    if (enclosure == NULL) return NULL;
+    *excludes_zero = !arb_contains_zero(enclosure);
+    return owned(arb_get_str(enclosure, digits, ARB_STR_MORE));
 }
 
 bool ttc_ball_exact_sign(int *sign, ttc_ball *ball, ttc_id id)
