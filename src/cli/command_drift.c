@@ -24,7 +24,6 @@ typedef struct {
     const char *names[JLT_INVARIANTS_MAX]; /* of the integrals that are watched */
     FILE *file, *points;                   /* points: the same for a picture, or NULL */
     jlt_progress progress;
-    char showing;                          /* a thread shows the progress; set atomically */
     size_t made, all;                      /* returns of all methods; made is changed atomically */
 } report;
 
@@ -79,13 +78,6 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-static void show(report *r, size_t done)
-{
-    if (__atomic_test_and_set(&r->showing, __ATOMIC_ACQUIRE)) return;
-    jlt_progress_show(&r->progress, done, r->all);
-    __atomic_clear(&r->showing, __ATOMIC_RELEASE);
-}
-
 static bool tell(void *context, const jlt_drift_row *row, bool due)
 {
     part *self = context;
@@ -103,7 +95,7 @@ static bool tell(void *context, const jlt_drift_row *row, bool due)
         fputc('\n', self->file);
         if (self->points != NULL) jlt_look_row(self->points, point, 1 + self->drift.count);
     }
-    show(self->whole, __atomic_add_fetch(&self->whole->made, 1, __ATOMIC_RELAXED));
+    jlt_progress_show(&self->whole->progress, __atomic_add_fetch(&self->whole->made, 1, __ATOMIC_RELAXED), self->whole->all);
     return !ferror(self->file);
 }
 

@@ -113,10 +113,8 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .scene = NULL };
-    char message[JLT_SCENE_MESSAGE_MAX];
     jlt_scene *scene = NULL;
-    jlt_exit code = JLT_EXIT_DONE;
-    jlt_status st;
+    jlt_exit code;
 
     const jlt_command *command = argc > 1 ? jlt_command_find(argv[1]) : NULL;
     if (command != NULL) return plan_command(command, argc - 1, argv + 1);
@@ -126,14 +124,9 @@ static jlt_exit run(int argc, char **argv)
         return JLT_EXIT_DONE;
     }
     const char *path = o.scene;
-    st = jlt_scene_read(&scene, message, path, &jlt_job_program);
-    if (st != JLT_OK) {
-        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
-        if (st == JLT_ERR_IO && strpbrk(path, "/.") == NULL) fprintf(stderr, "jellett: nor is there a command '%s'\n", path);
-        jlt_assign_clear(&o.set);
-        return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
-    }
-    code = jlt_job_set(scene, &o.set);
+    code = jlt_job_open(&scene, path);
+    if (code == JLT_EXIT_IO && strpbrk(path, "/.") == NULL) fprintf(stderr, "jellett: nor is there a command '%s'\n", path);
+    if (code == JLT_EXIT_DONE) code = jlt_job_set(scene, &o.set);
     if (code == JLT_EXIT_DONE && scene->title[0] != '\0') printf("%s\n", scene->title);
     for (size_t k = 0; code == JLT_EXIT_DONE && k < scene->count; k++) code = plan_job(scene, k);
     jlt_scene_destroy(scene);

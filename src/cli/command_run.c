@@ -145,18 +145,13 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 static jlt_exit run(int argc, char **argv)
 {
     options o = { 0 };
-    char message[JLT_SCENE_MESSAGE_MAX];
     jlt_scene *scene = NULL;
     int ending = 0;
-    jlt_status st;
     jlt_exit code;
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    st = jlt_scene_read(&scene, message, o.scene, &jlt_job_program);
-    if (st != JLT_OK) {
-        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
-        return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
-    }
+    code = jlt_job_open(&scene, o.scene);
+    if (code != JLT_EXIT_DONE) return code;
     code = scene->over == NULL ? jlt_job_set(scene, &o.set)
                                : jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: 'over' is of a study: type 'jellett sweep %s'",
                                                   scene->file, scene->over_line, o.scene);

@@ -107,7 +107,6 @@ typedef struct {
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_progress progress;
-    char showing;             /* a thread shows the progress; set atomically */
     size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
     size_t first;             /* number of the first return that is shown */
     size_t before;            /* returns of the blocks before */
@@ -116,12 +115,7 @@ typedef struct {
     struct timespec cut_at;
 } follower;
 
-static void show(follower *f, size_t done)
-{
-    if (__atomic_test_and_set(&f->showing, __ATOMIC_ACQUIRE)) return;
-    jlt_progress_show(&f->progress, done, f->all);
-    __atomic_clear(&f->showing, __ATOMIC_RELEASE);
-}
+static void show(follower *f, size_t done) { jlt_progress_show(&f->progress, done, f->all); }
 
 /* Many at once are half done when they are followed, and done when they are written. */
 static void show_batch(void *context, size_t made)

@@ -24,6 +24,15 @@ static const char *asked_for(const struct argp **options, size_t index)
 
 const jlt_scene_program jlt_job_program = { asked_for, jlt_table_of };
 
+jlt_exit jlt_job_open(jlt_scene **scene, const char *path)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    const jlt_status st = jlt_scene_read(scene, message, path, &jlt_job_program);
+
+    if (st != JLT_OK && message[0] != '\0') fprintf(stderr, "%s\n", message);
+    return st == JLT_OK ? JLT_EXIT_DONE : st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+}
+
 jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set)
 {
     for (size_t i = 0; i < set->count; i++) {

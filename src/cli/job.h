@@ -8,6 +8,9 @@
 /** The commands of this program that have a parser, and models as commands open them. */
 extern const jlt_scene_program jlt_job_program;
 
+/** A scene of these. Says what is wrong. */
+jlt_exit jlt_job_open(jlt_scene **scene, const char *path);
+
 /** Give parameters of a scene's commands other values: --set. Says what is wrong. */
 jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set);
 

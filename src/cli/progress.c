@@ -10,7 +10,7 @@ static double since(const struct timespec *then, const struct timespec *now)
 
 void jlt_progress_start(jlt_progress *self, const char *unit)
 {
-    self->unit = unit;
+    *self = (jlt_progress){ .unit = unit };
     self->visible = isatty(STDERR_FILENO) == 1;
     clock_gettime(CLOCK_MONOTONIC, &self->started);
     self->shown = self->started;
@@ -21,9 +21,9 @@ void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
     struct timespec now;
     double seconds;
 
-    if (!self->visible) return;
+    if (!self->visible || __atomic_test_and_set(&self->showing, __ATOMIC_ACQUIRE)) return;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    if (since(&self->shown, &now) < 0.2) return;
+    if (since(&self->shown, &now) < 0.2) goto done;
     self->shown = now;
     seconds = since(&self->started, &now);
     fprintf(stderr, "\r%zu", done);
@@ -31,6 +31,8 @@ void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
     fprintf(stderr, " %s, %.3g a second", self->unit, (double)done / seconds);
     if (all > done && done > 0) fprintf(stderr, ", %.0f s to go", seconds * (double)(all - done) / (double)done);
     fputs("\033[K", stderr);
+done:
+    __atomic_clear(&self->showing, __ATOMIC_RELEASE);
 }
 
 void jlt_progress_end(jlt_progress *self)

@@ -159,17 +159,12 @@ static jlt_exit make_manifest(jlt_study *self)
 
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set)
 {
-    char message[JLT_SCENE_MESSAGE_MAX];
     size_t least = 1;
     jlt_exit code;
 
     *out = (jlt_study){ .outer = 1 };
-    const jlt_status st = jlt_scene_read(&out->scene, message, path, &jlt_job_program);
-    if (st != JLT_OK) {
-        if (message[0] != '\0') fprintf(stderr, "%s\n", message);
-        return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
-    }
-    code = jlt_job_set(out->scene, set);
+    code = jlt_job_open(&out->scene, path);
+    if (code == JLT_EXIT_DONE) code = jlt_job_set(out->scene, set);
     if (code != JLT_EXIT_DONE) return code;
     out->job = &out->scene->jobs[0];
     out->command = jlt_command_find(out->job->what);

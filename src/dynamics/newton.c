@@ -14,14 +14,6 @@ static const double accepted = 1e-10;      /* largest residual of a converged or
 static const double accepted_most = 1e-9;  /* and absolute */
 static const double null_cutoff = 1e-11;   /* singular values of I - DP under this, relative to I or to itself, are a family of orbits */
 
-static double norm(const double *v, unsigned count)
-{
-    double sum = 0;
-
-    for (unsigned i = 0; i < count; i++) sum += v[i] * v[i];
-    return sqrt(sum);
-}
-
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
 static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
 {
@@ -46,7 +38,7 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     if (count == 0) return JLT_ERR_ARG;
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
-    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff / fmin(1, norm(system, d * count)));
+    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff / fmin(1, jlt_shooting_norm(system, d * count)));
     if (st != JLT_OK) return st;
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
@@ -118,7 +110,7 @@ static bool new_step(jlt_newton *self, jlt_status looked)
     if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, looked);
     const jlt_status st = step(self->delta, &self->now, d, self->period, self->held);
     if (st != JLT_OK) return end(self, st);
-    for (size_t k = 0; k < self->period; k++) longest = fmax(longest, norm(self->delta + k * d, d));
+    for (size_t k = 0; k < self->period; k++) longest = fmax(longest, jlt_shooting_norm(self->delta + k * d, d));
     self->factor = longest > longest_step ? longest_step / longest : 1;
     self->halving = 0;
     return try_step(self);

@@ -94,22 +94,6 @@ void jlt_exact_poly_subtract(jlt_exact_poly *out, const jlt_exact_poly *p, const
     give(out, &difference);
 }
 
-void jlt_exact_poly_multiply(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q, const jlt_surd_field *field)
-{
-    jlt_exact_poly product;
-    jlt_surd term;
-
-    jlt_surd_init(&term);
-    init_length(&product, p->length == 0 || q->length == 0 ? 0 : p->length + q->length - 1);
-    for (size_t i = 0; i < p->length; i++)
-        for (size_t k = 0; k < q->length; k++) {
-            jlt_surd_multiply(&term, &p->coefficients[i], &q->coefficients[k], field);
-            jlt_surd_add(&product.coefficients[i + k], &product.coefficients[i + k], &term);
-        }
-    give(out, &product);
-    jlt_surd_clear(&term);
-}
-
 void jlt_exact_poly_divide(jlt_exact_poly *quotient, jlt_exact_poly *remainder, const jlt_exact_poly *p, const jlt_exact_poly *q,
                            const jlt_surd_field *field)
 {

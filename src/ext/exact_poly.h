@@ -28,7 +28,6 @@ void jlt_exact_poly_shift(jlt_exact_poly *out, const jlt_exact_poly *p, size_t p
 void jlt_exact_poly_reflect(jlt_exact_poly *out, const jlt_exact_poly *p);              /* p(-x) */
 void jlt_exact_poly_derive(jlt_exact_poly *out, const jlt_exact_poly *p);
 void jlt_exact_poly_subtract(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q);
-void jlt_exact_poly_multiply(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q, const jlt_surd_field *field);
 
 /* Quotient and remainder of p by q, which is not zero; quotient may be NULL, and outputs may alias. */
 void jlt_exact_poly_divide(jlt_exact_poly *quotient, jlt_exact_poly *remainder, const jlt_exact_poly *p, const jlt_exact_poly *q,

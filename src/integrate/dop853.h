@@ -6,8 +6,6 @@
 
 typedef struct jlt_dop853 jlt_dop853;
 
-extern const jlt_method jlt_method_dop853;
-
 jlt_dop853 *jlt_dop853_new(const jlt_stepper *stepper); /* NULL: out of memory */
 void jlt_dop853_free(jlt_dop853 *self);                     /* NULL is legal */
 

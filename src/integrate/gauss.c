@@ -12,7 +12,7 @@
  *
  * Sweeps. They contract by a factor proportional to h. They end when what is left, change * rate/(1 - rate), is below a
  * twentieth of the tolerance or at the rounding level; a step that contracts slower than 0.7 is halved. */
-#include "integrate/gauss.h"
+#include "integrate/method.h"
 
 #include <stdlib.h>
 #include <string.h>

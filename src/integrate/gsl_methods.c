@@ -2,7 +2,7 @@
  * end at GSL's point: its error is at most that of DOP853 on the same step, plus GSL's own. Partial steps are
  * DOP853's as well; a step of GSL's controlled methods is short enough for that, being of order 8 or lower or (msadams, order
  * up to 12) shorter still by its stability. */
-#include "integrate/gsl_methods.h"
+#include "integrate/dop853.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,6 @@
 
 #include "core/memory.h"
 #include "ext/gsl_ode.h"
-#include "integrate/dop853.h"
 #include "integrate/step_control.h"
 
 typedef struct {

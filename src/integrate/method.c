@@ -2,11 +2,6 @@
 
 #include <string.h>
 
-#include "integrate/dop853.h"
-#include "integrate/gauss.h"
-#include "integrate/gsl_methods.h"
-#include "integrate/taylor.h"
-
 static const jlt_method *const table[] = {
     &jlt_method_gauss, &jlt_method_dop853, &jlt_method_taylor, &jlt_method_rk8pd, &jlt_method_rkf45, &jlt_method_msadams,
 };

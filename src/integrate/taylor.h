@@ -4,8 +4,6 @@
 
 #include "integrate/method.h"
 
-extern const jlt_method jlt_method_taylor;
-
 /** The order used at a tolerance. */
 unsigned jlt_taylor_order(double tolerance);
 
