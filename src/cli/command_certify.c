@@ -21,6 +21,8 @@ typedef struct {
     const char *family, *box;
 } options;
 
+#define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, sink or symmetric"
+
 enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 
 static const struct argp_option option_table[] = {
@@ -59,10 +61,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (o->kind != NULL) return ARGP_ERR_UNKNOWN;
         o->kind = value;
         if (!jlt_theorem_is_kind(value))
-            argp_error(state, "'%s' is no kind of certificate: write cycle, equilibria, homoclinic, obstruction or sink", value);
+            argp_error(state, "'%s' is no kind of certificate: write " KINDS, value);
         return 0;
     case ARGP_KEY_END:
-        if (o->kind == NULL) argp_error(state, "say what to certify: cycle, equilibria, homoclinic, obstruction or sink");
+        if (o->kind == NULL) argp_error(state, "say what to certify: " KINDS);
         if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
             argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
@@ -78,14 +80,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp parser = {
-    option_table, parse, "cycle|equilibria|homoclinic|obstruction|sink [MODEL]",
+    option_table, parse, "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL]",
     "Prove a periodic or homoclinic orbit, or what a family of equilibria excludes, in ball arithmetic, and write the certificate, from "
     "which `jellett check` replays the proof."
     "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. obstruction: besides, "
     "the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. sink: besides, all "
     "multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no invariant measure has "
     "a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its unstable and stable manifolds "
-    "cross transversally at a point that the reversor keeps. equilibria: at all points of a family that the table claims, in a whole box "
+    "cross transversally at a point that the reversor keeps. symmetric: the orbit is its own mirror image under a proved reversor, so "
+    "that the product of its multipliers is 1 exactly, and its trace tells its type; the rotation number is enclosed where it is elliptic. "
+    "elliptic: it is so, without a resonance up to order 4, and its twist coefficient is not 0: it is stable on its levels, "
+    "surrounded by invariant tori. equilibria: at all points of a family that the table claims, in a whole box "
     "of parameters and states, the trace of the linearization has one sign, so that no invariant measure has a continuous positive "
     "density near any of them; the box is cut in halves as far as needed. Values typed and defaults of tables are taken exactly. Orbits are found in "
     "doubles first.\n\n"
@@ -225,6 +230,6 @@ done:
 }
 
 const jlt_command jlt_command_certify = {
-    "certify", "cycle|equilibria|homoclinic|obstruction|sink [MODEL] [OPTION...]",
+    "certify", "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL] [OPTION...]",
     "Prove an orbit, or what equilibria exclude, and write the certificate", run, NULL
 };

@@ -8,6 +8,7 @@ void jlt_arrival_init(jlt_arrival *self, unsigned dim)
     self->x = _arb_vec_init((slong)dim);
     arb_mat_init(self->slope, dim, dim);
     arb_init(self->time);
+    arb_init(self->window);
     arb_init(self->expansion);
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_init(self->least + i);
     self->steps = 0;
@@ -18,6 +19,7 @@ void jlt_arrival_clear(jlt_arrival *self)
     _arb_vec_clear(self->x, (slong)self->dim);
     arb_mat_clear(self->slope);
     arb_clear(self->time);
+    arb_clear(self->window);
     arb_clear(self->expansion);
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
@@ -63,17 +65,16 @@ static void rate(arb_t out, const jlt_step *step, unsigned i)
     else arb_zero(out);
 }
 
-/* y encloses all solutions from x over [-d, d], d about twice what the crossing needs; tau, its time. */
-static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_srcptr x, unsigned n, unsigned column, const arb_t level,
-                        int direction)
+/* y encloses all solutions from x over [-d, d] = span, d about twice what the crossing needs; tau, its time. */
+static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_srcptr x, unsigned n, unsigned column,
+                        const arb_t level, int direction)
 {
     const slong bits = jlt_step_bits(step);
     jlt_status st = JLT_ERR_NO_CONVERGENCE;
     bool inside = false;
-    arb_t span, f, z;
+    arb_t f, z;
     mag_t size;
 
-    arb_init(span);
     arb_init(f);
     arb_init(z);
     mag_init(size);
@@ -115,7 +116,6 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_srcptr x, unsi
     arb_div(tau, tau, f, bits);
     if (arb_contains(span, tau)) st = JLT_OK;
 done:
-    arb_clear(span);
     arb_clear(f);
     arb_clear(z);
     mag_clear(size);
@@ -205,12 +205,14 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
     const slong bits = jlt_step_bits(step), n = (slong)self->dim;
     arb_ptr middle = _arb_vec_init(n), y = _arb_vec_init(n);
     arb_mat_t state, time;
+    arb_t span;
     jlt_status st;
 
     arb_mat_init(state, n, 1);
     arb_mat_init(time, 1, 1);
+    arb_init(span);
     for (slong i = 0; i < n; i++) arb_set(middle + i, arb_mat_entry(set->x, i, 0));
-    JLT_TRY(cross(step, y, arb_mat_entry(time, 0, 0), middle, self->dim, column, level, direction));
+    JLT_TRY(cross(step, y, arb_mat_entry(time, 0, 0), span, middle, self->dim, column, level, direction));
     for (unsigned i = 0; i < self->dim; i++) {
         arb_ptr out = arb_mat_entry(state, i, 0);
         rate(out, step, i);
@@ -225,6 +227,7 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
 done:
     arb_mat_clear(state);
     arb_mat_clear(time);
+    arb_clear(span);
     _arb_vec_clear(middle, n);
     _arb_vec_clear(y, n);
     return st;
@@ -251,7 +254,7 @@ jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr sta
     JLT_TRY(carry(self, step, &set, instant));
     jlt_set_hull(hull, &set);
     jlt_set_slope(V, &set);
-    JLT_TRY(cross(step, y, tau, hull, self->dim, column, level, direction));
+    JLT_TRY(cross(step, y, tau, self->window, hull, self->dim, column, level, direction));
     jlt_step_conditions(step, self->least);
     arb_addmul(self->expansion, tau, jlt_step_output(step, jlt_formulas_divergence(jlt_step_formulas(step))), bits);
     differentiate(local, delay, step, tau, column);

@@ -18,6 +18,7 @@ typedef struct {
     arb_ptr x;         /* (dim,), on the section */
     arb_mat_t slope;   /* (dim, dim), of x in the start; its row of the section's column is 0 */
     arb_t time;        /* that it took */
+    arb_t window;      /* around the instant: in it each start of the box crosses the section once */
     arb_t expansion;   /* integral of the divergence on the way */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* lower bounds of the model's conditions on the way */
     unsigned steps;

@@ -51,10 +51,78 @@ static jlt_certificate_report fail(jlt_status status)
     return report;
 }
 
+static jlt_certificate_report judge_symmetry(const jlt_symmetry_result *result)
+{
+    switch (result->verdict) {
+    case JLT_SYMMETRY_PROVED: return say(JLT_CERTIFICATE_GOOD, "");
+    case JLT_SYMMETRY_NO_REVERSOR:
+        return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but no reversor of the table that is proved without a condition maps the "
+                                            "section and the levels to themselves");
+    default: return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but not shown to be its own mirror image");
+    }
+}
+
+static jlt_certificate_report judge_elliptic(const jlt_elliptic_result *result, const arb_t trace)
+{
+    jlt_certificate_report report;
+
+    switch (result->verdict) {
+    case JLT_ELLIPTIC_PROVED: return say(JLT_CERTIFICATE_GOOD, "");
+    case JLT_ELLIPTIC_OTHER:
+        report = say(JLT_CERTIFICATE_REFUSED, "");
+        snprintf(report.problem, sizeof report.problem, "the orbit is its own mirror image, but not shown to be elliptic: its trace is %.17g",
+                 arf_get_d(arb_midref(trace), ARF_RND_NEAR));
+        return report;
+    case JLT_ELLIPTIC_RESONANT:
+        return say(JLT_CERTIFICATE_REFUSED, "the orbit is elliptic, but its trace may be 0 or -1: a resonance of order 4 or 3");
+    case JLT_ELLIPTIC_UNTWISTED:
+        return say(JLT_CERTIFICATE_REFUSED, "the orbit is elliptic, but its twist may be 0 (try more digits)");
+    default: return say(JLT_CERTIFICATE_FAILED, "two enclosures of one number exclude each other, which is an error of this program");
+    }
+}
+
+/* Of a cycle that is its own mirror image, that it is stable by a twist. */
+static jlt_certificate_report add_twist(json_t *shown, const jlt_given *given, jlt_cycle *cycle, const jlt_cycle_result *of,
+                                        jlt_symmetry_type type)
+{
+    jlt_certificate_report report;
+    jlt_elliptic_result result;
+    jlt_status st;
+
+    if (given->question.free_count > 0) return say(JLT_CERTIFICATE_MALFORMED, "elliptic: parameters are numbers, not intervals");
+    jlt_elliptic_result_init(&result);
+    st = jlt_elliptic_prove(cycle, &result, of, type, given->legs.instants, given->kept);
+    report = st == JLT_OK ? judge_elliptic(&result, of->trace) : fail(st);
+    if (report.verdict == JLT_CERTIFICATE_GOOD && !set(shown, "twist", jlt_shown_twist(&result, given))) report = fail(JLT_ERR_NOMEM);
+    jlt_elliptic_result_clear(&result);
+    return report;
+}
+
+/* Of a cycle that is proved, that it is its own mirror image; added to what is shown. */
+static jlt_certificate_report add_symmetry(json_t *shown, const char *kind, const jlt_given *given, jlt_cycle *cycle,
+                                           const jlt_cycle_result *of)
+{
+    jlt_certificate_report report;
+    jlt_symmetry_result result;
+    jlt_status st;
+
+    if (given->kept_count != 2) return say(JLT_CERTIFICATE_MALFORMED, "symmetric: two coordinates on the levels are served");
+    jlt_symmetry_result_init(&result);
+    st = jlt_symmetry_prove(cycle, &result, of, given->legs.box, given->legs.instants);
+    report = st == JLT_OK ? judge_symmetry(&result) : fail(st);
+    if (report.verdict == JLT_CERTIFICATE_GOOD && !set(shown, "symmetry", jlt_shown_symmetry(&result, given)))
+        report = fail(JLT_ERR_NOMEM);
+    if (report.verdict == JLT_CERTIFICATE_GOOD && strcmp(kind, "elliptic") == 0)
+        report = add_twist(shown, given, cycle, of, result.type);
+    jlt_symmetry_result_clear(&result);
+    return report;
+}
+
 /* The cycle that a certificate of these kinds begins with. */
 static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const jlt_given *given, jlt_cycle *cycle)
 {
     jlt_cycle_result result;
+    const bool is_symmetric = strcmp(kind, "symmetric") == 0 || strcmp(kind, "elliptic") == 0;
     json_t *shown = NULL;
     jlt_status st;
 
@@ -62,8 +130,13 @@ static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, con
     st = jlt_cycle_prove(cycle, &result, given->legs.box, given->legs.instants, given->kept);
     *report = st == JLT_OK ? judge(&result, kind) : fail(st);
     if (report->verdict == JLT_CERTIFICATE_GOOD) {
-        shown = jlt_shown_cycle(&result, given, strcmp(kind, "sink") == 0);
+        shown = jlt_shown_cycle(&result, given, is_symmetric || strcmp(kind, "sink") == 0);
         if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
+        else if (is_symmetric) *report = add_symmetry(shown, kind, given, cycle, &result);
+    }
+    if (report->verdict != JLT_CERTIFICATE_GOOD) {
+        json_decref(shown);
+        shown = NULL;
     }
     jlt_cycle_result_clear(&result);
     return shown;

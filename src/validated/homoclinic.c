@@ -1,4 +1,5 @@
 #include "validated/homoclinic_chain.h"
+#include "validated/symmetry.h"
 
 void jlt_homoclinic_result_init(jlt_homoclinic_result *result, const jlt_cycle *of, unsigned legs)
 {
@@ -19,22 +20,6 @@ void jlt_homoclinic_result_clear(jlt_homoclinic_result *result)
     _arb_vec_clear(result->tangent, (slong)result->states);
     arb_clear(result->start);
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
-}
-
-/* Its mirror image lies in the box, hence is the same: it is a cycle that is back at the section at the same time. */
-static bool is_symmetric(const jlt_homoclinic_chain *chain, const jlt_cycle_result *saddle)
-{
-    bool inside = true;
-    arb_t image;
-
-    arb_init(image);
-    for (unsigned i = 0; i < chain->of->unknowns; i++) {
-        arb_set(image, saddle->solution + i);
-        if (jlt_cycle_map_state(chain->of, i) == chain->flipped) arb_neg(image, image);
-        inside = inside && arb_contains(chain->question->saddle_box + i, image);
-    }
-    arb_clear(image);
-    return inside;
 }
 
 /* The orbit begins on the piece of the manifold that the cone gives, not at the saddle. */
@@ -106,6 +91,7 @@ done:
 jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, const jlt_homoclinic_question *question)
 {
     jlt_homoclinic_chain chain;
+    bool symmetric = false;
     jlt_status st = JLT_OK;
 
     if (of->unknowns - question->question->level_count != 2 || question->question->free_count != 0) return JLT_ERR_ARG;
@@ -113,8 +99,10 @@ jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, co
     JLT_TRY(jlt_cycle_prove(of, &result->saddle, question->saddle_box, question->saddle_instant, question->kept));
     if (result->saddle.verdict != JLT_CYCLE_PROVED || !result->saddle.saddle) goto done;
     result->verdict = JLT_HOMOCLINIC_ASYMMETRIC;
-    if (jlt_homoclinic_chain_init(&chain, of, question, result->saddle.solution) && is_symmetric(&chain, &result->saddle))
-        st = prove(&chain, result);
+    if (question->signs == NULL || !jlt_symmetry_keeps(of, question->signs)) goto done;
+    JLT_TRY(jlt_symmetry_maps(of, &symmetric, &result->saddle, question->saddle_box, question->saddle_instant, question->signs));
+    if (!symmetric) goto done;
+    if (jlt_homoclinic_chain_init(&chain, of, question, result->saddle.solution)) st = prove(&chain, result);
     jlt_homoclinic_chain_clear(&chain);
 done:
     return st;

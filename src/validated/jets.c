@@ -8,16 +8,17 @@ struct jlt_jets {
     const jlt_formulas *of;
     const ttc_program *program;
     unsigned order, length; /* length of every series: order + 1 */
+    unsigned degree, terms; /* of polynomials, one of whose coefficients is a series each */
     size_t size;
     bool *series;           /* (size,): depends on states */
     size_t *partner;        /* (size,): of a cosine or sine, where the other one is */
-    arb_ptr values;         /* the states, (dim, length); the program's values, (size, length); partners */
+    arb_ptr values;         /* the states, (dim, terms, length); the program's values, (size, terms, length); partners */
     size_t count;           /* of balls in values */
-    arb_ptr slopes;         /* (length,): j a_j */
+    arb_ptr slopes;         /* (length,): w(p) a_p */
     arb_t scratch;
 };
 
-static arb_ptr at(const jlt_jets *self, size_t value) { return self->values + (self->of->dim + value) * self->length; }
+static arb_ptr at(const jlt_jets *self, size_t value) { return self->values + (self->of->dim + value) * self->terms * self->length; }
 
 /* Which state a value is, free parameters behind the states; SIZE_MAX: it is none. */
 static size_t state_of(const jlt_jets *self, ttc_value value)
@@ -35,7 +36,7 @@ static arb_ptr series_of(const jlt_jets *self, ttc_value value)
 {
     const size_t state = state_of(self, value);
 
-    return state != SIZE_MAX ? self->values + state * self->length : at(self, value);
+    return state != SIZE_MAX ? self->values + state * self->terms * self->length : at(self, value);
 }
 
 static jlt_status look_through(jlt_jets *self)
@@ -50,13 +51,15 @@ static jlt_status look_through(jlt_jets *self)
         for (unsigned k = 0; k < ttc_op_arity(i->op); k++) self->series[v] |= self->series[operands[k]];
         if (i->op == TTC_OP_COSINE || i->op == TTC_OP_SINE) self->partner[v] = self->size + partners++;
     }
-    self->count = (self->of->dim + self->size + partners) * self->length;
+    self->count = (self->of->dim + self->size + partners) * self->terms * self->length;
     self->values = _arb_vec_init((slong)self->count);
     self->slopes = _arb_vec_init((slong)self->length);
     return JLT_OK;
 }
 
-jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order)
+unsigned jlt_jets_terms(unsigned degree) { return (degree + 1) * (degree + 2) / 2; }
+
+jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order, unsigned degree)
 {
     jlt_jets *self = calloc(1, sizeof *self);
     jlt_status st = JLT_ERR_NOMEM;
@@ -68,6 +71,8 @@ jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_pr
     self->program = program;
     self->order = order;
     self->length = order + 1;
+    self->degree = degree;
+    self->terms = jlt_jets_terms(degree);
     self->size = ttc_program_size(program);
     self->series = calloc(self->size + 1, sizeof *self->series);
     self->partner = calloc(self->size + 1, sizeof *self->partner);
@@ -91,54 +96,93 @@ void jlt_jets_destroy(jlt_jets *jets)
     free(jets);
 }
 
-/* out = (sum over j of j a_j b_(k-j))/k, j = 1 .. last */
-static void slope(jlt_jets *self, arb_t out, arb_srcptr a, arb_srcptr b, unsigned k, unsigned last, slong bits)
+/* A coefficient of t^k u^i v^j. */
+typedef struct {
+    unsigned k, i, j, term; /* term: its place among the polynomial's, by degree i + j */
+} place;
+
+static unsigned term_of(unsigned i, unsigned j) { return (i + j) * (i + j + 1) / 2 + j; }
+
+/* What a sum over products a_p b_(n-p) leaves out: p = 0, or p = n. */
+enum { ALL = 0, NOT_FIRST = 1, NOT_LAST = 2 };
+
+/* out = start +- sum of a_p b_(n-p), p from 0 to n; start may be NULL, for 0, or out */
+static void convolve(const jlt_jets *self, arb_t out, const arb_t start, bool minus, arb_srcptr a, arb_srcptr b, place n, int without,
+                     slong bits)
 {
-    for (unsigned j = 1; j <= last; j++) arb_mul_ui(self->slopes + j, a + j, j, bits);
-    arb_dot(out, NULL, 0, self->slopes + 1, 1, b + k - 1, -1, (slong)last, bits);
-    arb_div_ui(out, out, k, bits);
+    for (unsigned i = 0; i <= n.i; i++)
+        for (unsigned j = 0; j <= n.j; j++) {
+            const unsigned term = term_of(i, j), first = term == 0 && without & NOT_FIRST ? 1 : 0;
+            const unsigned end = term == n.term && without & NOT_LAST ? n.k : n.k + 1;
+            arb_srcptr from = a + term * self->length + first, to = b + term_of(n.i - i, n.j - j) * self->length + n.k - first;
+            if (first <= end) arb_dot(out, start, minus, from, 1, to, -1, (slong)(end - first), bits);
+            start = out;
+        }
 }
 
-static void root(arb_ptr r, arb_srcptr a, unsigned k, arb_t scratch, slong bits)
+/* out = (sum over p of w(p) a_p b_(n-p))/w(n), which is the coefficient of the integral of a' b: w is the order in t, and where n is 0
+ * in t, the degree. */
+static void slope(jlt_jets *self, arb_t out, arb_srcptr a, arb_srcptr b, place n, int without, slong bits)
 {
-    if (k == 0) {
+    arb_zero(out);
+    for (unsigned i = 0; i <= n.i; i++)
+        for (unsigned j = 0; j <= n.j; j++) {
+            const unsigned term = term_of(i, j), first = n.k > 0 ? 1 : 0;
+            const unsigned end = term == n.term && without & NOT_LAST ? n.k : n.k + 1;
+            for (unsigned k = first; k < end; k++)
+                arb_mul_ui(self->slopes + k, a + term * self->length + k, n.k > 0 ? k : i + j, bits);
+            if (first < end)
+                arb_dot(out, out, 0, self->slopes + first, 1, b + term_of(n.i - i, n.j - j) * self->length + n.k - first, -1,
+                        (slong)(end - first), bits);
+        }
+    arb_div_ui(out, out, n.k > 0 ? n.k : n.i + n.j, bits);
+}
+
+static void root(const jlt_jets *self, arb_ptr r, arb_srcptr a, place n, arb_t scratch, slong bits)
+{
+    const size_t here = n.term * self->length + n.k;
+
+    if (here == 0) {
         arb_sqrt(r, a, bits);
         return;
     }
-    arb_dot(scratch, a + k, 1, r + 1, 1, r + k - 1, -1, (slong)k - 1, bits);
+    convolve(self, scratch, a + here, true, r, r, n, NOT_FIRST | NOT_LAST, bits);
     arb_mul_2exp_si(scratch, scratch, -1);
-    arb_div(r + k, scratch, r, bits);
+    arb_div(r + here, scratch, r, bits);
 }
 
-/* Coefficient k of the functions but the root. */
-static void function(jlt_jets *self, ttc_op op, arb_ptr r, arb_ptr other, arb_srcptr a, unsigned k, slong bits)
+/* Coefficient n of the functions but the root. */
+static void function(jlt_jets *self, ttc_op op, arb_ptr r, arb_ptr other, arb_srcptr a, place n, slong bits)
 {
+    const size_t here = n.term * self->length + n.k;
+
     if (op == TTC_OP_EXP) {
-        if (k == 0) arb_exp(r, a, bits);
-        else slope(self, r + k, a, r, k, k, bits);
+        if (here == 0) arb_exp(r, a, bits);
+        else slope(self, r + here, a, r, n, ALL, bits);
     } else if (op == TTC_OP_LOG) {
-        if (k == 0) arb_log(r, a, bits);
+        if (here == 0) arb_log(r, a, bits);
         else {
-            slope(self, self->scratch, r, a, k, k - 1, bits);
-            arb_sub(self->scratch, a + k, self->scratch, bits);
-            arb_div(r + k, self->scratch, a, bits);
+            slope(self, self->scratch, r, a, n, NOT_LAST, bits);
+            arb_sub(self->scratch, a + here, self->scratch, bits);
+            arb_div(r + here, self->scratch, a, bits);
         }
     } else {
         arb_ptr cosine = op == TTC_OP_COSINE ? r : other, sine = op == TTC_OP_COSINE ? other : r;
-        if (k == 0) {
+        if (here == 0) {
             arb_sin_cos(sine, cosine, a, bits);
         } else {
-            slope(self, sine + k, a, cosine, k, k, bits);
-            slope(self, cosine + k, a, sine, k, k, bits);
-            arb_neg(cosine + k, cosine + k);
+            slope(self, sine + here, a, cosine, n, ALL, bits);
+            slope(self, cosine + here, a, sine, n, ALL, bits);
+            arb_neg(cosine + here, cosine + here);
         }
     }
 }
 
-static void step(jlt_jets *self, ttc_value value, arb_srcptr params, unsigned k, slong bits)
+static void step(jlt_jets *self, ttc_value value, arb_srcptr params, place n, slong bits)
 {
     const ttc_instruction *i = ttc_program_at(self->program, value);
     const unsigned arity = ttc_op_arity(i->op);
+    const size_t here = n.term * self->length + n.k;
     arb_ptr r = at(self, value);
     arb_srcptr a = arity > 0 ? series_of(self, i->a) : NULL, b = arity > 1 ? series_of(self, i->b) : NULL;
 
@@ -147,43 +191,55 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, unsigned k,
     case TTC_OP_PARAMETER: if (state_of(self, value) == SIZE_MAX) arb_set(r, params + i->index); break;
     case TTC_OP_CONSTANT: arb_set_fmpq(r, i->constant, bits); break;
     case TTC_OP_PI: arb_const_pi(r, bits); break;
-    case TTC_OP_NEGATE: arb_neg(r + k, a + k); break;
-    case TTC_OP_ADD: arb_add(r + k, a + k, b + k, bits); break;
-    case TTC_OP_SUBTRACT: arb_sub(r + k, a + k, b + k, bits); break;
+    case TTC_OP_NEGATE: arb_neg(r + here, a + here); break;
+    case TTC_OP_ADD: arb_add(r + here, a + here, b + here, bits); break;
+    case TTC_OP_SUBTRACT: arb_sub(r + here, a + here, b + here, bits); break;
     case TTC_OP_MULTIPLY: /* by a number: its series ends with order 0 */
-        if (!self->series[i->a]) arb_mul(r + k, a, b + k, bits);
-        else if (!self->series[i->b]) arb_mul(r + k, a + k, b, bits);
-        else arb_dot(r + k, NULL, 0, a, 1, b + k, -1, (slong)k + 1, bits);
+        if (!self->series[i->a]) arb_mul(r + here, a, b + here, bits);
+        else if (!self->series[i->b]) arb_mul(r + here, a + here, b, bits);
+        else convolve(self, r + here, NULL, false, a, b, n, ALL, bits);
         break;
     case TTC_OP_DIVIDE:
-        if (k == 0 || !self->series[i->b]) arb_div(r + k, a + k, b, bits);
+        if (here == 0 || !self->series[i->b]) arb_div(r + here, a + here, b, bits);
         else {
-            arb_dot(self->scratch, a + k, 1, b + 1, 1, r + k - 1, -1, (slong)k, bits);
-            arb_div(r + k, self->scratch, b, bits);
+            convolve(self, self->scratch, a + here, true, b, r, n, NOT_FIRST, bits);
+            arb_div(r + here, self->scratch, b, bits);
         }
         break;
-    case TTC_OP_ROOT: root(r, a, k, self->scratch, bits); break;
-    default: function(self, i->op, r, self->partner[value] != 0 ? at(self, self->partner[value]) : NULL, a, k, bits); break;
+    case TTC_OP_ROOT: root(self, r, a, n, self->scratch, bits); break;
+    default: function(self, i->op, r, self->partner[value] != 0 ? at(self, self->partner[value]) : NULL, a, n, bits); break;
+    }
+}
+
+/* Coefficients of t^k of all values: those of numbers end with the first. */
+static void run_order(jlt_jets *self, arb_srcptr params, unsigned k, slong bits)
+{
+    for (size_t v = 0; v < self->size; v++) {
+        if (k > 0 && !self->series[v]) continue;
+        for (unsigned degree = 0; degree <= (self->series[v] ? self->degree : 0); degree++)
+            for (unsigned j = 0; j <= degree; j++)
+                step(self, (ttc_value)v, params, (place){ k, degree - j, j, term_of(degree - j, j) }, bits);
     }
 }
 
 void jlt_jets_run(jlt_jets *self, arb_srcptr x, arb_srcptr params, slong bits)
 {
-    for (unsigned i = 0; i < self->of->dim; i++) {
+    for (unsigned i = 0; i < self->of->dim * self->terms; i++) {
         arb_set(self->values + i * self->length, x + i);
         for (unsigned k = 1; k <= self->order; k++) arb_zero(self->values + i * self->length + k);
     }
     for (unsigned k = 0; k == 0 || k < self->order; k++) {
-        for (size_t v = 0; v < self->size; v++)
-            if (k == 0 || self->series[v]) step(self, (ttc_value)v, params, k, bits);
+        run_order(self, params, k, bits);
         for (unsigned i = 0; k < self->order && i < self->of->states; i++)
-            arb_div_ui(self->values + i * self->length + k + 1, jlt_jets_output(self, i) + k, k + 1, bits);
+            for (unsigned term = 0; term < self->terms; term++)
+                arb_div_ui(self->values + (i * self->terms + term) * self->length + k + 1,
+                           jlt_jets_output(self, i) + term * self->length + k, k + 1, bits);
     }
 }
 
 arb_srcptr jlt_jets_state(const jlt_jets *self, unsigned i)
 {
-    return self->values + i * self->length;
+    return self->values + i * self->terms * self->length;
 }
 
 arb_srcptr jlt_jets_output(const jlt_jets *self, unsigned i)

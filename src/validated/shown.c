@@ -145,6 +145,33 @@ json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, 
     return NULL;
 }
 
+json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *given)
+{
+    static const char *const types[] = {
+        [JLT_SYMMETRY_UNSETTLED] = "not settled", [JLT_SYMMETRY_ELLIPTIC] = "elliptic", [JLT_SYMMETRY_HYPERBOLIC] = "hyperbolic",
+        [JLT_SYMMETRY_INVERSE_HYPERBOLIC] = "inverse hyperbolic",
+    };
+    const jlt_descriptor *d = given->question.descriptor;
+    json_t *flipped = json_array(), *part = json_pack("{s:s}", "type", types[result->type]);
+    bool good = true;
+
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (result->reversor->signs[i] < 0) good = json_array_append_new(flipped, json_string(d->states[i].name)) == 0 && good;
+    good = set(part, "reversor", flipped) && good;
+    if (result->type == JLT_SYMMETRY_ELLIPTIC) good = set(part, "rotation", jlt_shown_ball(result->rotation, given->question.digits)) && good;
+    if (good) return part;
+    json_decref(part);
+    return NULL;
+}
+
+json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *given)
+{
+    const unsigned digits = given->question.digits;
+
+    return json_pack("{s:s,s:o,s:o}", "coordinate", given->question.descriptor->states[given->kept[0]].name, "coefficient",
+                     jlt_shown_ball(result->form.twist, digits), "growth", jlt_shown_ball(result->form.growth, digits));
+}
+
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given)
 {
     json_t *shown = jlt_shown_cycle(&result->saddle, given, true), *part = json_object();

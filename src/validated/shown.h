@@ -2,11 +2,19 @@
 #ifndef JLT_VALIDATED_SHOWN_H
 #define JLT_VALIDATED_SHOWN_H
 
+#include "validated/elliptic.h"
 #include "validated/given.h"
 #include "validated/homoclinic.h"
 
 /** A new reference, NULL when memory is out. with_reversor: the theorem rests on the table's reversor too. */
 json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, bool with_reversor);
+
+/** {"reversor": STATES, "type": TEXT, "rotation": BALL}, the last where it is elliptic; STATES are the names of those that the
+ *  reversor flips. A new reference, NULL when memory is out. */
+json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *given);
+
+/** {"coordinate": STATE, "coefficient": BALL, "growth": BALL}. A new reference, NULL when memory is out. */
+json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *given);
 
 /** The same of the saddle, with "homoclinic": "start", the distance along the frame's first direction at which the orbit begins,
  *  "first", its point there, "point", the symmetric one, "tangent" of the unstable manifold there, "conditions" on the way. */

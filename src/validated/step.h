@@ -1,36 +1,27 @@
 /** One validated step of a flow with its variational equations.
  *
- *  The rough enclosure is of high order: with c_i the Taylor coefficients over the set X, and Z = sum_(i<K) [0,h]^i c_i(X) +
- *  [0,h]^K c_K(Y), Z within the interior of Y shows that solutions from X exist for all of [0,h] and stay in Z, as by Taylor's
- *  theorem none can reach the border of Y first (G. F. Corliss, R. Rihm, Validating an a priori enclosure using high-order Taylor
- *  series, 1996; Picard's iteration with inflation is K = 1). c_K(Y) h^K is then Lagrange's remainder. Of the derivative V' = Df V,
- *  V(0) = 1: with A the matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 entry by entry, as Picard's series of V is majorized by
- *  that of e^(A h). This is its rough enclosure W, and V_K(Y) W h^K its remainder.
+ *  The state's rough enclosure Y and remainder c_K(Y) h^K are those of rough.h. Of the derivative V' = Df V, V(0) = 1: with A the
+ *  matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 entry by entry, as Picard's series of V is majorized by that of e^(A h). This
+ *  is its rough enclosure W, and V_K(Y) W h^K its remainder.
  *
  *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces,
  *  and those of its domain shown to be positive. */
 #ifndef JLT_VALIDATED_STEP_H
 #define JLT_VALIDATED_STEP_H
 
-#include "validated/jets.h"
+#include "validated/rough.h"
 #include "validated/set.h"
 
 #include <stdbool.h>
 
-typedef struct {
-    unsigned order; /* >= 4 */
-    slong bits;
-    slong tolerance; /* remainders of a step are to be near 2^-tolerance */
-} jlt_step_accuracy;
-
 /** The accuracy for so many decimal digits of the result. */
-jlt_step_accuracy jlt_step_accuracy_for(unsigned digits);
+jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits);
 
 typedef struct jlt_step jlt_step;
 
 /** Out: *step, NULL on failure; destroy with jlt_step_destroy. In: params, shape (of->params,), copied. Errors: as jlt_jets_create.
  *  */
-JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_step_accuracy accuracy);
+JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy);
 void jlt_step_destroy(jlt_step *step); /* legal on NULL */
 
 /** Move the set by *h at most. In and out: *h, an exact positive number, the step's length; expansion, to which the integral of the

@@ -1,6 +1,7 @@
 #include "validated/theorem.h"
 
 #include "validated/theorem_family.h"
+#include "validated/theorem_symmetry.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -165,7 +166,7 @@ typedef struct {
 } subject;
 
 typedef enum { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, EXPANDS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE,
-               FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, END } sentence;
+               FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, SYMMETRIC, TWIST, END } sentence;
 
 /* What each kind says, in this order. */
 static const struct {
@@ -173,9 +174,11 @@ static const struct {
     sentence sentences[10];
 } contents[] = {
     { "cycle", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, END } },
+    { "elliptic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SYMMETRIC, TWIST, END } },
     { "equilibria", { FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, END } },
     { "homoclinic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE, END } },
     { "obstruction", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, EXPANDS, END } },
+    { "symmetric", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SYMMETRIC, END } },
     { "sink", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, END } },
 };
 
@@ -251,6 +254,8 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
     case FAMILY_TRACE: jlt_theorem_family_trace(out, s->shown); break;
     case FAMILY_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "at each of them"); break;
     case FAMILY_MEASURE: jlt_theorem_family_measure(out); break;
+    case SYMMETRIC: jlt_theorem_symmetry_write(out, s->given, json_object_get(s->shown, "symmetry")); break;
+    case TWIST: jlt_theorem_symmetry_write_twist(out, json_object_get(s->shown, "twist")); break;
     case END: break;
     }
 }

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "kernel/descriptor.h"
-#include "validated/cycle.h"
+#include "validated/symmetry.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -280,12 +280,50 @@ static void derivative_encloses_differences(void **unused)
     _arb_vec_clear(x, 4);
 }
 
+/* G = I1 R s omega_n - I3 b omega3 is odd where omega_n and omega3 are flipped, neither where omega_n alone is; E, a sum of squares
+ * and of m g a3 gamma3, is even but where gamma3 is flipped. The reversor of the table keeps both. */
+static void signs_keep_levels_of_even_integrals_and_zeros_of_odd_ones(void **unused)
+{
+    static const char *const names[] = { "m", "R", "g", "I1", "I3", "a3" }, *const levels[] = { "E", "G" };
+    static const long values[][2] = { { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 3 }, { 1, 3 }, { 51, 100 } };
+    static const struct {
+        signed char signs[5]; /* gamma3, v_nu, omega_tau, omega_n, omega3 */
+        int G, section;
+        bool keeps;
+    } cases[] = {
+        { { 1, -1, -1, 1, 1 }, 1, 0, true },    { { 1, -1, -1, 1, 1 }, 1, 1, false },  { { 1, -1, 1, 1, 1 }, 1, 0, false },
+        { { 1, 1, -1, -1, -1 }, 0, 0, true },   { { 1, 1, -1, -1, -1 }, 1, 0, false }, { { 1, 1, -1, -1, 1 }, 0, 0, false },
+        { { -1, -1, -1, 1, 1 }, 1, 0, false },
+    };
+    const jlt_descriptor *d = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    arb_ptr params = parameters(d, names, values, 6), level_values = _arb_vec_init(2);
+    arb_t section;
+
+    (void)unused;
+    arb_init(section);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const jlt_cycle_question question = { .descriptor = d, .params = params, .column = 2, .section = section, .direction = 1,
+                                              .level_count = 2, .levels = levels, .level_values = level_values, .digits = 10 };
+        jlt_cycle *cycle;
+        arb_set_si(section, cases[i].section);
+        arb_set_si(level_values, 2);
+        arb_set_si(level_values + 1, cases[i].G);
+        assert_int_equal(jlt_cycle_create(&cycle, &question), JLT_OK);
+        assert_int_equal(jlt_symmetry_keeps(cycle, cases[i].signs), cases[i].keeps);
+        jlt_cycle_destroy(cycle);
+    }
+    _arb_vec_clear(params, d->param_count);
+    _arb_vec_clear(level_values, 2);
+    arb_clear(section);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ten_returns_contain_the_quadruple_reference_and_stay_thin),
         cmocka_unit_test(orbit_ab_has_its_published_period),
         cmocka_unit_test(derivative_encloses_differences),
+        cmocka_unit_test(signs_keep_levels_of_even_integrals_and_zeros_of_odd_ones),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,52 @@
+#include "validated/elliptic.h"
+
+#include "validated/cycle_map.h"
+#include "validated/taylor_map.h"
+
+void jlt_elliptic_result_init(jlt_elliptic_result *result)
+{
+    result->verdict = JLT_ELLIPTIC_OTHER;
+    jlt_normal_form_init(&result->form);
+}
+
+void jlt_elliptic_result_clear(jlt_elliptic_result *result)
+{
+    jlt_normal_form_clear(&result->form);
+}
+
+/* The map's linear part is that of the cycle, which its sets made: the same trace, and 1 as determinant. */
+static bool agrees(arb_srcptr map, const arb_t trace, slong bits)
+{
+    arb_t value;
+    bool same;
+
+    arb_init(value);
+    arb_add(value, map + 1, map + JLT_TAYLOR_MAP_TERMS + 2, bits);
+    same = arb_overlaps(value, trace);
+    arb_mul(value, map + 1, map + JLT_TAYLOR_MAP_TERMS + 2, bits);
+    arb_submul(value, map + 2, map + JLT_TAYLOR_MAP_TERMS + 1, bits);
+    same = same && arb_contains_si(value, 1);
+    arb_clear(value);
+    return same;
+}
+
+jlt_status jlt_elliptic_prove(jlt_cycle *of, jlt_elliptic_result *result, const jlt_cycle_result *cycle, jlt_symmetry_type type,
+                              arb_srcptr instants, const unsigned *kept)
+{
+    const slong bits = jlt_step_bits(of->step);
+    arb_ptr map = _arb_vec_init(2 * JLT_TAYLOR_MAP_TERMS);
+    jlt_status st = JLT_OK;
+
+    result->verdict = JLT_ELLIPTIC_OTHER;
+    if (type != JLT_SYMMETRY_ELLIPTIC) goto done;
+    result->verdict = JLT_ELLIPTIC_RESONANT;
+    if (arb_contains_si(cycle->trace, 0) || arb_contains_si(cycle->trace, -1)) goto done;
+    JLT_TRY(jlt_taylor_map_compute(of, map, cycle, instants, kept));
+    jlt_normal_form_compute(&result->form, map, cycle->trace, bits);
+    result->verdict = JLT_ELLIPTIC_CONTRADICTED;
+    if (!agrees(map, cycle->trace, bits) || !arb_contains_zero(result->form.growth)) goto done;
+    result->verdict = arb_is_nonzero(result->form.twist) ? JLT_ELLIPTIC_PROVED : JLT_ELLIPTIC_UNTWISTED;
+done:
+    _arb_vec_clear(map, 2 * JLT_TAYLOR_MAP_TERMS);
+    return st;
+}

@@ -1,0 +1,132 @@
+#include "validated/rough.h"
+
+#include <math.h>
+
+jlt_status jlt_rough_init(jlt_rough *self, const jlt_formulas *of, const ttc_program *program, arb_srcptr params,
+                          jlt_rough_accuracy accuracy, unsigned degree)
+{
+    jlt_status st;
+
+    *self = (jlt_rough){ .of = of, .params = params, .accuracy = accuracy, .terms = jlt_jets_terms(degree), .caution = 0.7 };
+    self->y = _arb_vec_init((slong)(of->dim * self->terms));
+    JLT_TRY(jlt_jets_create(&self->hull, of, program, accuracy.order, degree));
+    JLT_TRY(jlt_jets_create(&self->rough, of, program, accuracy.order, degree));
+done:
+    return st;
+}
+
+void jlt_rough_clear(jlt_rough *self)
+{
+    if (self->y != NULL) _arb_vec_clear(self->y, (slong)(self->of->dim * self->terms));
+    jlt_jets_destroy(self->hull);
+    jlt_jets_destroy(self->rough);
+}
+
+/* The series of coefficient i of all polynomials. */
+static arb_srcptr series(const jlt_rough *self, const jlt_jets *jets, unsigned i)
+{
+    return jlt_jets_state(jets, i / self->terms) + i % self->terms * (self->accuracy.order + 1);
+}
+
+void jlt_rough_sum(arb_t out, arb_srcptr a, unsigned count, const arb_t last, const arb_t t, slong bits)
+{
+    arb_t total;
+
+    arb_init(total);
+    arb_set(total, last);
+    for (unsigned i = count; i-- > 0;) {
+        arb_mul(total, total, t, bits);
+        arb_add(total, total, a + i, bits);
+    }
+    arb_swap(out, total);
+    arb_clear(total);
+}
+
+/* log2 of the states' largest coefficient of this order. */
+static double size_of(const jlt_rough *self, const jlt_jets *jets, unsigned order)
+{
+    double size = -INFINITY;
+    mag_t bound;
+
+    mag_init(bound);
+    for (unsigned i = 0; i < self->of->states * self->terms; i++) {
+        arb_get_mag(bound, series(self, jets, i) + order);
+        size = fmax(size, mag_get_d_log2_approx(bound));
+    }
+    mag_clear(bound);
+    return size;
+}
+
+void jlt_rough_choose(const jlt_rough *self, arf_t h)
+{
+    const double K = self->accuracy.order, goal = -(double)self->accuracy.tolerance;
+    const double length = fmin((goal - size_of(self, self->hull, self->accuracy.order)) / K,
+                               (goal - size_of(self, self->hull, self->accuracy.order - 1)) / (K - 1));
+    arf_t wanted;
+
+    arf_init(wanted);
+    if (isfinite(length)) {
+        arf_set_d(wanted, floor(ldexp(self->caution * exp2(fmin(length, 3)), 20)));
+        arf_mul_2exp_si(wanted, wanted, -20);
+        if (arf_cmp(wanted, h) < 0) arf_set(h, wanted);
+    }
+    arf_clear(wanted);
+}
+
+/* The set over [0, h] to order K - 1, and with the remainder from y where that is known; false when it is not finite. */
+static bool spread(const jlt_rough *self, arb_ptr z, const arb_t span, bool with_remainder)
+{
+    const unsigned K = self->accuracy.order;
+    bool finite = true;
+    arb_t last;
+
+    arb_init(last);
+    for (unsigned i = 0; i < self->of->dim * self->terms; i++) {
+        if (with_remainder) arb_set(last, series(self, self->rough, i) + K);
+        jlt_rough_sum(z + i, series(self, self->hull, i), K, last, span, self->accuracy.bits);
+        finite = finite && arb_is_finite(z + i);
+    }
+    arb_clear(last);
+    return finite;
+}
+
+double jlt_rough_remainder(const jlt_rough *self, const arf_t h)
+{
+    return size_of(self, self->rough, self->accuracy.order) + self->accuracy.order * log2(arf_get_d(h, ARF_RND_UP));
+}
+
+bool jlt_rough_enclose(jlt_rough *self, const arf_t h)
+{
+    const unsigned n = self->of->dim * self->terms;
+    const slong bits = self->accuracy.bits;
+    arb_ptr z = _arb_vec_init((slong)n);
+    bool inside = false;
+    arb_t span, zero;
+    mag_t more;
+
+    arb_init(span);
+    arb_init(zero);
+    mag_init(more);
+    arb_set_arf(span, h);
+    arb_union(span, span, zero, bits);
+    bool good = spread(self, self->y, span, false);
+    mag_one(more);
+    mag_mul_2exp_si(more, more, 8 - self->accuracy.tolerance);
+    for (unsigned i = 0; i < n; i++) mag_add(arb_radref(self->y + i), arb_radref(self->y + i), more);
+    for (unsigned attempt = 0; good && !inside && attempt < 3; attempt++) {
+        jlt_jets_run(self->rough, self->y, self->params, JLT_ROUGH_REST_BITS);
+        good = spread(self, z, span, true);
+        inside = good;
+        for (unsigned i = 0; good && i < n; i++) {
+            if (arb_contains_interior(self->y + i, z + i)) continue;
+            inside = false;
+            arb_set(self->y + i, z + i);
+            mag_mul_2exp_si(arb_radref(self->y + i), arb_radref(self->y + i), 1);
+        }
+    }
+    _arb_vec_clear(z, (slong)n);
+    arb_clear(span);
+    arb_clear(zero);
+    mag_clear(more);
+    return inside;
+}

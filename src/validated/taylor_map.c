@@ -1,0 +1,156 @@
+#include "validated/taylor_map.h"
+
+#include "validated/cycle_map.h"
+#include "validated/transport.h"
+
+enum { DEGREE = JLT_TAYLOR_MAP_DEGREE, TERMS = JLT_TAYLOR_MAP_TERMS };
+
+typedef struct {
+    jlt_cycle *of;
+    const unsigned *kept;
+    slong bits;
+    arb_ptr x; /* (states, TERMS) */
+} course;
+
+static unsigned first_of(unsigned degree) { return degree * (degree + 1) / 2; }
+
+/* out += a b, cut off. */
+static void add_product(arb_ptr out, arb_srcptr a, arb_srcptr b, slong bits)
+{
+    for (unsigned d = 0; d <= DEGREE; d++)
+        for (unsigned j = 0; j <= d; j++)
+            for (unsigned e = 0; d + e <= DEGREE; e++)
+                for (unsigned l = 0; l <= e; l++)
+                    arb_addmul(out + first_of(d + e) + j + l, a + first_of(d) + j, b + first_of(e) + l, bits);
+}
+
+/* The cycle's own point where u = v = 0. */
+static void fix(const course *self, arb_srcptr y)
+{
+    for (unsigned i = 0; i < self->of->unknowns; i++) arb_set(self->x + jlt_cycle_map_state(self->of, i) * TERMS, y + i);
+    arb_set(self->x + self->of->question->column * TERMS, self->of->question->section);
+}
+
+/* F_w^-1 at y; left: which states w are. */
+static bool invert_levels(const course *self, arb_mat_t inverse, unsigned *left, arb_srcptr y)
+{
+    const unsigned m = self->of->question->level_count;
+    unsigned count = 0;
+    arb_mat_t gradients, by_left;
+    bool regular;
+
+    arb_mat_init(gradients, m, self->of->unknowns);
+    arb_mat_init(by_left, m, m);
+    jlt_cycle_map_gradients(self->of, gradients, NULL, y);
+    for (unsigned i = 0; i < self->of->unknowns; i++) {
+        const unsigned state = jlt_cycle_map_state(self->of, i);
+        if (jlt_cycle_map_is_kept(self->of, state, self->kept)) continue;
+        for (unsigned j = 0; j < m; j++) arb_set(arb_mat_entry(by_left, j, count), arb_mat_entry(gradients, j, i));
+        left[count++] = state;
+    }
+    regular = m == 0 || arb_mat_inv(inverse, by_left, self->bits);
+    arb_mat_clear(gradients);
+    arb_mat_clear(by_left);
+    return regular;
+}
+
+/* Starts on the levels: a coefficient of w is what makes that of F vanish, where the ones of less degree are known. */
+static jlt_status begin(const course *self, arb_srcptr y)
+{
+    const jlt_cycle_question *q = self->of->question;
+    const unsigned m = q->level_count;
+    unsigned left[JLT_CYCLE_STATES_MAX];
+    jlt_jets *levels = NULL;
+    arb_mat_t inverse;
+    jlt_status st;
+
+    arb_mat_init(inverse, m, m);
+    fix(self, y);
+    for (unsigned j = 0; j < 2; j++) arb_one(self->x + self->kept[j] * TERMS + 1 + j);
+    JLT_TRY(jlt_jets_create(&levels, self->of->formulas, self->of->formulas->levels, 0, DEGREE));
+    st = invert_levels(self, inverse, left, y) ? JLT_OK : JLT_ERR_DOMAIN;
+    if (st != JLT_OK) goto done;
+    for (unsigned degree = 1; degree <= DEGREE; degree++) {
+        jlt_jets_run(levels, self->x, q->params, self->bits);
+        for (unsigned term = first_of(degree); term < first_of(degree + 1); term++)
+            for (unsigned i = 0; i < m; i++)
+                for (unsigned j = 0; j < m; j++)
+                    arb_submul(self->x + left[i] * TERMS + term, arb_mat_entry(inverse, i, j), jlt_jets_output(levels, j) + term,
+                               self->bits);
+    }
+done:
+    jlt_jets_destroy(levels);
+    arb_mat_clear(inverse);
+    return st;
+}
+
+/* out = sum over k of c_k s^k, of one state */
+static void compose(arb_ptr out, const jlt_transport *transport, unsigned state, arb_srcptr powers, slong bits)
+{
+    arb_ptr c = _arb_vec_init(TERMS);
+
+    _arb_vec_zero(out, TERMS);
+    for (unsigned k = 0; k <= DEGREE; k++) {
+        for (unsigned term = 0; term < TERMS; term++) arb_set(c + term, jlt_transport_series(transport, state, term) + k);
+        add_product(out, c, powers + k * TERMS, bits);
+    }
+    _arb_vec_clear(c, TERMS);
+}
+
+static void make_powers(arb_ptr powers, slong bits)
+{
+    for (unsigned k = 2; k <= DEGREE; k++) {
+        _arb_vec_zero(powers + k * TERMS, TERMS);
+        add_product(powers + k * TERMS, powers + TERMS, powers + (k - 1) * TERMS, bits);
+    }
+}
+
+/* From the time of the cycle's crossing to that of each start. */
+static void cross(const course *self, jlt_transport *transport)
+{
+    const unsigned column = self->of->question->column;
+    arb_ptr powers = _arb_vec_init((DEGREE + 1) * TERMS), miss = _arb_vec_init(TERMS); /* of s, from 1 on */
+    arb_t change;
+
+    arb_init(change);
+    arb_one(powers);
+    jlt_transport_expand(transport, self->x);
+    for (unsigned degree = 1; degree <= DEGREE; degree++) {
+        compose(miss, transport, column, powers, self->bits);
+        for (unsigned term = first_of(degree); term < first_of(degree + 1); term++) {
+            arb_div(change, miss + term, jlt_transport_series(transport, column, 0) + 1, self->bits);
+            arb_sub(powers + TERMS + term, powers + TERMS + term, change, self->bits);
+        }
+        make_powers(powers, self->bits);
+    }
+    for (unsigned i = 0; i < self->of->formulas->states; i++)
+        compose(self->x + i * TERMS, transport, i, powers, self->bits);
+    _arb_vec_clear(powers, (DEGREE + 1) * TERMS);
+    _arb_vec_clear(miss, TERMS);
+    arb_clear(change);
+}
+
+jlt_status jlt_taylor_map_compute(jlt_cycle *of, arb_ptr map, const jlt_cycle_result *cycle, arb_srcptr instants,
+                                  const unsigned *kept)
+{
+    const unsigned n = cycle->unknowns;
+    course self = { of, kept, jlt_step_bits(of->step), _arb_vec_init((slong)of->formulas->dim * TERMS) };
+    const jlt_cycle_question *q = of->question;
+    jlt_transport *transport = NULL;
+    jlt_status st;
+
+    JLT_TRY(jlt_transport_create(&transport, of->formulas, q->params, jlt_step_accuracy_for(q->digits), DEGREE));
+    JLT_TRY(begin(&self, cycle->solution));
+    for (unsigned i = 0; i < cycle->legs; i++) {
+        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), q->direction));
+        JLT_TRY(jlt_transport_carry(transport, self.x, of->arrival.time));
+        fix(&self, cycle->solution + (i + 1) % cycle->legs * n);
+        cross(&self, transport);
+        _arb_vec_zero(self.x + q->column * TERMS + 1, TERMS - 1); /* on the section exactly */
+    }
+    for (unsigned k = 0; k < 2; k++) _arb_vec_set(map + k * TERMS, self.x + kept[k] * TERMS, TERMS);
+done:
+    jlt_transport_destroy(transport);
+    _arb_vec_clear(self.x, (slong)of->formulas->dim * TERMS);
+    return st;
+}

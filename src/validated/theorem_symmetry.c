@@ -1,0 +1,59 @@
+#include "validated/theorem_symmetry.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+static const char *text_of(const json_t *object, const char *key)
+{
+    const char *text = json_string_value(json_object_get(object, key));
+    return text == NULL ? "" : text;
+}
+
+static void write_ball(FILE *out, const json_t *ball)
+{
+    fprintf(out, "%s +- %s", text_of(ball, "middle"), text_of(ball, "radius"));
+}
+
+static const struct {
+    const char *type, *words;
+} verdicts[] = {
+    { "elliptic", "It is elliptic: |trace DP| < 2, so that the multipliers are exp(+- 2 pi i rho) on the unit circle, with the "
+                  "rotation number rho = arccos(trace DP/2)/(2 pi) = " },
+    { "hyperbolic", "It is hyperbolic: trace DP > 2, so that one multiplier is above 1, and the other one its inverse" },
+    { "inverse hyperbolic", "It is inverse hyperbolic: trace DP < -2, so that one multiplier is below -1, and the other one its "
+                            "inverse" },
+    { "not settled", "Whether it is elliptic or hyperbolic is not settled: |trace DP| may be 2" },
+};
+
+void jlt_theorem_symmetry_write(FILE *out, const json_t *given, const json_t *symmetry)
+{
+    const json_t *flipped = json_object_get(symmetry, "reversor"), *rotation = json_object_get(symmetry, "rotation");
+    const bool many = json_array_size(json_object_get(given, "legs")) > 1;
+
+    fputs("The orbit is its own mirror image under the reversor ", out);
+    for (size_t i = 0; i < json_array_size(flipped); i++) {
+        const char *name = json_string_value(json_array_get(flipped, i));
+        fprintf(out, "%s%s -> -%s", i == 0 ? "" : ", ", name == NULL ? "" : name, name == NULL ? "" : name);
+    }
+    fprintf(out, ", which maps the section and the levels to themselves: its image passes through the same box%s after the "
+                 "same time%s. So DP on the levels is conjugate to its inverse, and det DP = 1 exactly. ",
+            many ? "es" : "", many ? "s" : "");
+    for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
+        if (strcmp(verdicts[i].type, text_of(symmetry, "type")) == 0) fputs(verdicts[i].words, out);
+    if (rotation != NULL) write_ball(out, rotation);
+    fputc('.', out);
+}
+
+void jlt_theorem_symmetry_write_twist(FILE *out, const json_t *twist)
+{
+    fputs("No multiplier is a root of unity of order 1 to 4. So by an analytic change of coordinates the return map on these "
+          "levels is z -> z exp(i (2 pi rho + beta |z|^2)) + O(|z|^4), where |z| is to first order the amplitude of ", out);
+    fputs(text_of(twist, "coordinate"), out);
+    fputs(", with beta = ", out);
+    write_ball(out, json_object_get(twist, "coefficient"));
+    fputs(", which is not 0. Hence, by the theorem on invariant curves of reversible analytic maps (J. Moser, Stable and Random "
+          "Motions, 1973; M. B. Sevryuk, Reversible Systems, 1986), the orbit is surrounded on its levels by invariant tori, as "
+          "closely as one wishes, with quasi-periodic motion on them. They fill a part of each neighbourhood on the section that "
+          "tends to all of it as the neighbourhood shrinks. What begins between two of them remains there: the orbit is stable on "
+          "its levels.", out);
+}
