@@ -35,7 +35,8 @@ static jlt_exit put_side(json_t *box, const char *text, size_t length)
     high = colon == NULL ? NULL : fraction_of(colon + 1, rest - (size_t)(colon + 1 - value));
     name = strndup(text, (size_t)(equals - text));
     if (low == NULL || (colon != NULL && high == NULL))
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%.*s' has no finite number (write 2, -0.51, 1e-3 or 1/3)", (int)length, text);
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%.*s' has no finite number (write 2, -0.51, 1e-3 or 1/3)", (int)length,
+                                text);
     else if (name != NULL && json_object_get(box, name) != NULL)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%s' is given twice", name);
     side = colon == NULL ? json_incref(low) : json_pack("{s:O*,s:O*}", "low", low, "high", high);
@@ -85,7 +86,8 @@ static jlt_exit put_defaults(json_t *box, const ttc_model *model, const ttc_clai
     for (size_t i = 0; code == JLT_EXIT_DONE && i < model->param_count; i++) {
         const ttc_symbol_entry *param = &model->symbols[model->params[i]];
         char *text;
-        if (json_object_get(box, param->name) != NULL || param->value == TTC_NONE || gives(&family->when, model->params[i])) continue;
+        if (json_object_get(box, param->name) != NULL || param->value == TTC_NONE || gives(&family->when, model->params[i]))
+            continue;
         text = ttc_ball_exact_text(ball, param->value);
         if (text == NULL || json_object_set_new(box, param->name, json_string(text)) != 0) code = jlt_command_no_memory();
         free(text);
@@ -115,7 +117,8 @@ static jlt_exit find_family(const ttc_claim **family, const ttc_model *model, co
     return jlt_command_fail(JLT_EXIT_INPUT, "%s has no family of equilibria '%s'; it has %s", model->name, name, names);
 }
 
-jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o, const jlt_assign_list *set, const jlt_descriptor *d)
+jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o, const jlt_assign_list *set,
+                            const jlt_descriptor *d)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *model = diagnostics == NULL ? NULL : ttc_model_parse(d->table, strlen(d->table), d->model, diagnostics);

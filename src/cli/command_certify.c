@@ -69,7 +69,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
             argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
         if (strcmp(o->kind, "equilibria") == 0) {
-            if (o->motion.starts[0] != NULL || o->spread.count > 0) argp_error(state, "equilibria have a --box: leave out --start and --spread");
+            if (o->motion.starts[0] != NULL || o->spread.count > 0 || o->motion.section != NULL || o->motion.level.count > 0)
+                argp_error(state, "equilibria have a --box: leave out --start, --spread, --section and --level");
             return 0;
         }
         if (o->family != NULL || o->box != NULL) argp_error(state, "--family and --box are of equilibria alone");
@@ -194,6 +195,7 @@ static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_syst
     const bool is_family = strcmp(o->kind, "equilibria") == 0;
     jlt_exit code = is_family ? jlt_common_model(common, d) : jlt_motion_system(system, &o->motion);
 
+    if (code == JLT_EXIT_DONE && is_family && common->plan) code = jlt_common_still();
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) return code;
     return is_family ? jlt_certify_family(given, &family, &common->set, *d) : ask(given, d, o, *system);

@@ -1,4 +1,4 @@
-/** Certificates: a theorem about a periodic orbit, or a family of equilibria, as a JSON object that can be replayed from itself alone.
+/** Certificates: a theorem about a periodic orbit, or a family of equilibria, as a JSON object that is replayed from itself alone.
  *
  *      {"certificate": "jellett 1", "kind": KIND, "theorem": [SENTENCE, ...], "given": {...}, "shown": {...},
  *       "digest": SHA-256}

@@ -277,7 +277,8 @@ static jlt_family_verdict explore(search *s)
 
     s->result->boxes++;
     if (box == OUT) goto done;
-    if ((box == NEGATIVE && jlt_range_sign(all) > 0) || (box == POSITIVE && jlt_range_sign(all) < 0)) box = OPEN; /* or part of it is out */
+    if ((box == NEGATIVE && jlt_range_sign(all) > 0) || (box == POSITIVE && jlt_range_sign(all) < 0))
+        box = OPEN; /* a part may be outside the domain */
     if (box != OPEN) record(s);
     middle_of(middle, s->low, s->high, dim);
     if (box == OPEN || !s->seen[box == POSITIVE]) verdict = look_at_point(s, middle);

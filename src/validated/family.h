@@ -1,9 +1,10 @@
-/** The trace of the linearization along a family of equilibria, enclosed over a box of parameters and of coordinates along the family.
+/** The trace of the linearization along a family of equilibria, enclosed over a box of parameters and of coordinates along it.
  *
- *  At an equilibrium x the flow multiplies volumes by exp(t div f(x)); where div f(x), the trace, is not 0, no measure with a density
- *  that is continuous and positive at x is invariant. Over a box this holds of all its equilibria once an enclosure of the trace on it
- *  holds no 0. It is enclosed by ends, of the table's own expressions differentiated, and of the table's own formula for it where that is
- *  proved; and the box is cut in halves until that is so (R. E. Moore, Interval Analysis, 1966). Parts where a condition of the table's domain surely fails are left out. */
+ *  At an equilibrium x the flow multiplies volumes by exp(t div f(x)); where div f(x), the trace, is not 0, no measure with a
+ *  density that is continuous and positive at x is invariant. Over a box this holds of all its equilibria once an enclosure of the
+ *  trace on it holds no 0. It is enclosed by ends, of the table's expressions differentiated, and of the table's own formula for it
+ *  where that is proved; and the box is cut in halves until that is so (R. E. Moore, Interval Analysis, 1966). Parts where a
+ *  condition of the table's domain surely fails are left out. */
 #ifndef JLT_VALIDATED_FAMILY_H
 #define JLT_VALIDATED_FAMILY_H
 
@@ -42,8 +43,8 @@ typedef struct {
 void jlt_family_result_init(jlt_family_result *self, const jlt_family_question *question);
 void jlt_family_result_clear(jlt_family_result *self);
 
-/** Errors: NOMEM. Cost: at most `limit` boxes, of dim + 2 enclosures each. Boxes are cut where the trace changes most while other sides
- *  stay at their middles, the same way whenever this runs. */
+/** Errors: NOMEM. Cost: at most `limit` boxes, of dim + 2 enclosures each. Boxes are cut where the trace changes most while other
+ *  sides stay at their middles, the same way whenever this runs. */
 JLT_CHECKED jlt_status jlt_family_prove(jlt_family_result *result, const jlt_family_question *question);
 
 #endif

@@ -4,6 +4,7 @@
 #include "validated/shown.h"
 
 #include <flint/fmpq_vec.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -90,7 +91,8 @@ static bool read_side(jlt_given_family *self, uint32_t number, const json_t *box
     if (!read_fraction(low, is_range ? json_object_get(value, "low") : value)
         || !read_fraction(high, is_range ? json_object_get(value, "high") : value))
         return refuse(problem, "box: %s %s: no number", what, symbol->name);
-    if (is_range && fmpq_cmp(low, high) >= 0) return refuse(problem, "box: the range of %s is empty: low is below high", symbol->name);
+    if (is_range && fmpq_cmp(low, high) >= 0)
+        return refuse(problem, "box: the range of %s is empty: low is below high", symbol->name);
     if (!allows(self, symbol, low, high))
         return refuse(problem, "box: %s %s: %s does not allow all of these values", what, symbol->name, self->descriptor->model);
     self->symbols[self->question.dim++] = number;
@@ -114,7 +116,8 @@ static bool read_box(jlt_given_family *self, const json_t *box, char *problem)
     return good;
 }
 
-bool jlt_given_family_read(jlt_given_family *self, const json_t *given, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
+bool jlt_given_family_read(jlt_given_family *self, const json_t *given, const jlt_descriptor *d,
+                           char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const json_int_t digits = json_integer_value(json_object_get(given, "digits"));
     const json_int_t limit = json_integer_value(json_object_get(given, "limit"));
@@ -130,7 +133,8 @@ bool jlt_given_family_read(jlt_given_family *self, const json_t *given, const jl
     ttc_diagnostics_destroy(diagnostics);
     if (self->is_given == NULL || self->symbols == NULL) return refuse(problem, "the table %s cannot be read", d->model);
     if (digits < 5 || digits > JLT_GIVEN_DIGITS_MAX) return refuse(problem, "digits: between 5 and %d", JLT_GIVEN_DIGITS_MAX);
-    if (limit < 1 || limit > JLT_GIVEN_FAMILY_LIMIT_MAX) return refuse(problem, "limit: between 1 and %d", JLT_GIVEN_FAMILY_LIMIT_MAX);
+    if (limit < 1 || limit > JLT_GIVEN_FAMILY_LIMIT_MAX)
+        return refuse(problem, "limit: between 1 and %d", JLT_GIVEN_FAMILY_LIMIT_MAX);
     self->question.model = self->model;
     self->question.symbols = self->symbols;
     self->question.low = self->low;
@@ -212,8 +216,9 @@ static void write_point(FILE *out, const jlt_given_family *self, const fmpq *fro
 
 void jlt_given_family_problem(char problem[JLT_GIVEN_PROBLEM_MAX], const jlt_given_family *self, const jlt_family_result *result)
 {
-    FILE *out = fmemopen(problem, JLT_GIVEN_PROBLEM_MAX, "w");
+    FILE *out = fmemopen(problem, JLT_GIVEN_PROBLEM_MAX - 1, "w"); /* which ends what fills it with no 0 */
 
+    problem[JLT_GIVEN_PROBLEM_MAX - 1] = '\0';
     if (out == NULL) return;
     switch (result->verdict) {
     case JLT_FAMILY_PROVED: break;

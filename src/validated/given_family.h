@@ -28,8 +28,8 @@ typedef struct {
     fmpq *low, *high;
 } jlt_given_family;
 
-/** Ends with jlt_given_family_clear in any case. False: it is not of this form, or outside what the table allows, or the family is not
- *  proved to consist of equilibria; problem says why. */
+/** Ends with jlt_given_family_clear in any case. False: it is not of this form, or outside what the table allows, or the
+ *  family is not proved to consist of equilibria; problem says why. */
 bool jlt_given_family_read(jlt_given_family *self, const json_t *given, const jlt_descriptor *descriptor,
                            char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_family_clear(jlt_given_family *self);

@@ -8,8 +8,8 @@
 
 typedef struct jlt_over_box jlt_over_box;
 
-/** Out: *over, NULL on failure; destroy with jlt_over_box_destroy. In: model, borrowed; its graph must not grow while this is in use.
- *  Errors: NOMEM. */
+/** Out: *over, NULL on failure; destroy with jlt_over_box_destroy. In: model, borrowed; its graph must not grow while this is in
+ *  use. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_over_box_create(jlt_over_box **over, const ttc_model *model, slong bits);
 void jlt_over_box_destroy(jlt_over_box *over); /* legal on NULL */
 
@@ -17,8 +17,8 @@ void jlt_over_box_destroy(jlt_over_box *over); /* legal on NULL */
 void jlt_over_box_bind(jlt_over_box *over, uint32_t symbol, ttc_id id);
 void jlt_over_box_set(jlt_over_box *over, uint32_t symbol, const fmpq_t low, const fmpq_t high);
 
-/** The range of an expression, until the next value is set; NULL: it may be undefined at a point of the box, or a symbol has no value.
- *  Cost: one visit a node, remembered until a value changes. */
+/** The range of an expression, until the next value is set; NULL: it may be undefined at a point of the box, or a symbol has no
+ *  value. Cost: one visit a node, remembered until a value changes. */
 const jlt_range *jlt_over_box_enclose(jlt_over_box *over, ttc_id id);
 
 #endif

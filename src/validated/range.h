@@ -1,5 +1,5 @@
-/** Interval arithmetic by ends, with Arb's floats and outward rounding. A ball of Arb around a wide range of positive numbers loses their
- *  sign in a product; ends keep it (R. E. Moore, Interval Analysis, 1966).
+/** Interval arithmetic by ends, with Arb's floats and outward rounding. A ball of Arb around a wide range of positive numbers loses
+ *  their sign in a product; ends keep it (R. E. Moore, Interval Analysis, 1966).
  *
  *  Every result contains what the operation gives at all points of its operands. Results may be operands. */
 #ifndef JLT_VALIDATED_RANGE_H

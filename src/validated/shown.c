@@ -87,7 +87,8 @@ json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *d)
 {
     json_t *conditions = json_object();
 
-    for (unsigned i = 0; i < d->valid_count; i++) json_object_set_new(conditions, d->valids[i].name, jlt_shown_lower_bound(least + i));
+    for (unsigned i = 0; i < d->valid_count; i++)
+        json_object_set_new(conditions, d->valids[i].name, jlt_shown_lower_bound(least + i));
     return conditions;
 }
 

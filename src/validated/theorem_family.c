@@ -41,13 +41,14 @@ void jlt_theorem_family_setting(FILE *out, const jlt_descriptor *d, const json_t
     if (claim != NULL && claim->condition[0] != '\0') fprintf(out, ", where %s", claim->condition);
     fputs(", with all values ", out);
     write_box(out, json_object_get(given, "box"));
-    fputs(" that lie in the table's domain, where it is defined, as ", out);
+    fputs(" in the table's domain at which the family is defined, such as ", out);
     json_object_foreach((json_t *)(uintptr_t)json_object_get(shown, "point"), name, value) {
         fprintf(out, "%s%s = %s", between, name, text_of(json_object_get(shown, "point"), name));
         between = ", ";
     }
-    fputs(" do. Each is an equilibrium. This rests on proved claims of the table: ", out);
-    for (size_t i = 0; i < json_array_size(claims); i++) fprintf(out, "%s%s", i == 0 ? "" : ", ", or_unknown(json_array_get(claims, i)));
+    fputs(". Each is an equilibrium. This rests on proved claims of the table: ", out);
+    for (size_t i = 0; i < json_array_size(claims); i++)
+        fprintf(out, "%s%s", i == 0 ? "" : ", ", or_unknown(json_array_get(claims, i)));
     fputc('.', out);
 }
 

@@ -99,6 +99,12 @@ change part 'del g["box"]["omega3"]' digest
 expect 3 "$scratch/part.json" 'box: state omega3 has no value'
 change more 'g["box"]["a3"] = "0"' digest
 expect 3 "$scratch/more.json" "the family 'spin' gives a3 itself"
+change slash 'g["box"]["m"]["low"] = "1/"' digest
+expect 3 "$scratch/slash.json" 'box: parameter m: no number'
+change empty 'g["box"]["m"]["low"] = ""' digest
+expect 3 "$scratch/empty.json" 'box: parameter m: no number'
+change ratio 'g["box"]["m"]["low"] = "1/0"' digest
+expect 3 "$scratch/ratio.json" 'box: parameter m: no number'
 change limit 'g["limit"] = 0' digest
 expect 3 "$scratch/limit.json" 'limit: between 1 and'
 change kind 'c["kind"] = "cycle"' digest
@@ -137,6 +143,7 @@ certify 1 'the trace is 0 at' "${spin[@]},gamma3=-0.9:0,v_nu=0.1:2,omega3=-3:3"
 certify 1 'the trace changes its sign' "${spin[@]},gamma3=-0.9:0.8,v_nu=0.1:2,omega3=-3:3"
 certify 1 'the trace is 0 at' --family spin --box I3=0:1,gamma3=0.1:0.9,v_nu=0.1:2,omega3=1
 certify 1 'the trace is 0 at' --family precession --box gamma3=0.1:0.2,omega_n=1:2
+certify 1 'the trace is 0 at a = 0.2' lotka_volterra --box a=0.1:0.3
 certify 4 'has no sign that is shown in a3 in [-0.9, -0.89999999' --family spin_weightless --box a3=-0.9:0.9,gamma3=0.9:0.99,v_nu=1,omega3=1
 certify 3 'the range of gamma3 is empty' "${spin[@]},gamma3=0.9:0.1,v_nu=1,omega3=0"
 certify 3 'the range of gamma3 is empty' "${spin[@]},gamma3=0.5:0.5,v_nu=1,omega3=0"
@@ -153,6 +160,7 @@ certify 3 'state omega3 has no value' "${spin[@]},gamma3=0.1:0.9,v_nu=1"
 certify 3 "no family of equilibria 'rolling'; it has spin, spin_weightless, precession" --family rolling --box v_nu=1
 certify 3 'nose_hoover has no family of equilibria' nose_hoover
 certify 2 'is no range' "${spin[@]},gamma3"
+certify 2 'leave out --start' "${spin[@]},gamma3=0.1:0.9,v_nu=1,omega3=0" --level E=1
 certify 2 'leave out --start' "${spin[@]},gamma3=0.1:0.9,v_nu=1,omega3=0" --start gamma3=0.5
 got=0
 jellett certify cycle --start eta=0,gamma3=-0.6136 --box I1=0.2:1 > "$scratch/out" 2>&1 || got=$?

@@ -38,7 +38,7 @@ END
 }
 
 expect 0 "$certificate" 'the manifolds cross transversally'
-expect 0 "$certificate" 'to the symmetric one: its quantity is above 1.4278'
+expect 0 "$certificate" 'to the symmetric one: its quantity is at least 1.4278'
 change tangent 's["tangent"]["y"]["middle"] = "-0.00592"; s["tangent"]["y"]["radius"] = "1e-9"'
 expect 1 "$scratch/tangent.json" 'does not follow'
 change frame 'h["frame"] = [row[::-1] for row in h["frame"]]'

@@ -1,5 +1,5 @@
-/* Interval arithmetic by ends against exact rational arithmetic: results contain what the operations give at points, and signs that hold
- * everywhere are kept. Balls and bounds as certificates write them contain what they were written from. */
+/* Interval arithmetic by ends against exact rational arithmetic: results contain what the operations give at points, and signs that
+ * hold everywhere are kept. Balls and bounds as certificates write them contain what they were written from. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

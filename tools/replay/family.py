@@ -1,5 +1,5 @@
-"""The trace of the linearization along a family of equilibria over a box: intervals (low, high) with rational ends, halves of the longest
-side until the table's expressions say what the certificate says."""
+"""The trace of the linearization along a family of equilibria over a box: intervals (low, high) with rational ends, halves of the
+longest side until the table's expressions say what the certificate says."""
 from fractions import Fraction
 from itertools import islice, product as choices
 from math import isqrt
@@ -124,7 +124,8 @@ def replay(certificate, table):
             return False
 
     point = {n: (Fraction(x), Fraction(x)) for n, x in shown["point"].items()}
-    must(sorted(point) == sorted(box) and all(box[n][0] <= x[0] <= box[n][1] for n, x in point.items()), "its point is not in the box")
+    must(sorted(point) == sorted(box), "its point is not of the box")
+    must(all(box[n][0] <= x[0] <= box[n][1] for n, x in point.items()), "its point is not in the box")
     must(all(family.over(point)(node)[0] > 0 for node in table.domains) and holds(point), "its point is not in the table's domain")
     for corner in islice(choices(*(sorted(set(box[n])) for n in box)), CORNERS_MAX):  # most of what is false, at once
         must(holds({n: (x, x) for n, x in zip(box, corner)}), "what it says is not shown at a corner of the box")
