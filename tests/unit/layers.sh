@@ -2,7 +2,7 @@
 # Includes point one way: a folder of src/ includes only folders listed above it, codegen/ likewise, and nothing of src/, generated/
 # and codegen/runtime/, which is copied there, only libc (Arb in ball files, vector instructions in lanes); src/top/command_* are commands of src/cli; tools/bench/program stands
 # below src/cli; src/jellett.h, which no file includes, may include what src/scene may; outside libraries are called from their one place; no
-# include goes in a circle.
+# include goes in a circle, and no files call each other in one.
 set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
@@ -108,6 +108,18 @@ failures=$({
             color[node] = "black"
         }
         END { for (node in edges) if (color[node] == "") visit(node, "") }'
+    # Files whose code names functions of each other in a circle, which tsort tells; tables of functions do not count.
+    objects=$(find "$JLT_BINARY_DIR/CMakeFiles" -name '*.o' | while IFS= read -r object; do
+        source=${object#*.dir/}
+        case $source in src/* | codegen/*) if [ -f "${source%.o}" ]; then printf '%s\n' "$object"; fi ;; esac
+    done)
+    { nm -A --defined-only -g $objects; readelf -rW $objects; } | awk '
+        function file_of(object) { sub(/^.*\.dir\//, "", object); sub(/\.o(:.*)?$/, "", object); return object }
+        NF == 3 && $2 ~ /^[TDRB]$/ { home[$3] = file_of($1) }
+        /^File: / { file = file_of($2) }
+        /^Relocation section/ { code = $3 ~ /\.text/ }
+        code && $1 ~ /^[0-9a-f]+$/ { sub(/@.*/, "", $5); if ($5 in home && home[$5] != file) print file, home[$5] }' |
+        sort -u | { tsort 2>&1 > /dev/null || true; } | sed -n 's/^tsort: \([a-z]\)/calls in a circle: \1/p'
 })
 if [ -n "$failures" ]; then
     printf '%s\n' "$failures"
