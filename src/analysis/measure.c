@@ -3,12 +3,13 @@
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
+#include "kernel/region.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, PROBES = 8, POINTS_TRIED = 64 };
+enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, DRAWS = 4096, PARTS = 256, PROBES = 8, POINTS_TRIED = 64 };
 
 /* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
 static const double covered = 0.98;
@@ -24,6 +25,26 @@ static void range_of(double *low, double *high, const jlt_quantity *q)
     *low = isfinite(q->low) ? q->low + 0.05 : -2.0;
     *high = isfinite(q->high) ? q->high - 0.05 : *low + 4.0;
     if (isfinite(q->high)) *low = *high - 4.0;
+}
+
+static bool holds(const jlt_instance *instance, const double *x)
+{
+    return jlt_region_holds(instance->descriptor->domain_count, instance->descriptor->domain_values.call, instance->prepared, x);
+}
+
+/* Cut the range to where the table's domain reaches from x on, at fixed other states. */
+static void cut_range(double *low, double *high, const jlt_instance *instance, size_t along, const double *x)
+{
+    double y[STATES_MAX];
+
+    memcpy(y, x, instance->descriptor->state_count * sizeof *y);
+    for (double *end = low; end != NULL; end = end == low ? high : NULL) {
+        const double part = (*end - x[along]) / PARTS;
+        int k = 0;
+        do y[along] = x[along] + (k + 1) * part;
+        while (holds(instance, y) && ++k < PARTS);
+        if (k < PARTS) *end = x[along] + k * part;
+    }
 }
 
 static jlt_status density_at(double *density, const jlt_instance *instance, unsigned which, const double *x)
@@ -92,10 +113,35 @@ done:
     return st;
 }
 
+/* The density at the range's points within the domain, from random other states x, preferably of which it has the whole range.
+ * Errors: NO_PROGRESS, no state was met that is inside; the last one met, where at none the density can be tabulated. */
+static jlt_status tabulate(jlt_measure_attempt *a, const jlt_instance *instance, jlt_random *random, double *x)
+{
+    const jlt_descriptor *d = instance->descriptor;
+    jlt_status st = JLT_ERR_NO_PROGRESS;
+    double low, high;
+
+    range_of(&low, &high, &d->states[a->along]);
+    for (int draws = 0, tries = 0; draws < DRAWS && tries < TRIES && st != JLT_OK && st != JLT_ERR_NOMEM; draws++) {
+        double from = low, to = high;
+        jlt_density_draw_state(x, d, random);
+        const double drawn = x[a->along];
+        x[a->along] = low / 2 + high / 2;
+        if (!holds(instance, x)) x[a->along] = drawn;
+        if (!(x[a->along] > low && x[a->along] < high) || !holds(instance, x)) continue;
+        cut_range(&from, &to, instance, a->along, x);
+        const bool is_whole = from == low && to == high;
+        if (++tries <= TRIES / 2 && !is_whole) continue;
+        st = jlt_density_tabulate(a->points, a->count, instance, a->along, from, to, x);
+        if (st == JLT_OK && is_whole) st = turn_of(&a->turn, instance, a->along, low, x);
+    }
+    return st;
+}
+
 jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
 {
     const jlt_descriptor *d = instance->descriptor;
-    double x[STATES_MAX], low, high;
+    double x[STATES_MAX];
     jlt_status st = JLT_OK;
 
     *attempt = (jlt_measure_attempt){ .defect = INFINITY, .turn = 1.0, .count = count };
@@ -116,14 +162,8 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
     if (!attempt->found) return JLT_OK;
     attempt->points = jlt_memory_array(count, sizeof *attempt->points);
     if (attempt->points == NULL) return JLT_ERR_NOMEM;
-    range_of(&low, &high, &d->states[attempt->along]);
-    for (int tries = 0; tries < TRIES; tries++) {
-        jlt_density_draw_state(x, d, random);
-        x[attempt->along] = low / 2 + high / 2;
-        st = jlt_density_tabulate(attempt->points, count, instance, attempt->along, low, high, x);
-        if (st == JLT_OK) st = turn_of(&attempt->turn, instance, attempt->along, low, x);
-        if (st == JLT_OK || st == JLT_ERR_NOMEM) break;
-    }
+    st = tabulate(attempt, instance, random, x);
+    if (st == JLT_ERR_NO_PROGRESS) return JLT_ERR_NO_CONVERGENCE;
     /* The slope has a pole in between, whatever the other states are. */
     attempt->singular = st != JLT_OK && st != JLT_ERR_NOMEM;
     if (attempt->singular || attempt->turn != 1.0) {

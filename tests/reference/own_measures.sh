@@ -73,4 +73,17 @@ expect 0 '^ +-2 +1$' jellett measure ./forced.tt --set delta=0
 # At a rate of 2 + cos it is 1/(2 + cos), which is the same after a turn.
 sed -i -e 's/^eq phi = 1$/eq phi = 2 + c/' -e 's/- delta.v/- 0*v/' forced.tt
 expect 0 '^ +0 +1$' jellett measure ./forced.tt
+
+# The domain ends before the range that is tabulated: rho = exp(-x)/x from div f = 1 + x, x' = x, normed in the middle.
+for inside in 'domain inside : c^2 - (x - 5/4)^2 > 0' 'state x in (5/4 - c, 5/4 + c)'; do
+    state='state x'
+    [ "${inside%% *}" = domain ] || state=
+    printf 'model edged\nparam c\ndefault c = 3/4\n%s\n%s\nstate y\neq x = x\neq y = x*y\n' "$state" "$inside" > edged.tt
+    expect 0 'density of x alone' jellett measure ./edged.tt
+    awk '/in the middle/ { reads = 1; next }
+         reads && NF == 2 { x[++n] = $1; rho[n] = $2 }
+         END { m = x[int(n/2) + 1]; bad = n < 10 || x[1] > 0.52 || x[n] < 1.98
+               for (i = 1; i <= n; i++) { off = rho[i]/(exp(m - x[i])*m/x[i]) - 1; if (off*off > 1e-20) bad = 1 }
+               exit bad }' out || fail "measure of a domain that ends: $(tail -3 out)"
+done
 exit $status
