@@ -6,13 +6,15 @@
 The table is read by a parser of its own, differentiated symbolically, and integrated by Taylor's method in interval arithmetic on
 integers (tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's box,
 and what it encloses must meet what the certificate says. Taken on trust: that the table's integrals and reversor are what it claims,
-which `ttc prove` shows. Served are cycles in tables without functions but roots, with numbers for parameters and levels, one level at most, and two
-coordinates: a leg takes some ten seconds; and families of equilibria in such tables, over boxes.
+which `ttc prove` shows. Of symmetric cycles the type is proved, not the rotation number. Served are cycles in tables without functions
+but roots, with numbers for parameters and levels, one level at most, and two coordinates: a leg takes some ten seconds; and families of
+equilibria in such tables, over boxes.
 Exit status: 0 proved, 1 refused, 2 usage, 3 not a certificate that can be replayed here.
 """
 import hashlib
 import json
 import os
+import re
 import sys
 from fractions import Fraction
 
@@ -22,7 +24,7 @@ from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, 
                           sum_of, unit)
 from replay.flow import Flow, Refused, must
 from replay.series import CLOCK, Program
-from replay.table import Table, Unserved
+from replay.table import Table, Unserved, parity
 
 
 def inverse_of(A):
@@ -47,7 +49,7 @@ def replay(certificate, table):
     given, shown, states = certificate["given"], certificate["shown"], table.states
     if any(isinstance(v, dict) for part in ("parameters", "levels") for v in given[part].values()):
         raise Unserved("parameters or levels are intervals")
-    if certificate["kind"] not in ("cycle", "obstruction", "sink"):
+    if certificate["kind"] not in ("cycle", "obstruction", "sink", "symmetric"):
         raise Unserved("it is of kind " + certificate["kind"])
     must(sorted(given["parameters"]) == sorted(table.params), "its parameters are not the table's")
     flow = Flow(table, {name: read_ball(value) for name, value in given["parameters"].items()})
@@ -94,6 +96,19 @@ def replay(certificate, table):
                 G.append([less(value, ball(Fraction(given["levels"][name])))])
         return G, DG, arrivals
 
+    def is_mirror_image(flipped, solution, arrivals, windows, k):
+        """Whether the cycle's image, in the order that k says, passes through the boxes when starts of them do."""
+        good = True
+        for j in range(len(legs)):
+            source = (k - j) % len(legs)
+            before = (source - 1) % len(legs)
+            image = [(-a[0], a[1]) if states[i] in flipped else a
+                     for i, a in zip(others, solution[source * width:(source + 1) * width])]
+            good = good and all(map(inside, image, box[j * width:(j + 1) * width]))
+            time = plus(arrivals[before][2], ((instants[before] - instants[j]) * 2 ** (P - CLOCK), 0))
+            good = good and inside(time, windows[j])
+        return good
+
     box = [read_ball(leg["box"][states[i]]) for leg in legs for i in others]
     middle = [(a[0], 0) for a in box]
     G, DG, _ = equations(middle)
@@ -106,7 +121,7 @@ def replay(certificate, table):
         away = matmul(rest, [[less(a, b)] for a, b in zip(y, middle)])
         return [plus(less(m, o[0]), a[0]) for m, o, a in zip(middle, offset, away)], arrivals
 
-    K, _ = krawczyk(box)
+    K, wide = krawczyk(box)
     must(all(map(inside, K, box)), "Krawczyk's operator does not map the box into itself")
     orbit, arrivals = krawczyk(K)
     must(len(shown["orbit"]) == len(legs), "its points are not as many as its legs")
@@ -129,7 +144,7 @@ def replay(certificate, table):
         return [quotient((-slopes[0][others.index(q)][0], slopes[0][others.index(q)][1]), by) for q in kept]
 
     R, expansion, least = unit(2), exact(0), None
-    for i, (state, D, _, more, low) in enumerate(arrivals):
+    for i, (state, D, _, more, low, _) in enumerate(arrivals):
         there = (i + 1) % len(legs) * width
         if left:
             follow([hull(a, state[j]) if j in left else a for j, a in zip(others, K[there:there + width])])  # the legs meet
@@ -149,6 +164,20 @@ def replay(certificate, table):
         must(said <= 0 or low > 0, "the condition " + name + " is not shown to hold")
     if certificate["kind"] == "obstruction":
         must(abs(determinant[0] - ONE) > determinant[1], "its determinant may be 1")
+    if certificate["kind"] == "symmetric":
+        flipped = set(shown["symmetry"]["reversor"])
+        claimed = set(re.findall(r"(\w+) *-> *-(?=\w)", table.reversor or ""))
+        must(flipped == claimed and claimed, "the table claims another reversor, or none")
+        must(states[column] in flipped and Fraction(given["section"]["value"]) == 0, "the section is not its own image")
+        for name in integrals:
+            even = parity(table.graph, table.integrals[name], flipped)
+            must(even in (0, 1) or (even == -1 and Fraction(given["levels"][name]) == 0),
+                 "the level of %s is not its own image" % name)
+        must(any(is_mirror_image(flipped, K, arrivals, [a[5] for a in wide], k) for k in range(len(legs))),
+             "it is not shown to be its own mirror image")
+        kind = shown["symmetry"]["type"]
+        must({"elliptic": size(trace) < 2 * ONE, "hyperbolic": trace[0] - trace[1] > 2 * ONE,
+              "inverse hyperbolic": trace[0] + trace[1] < -2 * ONE, "not settled": True}[kind], "it is not " + kind)
     if certificate["kind"] == "sink":
         must(size(determinant) < ONE and size(trace) < ONE + determinant[0] - determinant[1], "it is not shown to attract")
         must(table.reversor is not None, "the table claims no reversor without a condition")

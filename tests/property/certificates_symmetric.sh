@@ -55,6 +55,16 @@ expect 1 "$scratch/reversor.json" 'does not follow'
 change cycle 'c["kind"] = "cycle"'
 expect 1 "$scratch/cycle.json" 'does not follow'
 
+# The second program proves the same, and refuses another type and another reversor.
+second() { # STATUS FILE TEXT
+    local got=0
+    python3 tools/check_certificate.py --table "$table" "$2" > "$scratch/out" 2>&1 || got=$?
+    [ $got -eq "$1" ] && grep -qF -- "$3" "$scratch/out" || { echo "second program on $2: status $got"; cat "$scratch/out"; status=1; }
+}
+second 0 "$certificate" 'proved by a second program'
+second 1 "$scratch/type.json" 'it is not hyperbolic'
+second 1 "$scratch/reversor.json" 'the table claims another reversor'
+
 refuse() { # STATUS TEXT OPTION...
     local got=0 want=$1 text=$2
     shift 2
@@ -101,6 +111,7 @@ change less 'c["kind"] = "symmetric"'
 expect 1 "$scratch/less.json" 'does not follow'
 change theorem 'c["theorem"][-1] = c["theorem"][-1].replace("stable", "unstable")'
 expect 1 "$scratch/theorem.json" 'its theorem is not what its numbers say'
+second 3 "$scratch/theorem.json" 'it is of kind elliptic'
 refuse 1 'not shown to be elliptic: its trace is 4.02' elliptic "${centre[@]:0:7}" --start y=-0.2,py=0
 # where the trace is -1, to 1e-13, with all levels within 1e-11
 refuse 1 'a resonance of order 4 or 3' elliptic "$table" --section x=0 --level H=0.127217901796567 --spread H=1e-11 --solve px=0.4 \

@@ -133,7 +133,8 @@ class Flow:
         return [s[0] for s in self.full.run(x, 1, 1)[1]]
 
     def arrive(self, x, instant, column, level, direction):
-        """On the section: state, derivative, time after `instant`, integral of the divergence, bounds of the conditions."""
+        """On the section: state, derivative, time after `instant`, integral of the divergence, bounds of the conditions; the time
+        around `instant` in which each start crosses once."""
         n = self.n
         x, V, expansion, least = self.carry(x, instant)
         out = self.values(x)
@@ -156,4 +157,4 @@ class Flow:
         D = [[less(V[i][j], product(quotient(out[i], out[column]), V[column][j])) for j in range(n)] for i in range(n)]
         state = [plus(a, product(f, tau)) for a, f in zip(x, out)]
         least = [min(low, v[0] - v[1]) for low, v in zip(least, out[n + n * n + 1:])]
-        return state, D, tau, plus(expansion, product(tau, out[n + n * n])), least
+        return state, D, tau, plus(expansion, product(tau, out[n + n * n])), least, span

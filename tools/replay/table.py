@@ -84,6 +84,23 @@ class Graph:
         return self.partials[key]
 
 
+def parity(graph, a, flipped):
+    """Of an expression where the names in `flipped` change sign: 1 even, -1 odd, 0 zero, None neither or not known."""
+    node = graph.nodes[a]
+    if node[0] == "n":
+        return 1 if node[1] != 0 else 0
+    if node[0] == "v":
+        return -1 if node[1] in flipped else 1
+    parts = [parity(graph, b, flipped) for b in node[1:]]
+    if None in parts:
+        return None
+    if node[0] == "r":
+        return 1 if parts[0] == 1 else None
+    if node[0] != "+":
+        return parts[0] * parts[1]
+    return sum(set(parts)) if len(set(parts) - {0}) < 2 else None
+
+
 class Table:
     def __init__(self, text):
         self.graph = Graph()
