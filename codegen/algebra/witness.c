@@ -304,7 +304,7 @@ static ttc_truth truth_of_sign(int sign, ttc_relation relation)
     return sign == 0 ? TTC_HOLDS : TTC_FAILS;
 }
 
-ttc_truth ttc_witness_meets(ttc_witness *point, const ttc_condition *condition)
+static ttc_truth meets(ttc_witness *point, const ttc_condition *condition)
 {
     ttc_truth truth = TTC_UNCLEAR;
     arb_t ball;
@@ -340,7 +340,7 @@ static ttc_truth roots_are_real(ttc_witness *point)
         ttc_conditions_add(&c, &generator->square, generator->positive ? TTC_IS_POSITIVE : TTC_IS_NONNEGATIVE);
     }
     if (c.contradictory) truth = TTC_FAILS;
-    for (size_t i = 0; truth == TTC_HOLDS && i < c.count; i++) truth = ttc_witness_meets(point, &c.items[i]);
+    for (size_t i = 0; truth == TTC_HOLDS && i < c.count; i++) truth = meets(point, &c.items[i]);
     if (c.failed) truth = TTC_UNCLEAR;
     ttc_conditions_clear(&c);
     return truth;
@@ -352,7 +352,7 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
     if (has_obscure_angle(point)) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {
-        ttc_truth one = ttc_witness_meets(point, &conditions->items[i]);
+        ttc_truth one = meets(point, &conditions->items[i]);
         if (one != TTC_HOLDS) truth = one;
     }
     return truth;

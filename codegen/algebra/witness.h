@@ -32,7 +32,6 @@ bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 /* To be called after `values` or `negative` were changed: forgets what was computed from them. */
 void ttc_witness_changed(ttc_witness *point);
 
-ttc_truth ttc_witness_meets(ttc_witness *point, const ttc_condition *condition);
 /* FAILS if one condition fails, HOLDS if all hold, UNCLEAR otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 

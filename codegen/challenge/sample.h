@@ -11,7 +11,6 @@ typedef struct {
     uint64_t state;
 } ttc_random;
 
-uint64_t ttc_random_next(ttc_random *random);
 uint64_t ttc_random_below(ttc_random *random, uint64_t bound); /* bound > 0 */
 
 /* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. */

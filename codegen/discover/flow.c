@@ -15,7 +15,7 @@ static bool is_generator(const ttc_ring *ring, slong variable)
     return false;
 }
 
-bool ttc_flow_is_quantity(const ttc_flow *flow, slong variable)
+static bool is_quantity(const ttc_flow *flow, slong variable)
 {
     for (size_t i = 0; i < flow->count; i++)
         if (flow->variables[i] == variable) return true;
@@ -188,7 +188,7 @@ static bool take_roots(const ttc_flow *flow, ulong *values, bool moving, uint64_
     for (size_t i = 0; i < flow->ring->generator_count; i++) {
         const slong variable = flow->ring->generators[i].variable;
         ulong square = 0;
-        if (ttc_flow_is_quantity(flow, variable) != moving) continue;
+        if (is_quantity(flow, variable) != moving) continue;
         if (!ttc_modular_ratio_value(&square, &flow->squares[i], values, flow->mod) || square == 0) return false;
         const ulong root = n_sqrtmod(square, flow->mod.n);
         if (root == 0) return false;

@@ -45,8 +45,6 @@ bool ttc_flow_moves(const ttc_flow *flow, const ttc_ratio *a);
 /* The degree of a polynomial of the ring in the quantities. */
 int ttc_flow_degree(const ttc_flow *flow, const fmpz_mpoly_t a);
 
-bool ttc_flow_is_quantity(const ttc_flow *flow, slong variable);
-
 /* out = d log(a)/dt, exact. a is not zero. */
 void ttc_flow_logarithmic_rate(const ttc_flow *flow, ttc_ratio *out, const ttc_ratio *a);
 

@@ -122,9 +122,8 @@ void ttc_emit_way_members(ttc_text *text, const ttc_field *field, size_t ways);
 /* The file of one descriptor. */
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
 
-/* The command that writes such kernels, and the generator's name for the descriptor. */
+/* The command that writes such kernels. */
 void ttc_emit_command(ttc_text *text, const ttc_kernels *kernels);
-void ttc_emit_generator(ttc_text *text, const ttc_kernels *kernels);
 
 /* What the descriptors of a model share: its table, its claims with their verdicts, the list of the descriptors; and the
  * declarations of these. report: of the catalogue's own table. */

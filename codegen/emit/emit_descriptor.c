@@ -86,7 +86,8 @@ void ttc_emit_command(ttc_text *text, const ttc_kernels *k)
                     k->unproved != NULL ? " --unproved" : "", ttc_emit_base_name(k->field->model), JLT_VERSION);
 }
 
-void ttc_emit_generator(ttc_text *text, const ttc_kernels *k)
+/* The generator's name for the descriptor. */
+static void write_generator(ttc_text *text, const ttc_kernels *k)
 {
     ttc_text_format(text, "ttc %s%s", JLT_VERSION, effort_option(k));
 }
@@ -234,7 +235,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
     add_string_member(text, "source", model->source);
     add_string_member(text, "sha256", model->sha256);
     ttc_text_add(text, "    .generator = \"");
-    ttc_emit_generator(text, k);
+    write_generator(text, k);
     ttc_text_add(text, "\",\n");
     if (k->unproved != NULL) add_string_member(text, "unproved", k->unproved);
     ttc_text_format(text, "    .table = jlt_table_%s, .family = jlt_family_%s, .claims = jlt_claims_%s,\n", model->name,

@@ -17,7 +17,8 @@ ttc_id ttc_prepared_at(const ttc_prepared *prepared, uint32_t index)
     return prepared->entries[index - field->param_count];
 }
 
-uint32_t ttc_prepared_find(const ttc_prepared *prepared, ttc_id expression)
+/* The position of an expression that is there already; UINT32_MAX otherwise. */
+static uint32_t find(const ttc_prepared *prepared, ttc_id expression)
 {
     const ttc_field *field = prepared->field;
     if (ttc_kind_of(field->graph, expression) == TTC_SYMBOL) {
@@ -31,7 +32,7 @@ uint32_t ttc_prepared_find(const ttc_prepared *prepared, ttc_id expression)
 
 uint32_t ttc_prepared_index(ttc_prepared *prepared, ttc_id expression)
 {
-    uint32_t index = ttc_prepared_find(prepared, expression);
+    uint32_t index = find(prepared, expression);
     if (index != UINT32_MAX) return index;
     if (prepared->count == prepared->capacity) {
         size_t capacity = prepared->capacity == 0 ? 16 : 2 * prepared->capacity;

@@ -17,9 +17,6 @@ void ttc_prepared_clear(ttc_prepared *prepared); /* legal on a zeroed object */
 /* Position of an expression in parameters alone, which is added if it is new; a plain parameter stands at its own index. */
 uint32_t ttc_prepared_index(ttc_prepared *prepared, ttc_id expression);
 
-/* The same, if it is there already; UINT32_MAX otherwise. */
-uint32_t ttc_prepared_find(const ttc_prepared *prepared, ttc_id expression);
-
 /* The expression at a position. */
 ttc_id ttc_prepared_at(const ttc_prepared *prepared, uint32_t index);
 

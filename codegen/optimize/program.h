@@ -105,9 +105,6 @@ ttc_program *ttc_program_trim(const ttc_program *program);
 /* A new program of the same values, parameter i being numbers[i]. NULL: memory. */
 ttc_program *ttc_program_renumber(const ttc_program *program, const uint32_t *numbers);
 
-/* reached, shape (size,), zeroed: 1 for the values that outputs need. */
-void ttc_program_mark(const ttc_program *program, unsigned char *reached);
-
 ttc_count ttc_program_count(const ttc_program *program);
 /* The longest chain of operations that wait for each other, in multiplications. UINT_MAX: memory. */
 unsigned ttc_program_latency(const ttc_program *program);

@@ -42,7 +42,8 @@ ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *or
     return NULL;
 }
 
-void ttc_program_mark(const ttc_program *program, unsigned char *reached)
+/* reached, shape (size,), zeroed: 1 for the values that outputs need. */
+static void mark(const ttc_program *program, unsigned char *reached)
 {
     for (size_t k = 0; k < ttc_program_output_count(program); k++) reached[ttc_program_output_at(program, k)] = 1;
     for (size_t k = ttc_program_size(program); k-- > 0;) {
@@ -59,7 +60,7 @@ ttc_program *ttc_program_trim(const ttc_program *program)
     ttc_value *order = calloc(n + 1, sizeof *order);
     ttc_program *out = NULL;
     if (reached != NULL && order != NULL) {
-        ttc_program_mark(program, reached);
+        mark(program, reached);
         for (size_t k = 0; k < n; k++)
             if (reached[k]) order[count++] = (ttc_value)k;
         out = ttc_program_reorder(program, order, count);

@@ -106,7 +106,8 @@ void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_c
     p->cubes[p->count++] = *cube;
 }
 
-void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index)
+/* Keeps the order of the rest. */
+static void remove_cube(ttc_polynomial *p, uint32_t index)
 {
     p->count--;
     for (uint32_t i = index; i < p->count; i++) p->cubes[i] = p->cubes[i + 1];
@@ -170,7 +171,7 @@ void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc
         workspace->failed |= sum == TTC_NONE;
         if (workspace->failed) return;
         if (ttc_is_number(workspace->field->graph, sum, 0)) {
-            ttc_polynomial_remove(p, i);
+            remove_cube(p, i);
             return;
         }
         p->cubes[i].scale = workspace->one;

@@ -66,7 +66,6 @@ uint32_t ttc_workspace_add_variable(ttc_workspace *workspace, ttc_variable_kind 
 void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
 /* The same, but where p has a cube with the same factors, the scales are added in that one. */
 void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
-void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index); /* keeps the order of the rest */
 void ttc_polynomial_close_gaps(ttc_polynomial *p); /* removes cubes of sign 0 */
 
 ttc_cube ttc_cube_one(const ttc_workspace *workspace);

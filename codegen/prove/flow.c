@@ -3,7 +3,8 @@
 
 #include <stdlib.h>
 
-ttc_ratio *ttc_task_slopes(ttc_task *task)
+/* The rate of every variable of the ring along the flow, shape (variable_count,), for ttc_task_free. NULL when memory is out. */
+static ttc_ratio *slopes_of(ttc_task *task)
 {
     const ttc_model *model = task->model;
     ttc_ratio *slopes = ttc_task_ratios(task, task->ring->variable_count);
@@ -94,7 +95,7 @@ void ttc_task_require_kept(ttc_task *task, const char *hint)
         if (task->has_point) ttc_task_unsettle(task, "real points of the level lie where a component of it has no others");
         return;
     }
-    ttc_ratio *slopes = ttc_task_slopes(task);
+    ttc_ratio *slopes = slopes_of(task);
     for (uint32_t i = 0; slopes != NULL && i < model->symbol_count && ttc_task_open(task); i++) {
         if (ttc_valuation_is_bound(task->field, i)) require_symbol_kept(task, i, slopes, hint);
     }

@@ -92,8 +92,6 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id);
 /** Refutes that an expression is zero, at one point of the leaf and in balls, without any algebra: for tables with so many roots that
  *  the remainder would be out of reach. True when it has. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
-/* The rate of every variable of the ring along the flow, shape (variable_count,), for ttc_task_free. NULL when memory is out. */
-ttc_ratio *ttc_task_slopes(ttc_task *task);
 /* Whether a ratio changes with the states. */
 bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
 /* shape (count,), zeros; for ttc_task_free. NULL, and not settled, when memory is out. */

@@ -46,7 +46,8 @@ bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
     return true;
 }
 
-bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor)
+/* Notes a divisor of this record; false: memory is out. */
+static bool note_divisor(ttc_parser *parser, ttc_id divisor)
 {
     if (ttc_kind_of(parser->model->graph, divisor) == TTC_NUMBER) return true;
     ttc_id *divisors = ttc_parse_extend(parser->divisors, parser->divisor_count, sizeof *divisors);
@@ -100,7 +101,7 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
         if (!has_value || strlen(claim->name) != name->length || memcmp(claim->name, name->text, name->length) != 0) continue;
         for (size_t k = 0; k < parser->model->divisor_count; k++) {
             const ttc_divisor *d = parser->model->divisors + k;
-            if (d->role == TTC_DIVIDES_CLAIM && d->owner == i && !ttc_parse_divides(parser, d->divisor)) return TTC_NONE;
+            if (d->role == TTC_DIVIDES_CLAIM && d->owner == i && !note_divisor(parser, d->divisor)) return TTC_NONE;
         }
         for (size_t k = 0; k < parser->model->use_count; k++) {
             const ttc_use *use = parser->model->uses + k;
@@ -113,35 +114,8 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
     return TTC_NONE;
 }
 
-static ttc_id parse_base(ttc_parser *parser)
-{
-    const ttc_token *token = ttc_parse_peek(parser);
-    if (token->kind == TTC_TOKEN_NUMBER) {
-        parser->at++;
-        return ttc_parse_number(parser, token);
-    }
-    if (token->kind == TTC_TOKEN_NAME) {
-        parser->at++;
-        if (ttc_parse_at_mark(parser, '(') && token->keyword == TTC_KEYWORD_RATE) return ttc_parse_rate(parser, token);
-        if (ttc_parse_at_mark(parser, '(')) {
-            ttc_parse_unexpected(parser, token->keyword == TTC_KEYWORD_EXP || token->keyword == TTC_KEYWORD_LOG
-                                             ? "an operator: a function gets a name by its own record, such as 'exp e = exp(x)'"
-                                             : "an operator: names stand for quantities, not for functions");
-            return TTC_NONE;
-        }
-        return parse_symbol(parser, token);
-    }
-    if (ttc_parse_at_mark(parser, '(')) return ttc_parse_parentheses(parser);
-    const bool is_function = token->kind == TTC_TOKEN_KEYWORD;
-    if (is_function && token->keyword == TTC_KEYWORD_SQRT)
-        ttc_parse_unexpected(parser, "a name that its own record gives to it, such as 'root s = sqrt(1 - x^2)'");
-    else if (is_function && (token->keyword == TTC_KEYWORD_COS || token->keyword == TTC_KEYWORD_SIN))
-        ttc_parse_unexpected(parser, "a name that its own record gives to it, such as 'angle C S = cos(x) sin(x)'");
-    else ttc_parse_unexpected(parser, "a number, a name or '('");
-    return TTC_NONE;
-}
-
-ttc_id ttc_parse_parentheses(ttc_parser *parser)
+/* '(' is at hand. */
+static ttc_id parse_parentheses(ttc_parser *parser)
 {
     if (parser->nesting >= TTC_NESTING_LIMIT) {
         ttc_parse_error(parser, ttc_token_place(ttc_parse_peek(parser)), "parentheses nest too deep (expected at most %d)", TTC_NESTING_LIMIT);
@@ -152,6 +126,56 @@ ttc_id ttc_parse_parentheses(ttc_parser *parser)
     ttc_id id = ttc_parse_expression(parser);
     parser->nesting--;
     return id != TTC_NONE && ttc_parse_expect_mark(parser, ')', "the expression in parentheses") ? id : TTC_NONE;
+}
+
+/* What follows the name `rate`: the rate of (expression) along the flow. */
+static ttc_id parse_rate(ttc_parser *parser, const ttc_token *name)
+{
+    const ttc_model *model = parser->model;
+    const ttc_place place = ttc_token_place(name);
+    size_t missing = 0;
+    if (!parser->may_rate) {
+        ttc_parse_error(parser, place, "rate() stands in 'observe' and 'valid' alone (expected the rate written out)");
+        return TTC_NONE;
+    }
+    while (missing < model->equation_count && model->equations[missing].place.line != 0) missing++;
+    if (missing < model->state_count) {
+        ttc_parse_error(parser, place, "rate() before all equations are there (expected 'eq %s = ...' above it)",
+                        model->symbols[model->states[missing]].name);
+        return TTC_NONE;
+    }
+    ttc_id id = parse_parentheses(parser);
+    if (id == TTC_NONE) return TTC_NONE;
+    id = ttc_model_rate(model, id);
+    return id == TTC_NONE ? ttc_parse_graph_error(parser, place) : id;
+}
+
+static ttc_id parse_base(ttc_parser *parser)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    if (token->kind == TTC_TOKEN_NUMBER) {
+        parser->at++;
+        return ttc_parse_number(parser, token);
+    }
+    if (token->kind == TTC_TOKEN_NAME) {
+        parser->at++;
+        if (ttc_parse_at_mark(parser, '(') && token->keyword == TTC_KEYWORD_RATE) return parse_rate(parser, token);
+        if (ttc_parse_at_mark(parser, '(')) {
+            ttc_parse_unexpected(parser, token->keyword == TTC_KEYWORD_EXP || token->keyword == TTC_KEYWORD_LOG
+                                             ? "an operator: a function gets a name by its own record, such as 'exp e = exp(x)'"
+                                             : "an operator: names stand for quantities, not for functions");
+            return TTC_NONE;
+        }
+        return parse_symbol(parser, token);
+    }
+    if (ttc_parse_at_mark(parser, '(')) return parse_parentheses(parser);
+    const bool is_function = token->kind == TTC_TOKEN_KEYWORD;
+    if (is_function && token->keyword == TTC_KEYWORD_SQRT)
+        ttc_parse_unexpected(parser, "a name that its own record gives to it, such as 'root s = sqrt(1 - x^2)'");
+    else if (is_function && (token->keyword == TTC_KEYWORD_COS || token->keyword == TTC_KEYWORD_SIN))
+        ttc_parse_unexpected(parser, "a name that its own record gives to it, such as 'angle C S = cos(x) sin(x)'");
+    else ttc_parse_unexpected(parser, "a number, a name or '('");
+    return TTC_NONE;
 }
 
 static ttc_id parse_term(ttc_parser *parser)
@@ -169,7 +193,7 @@ static ttc_id parse_term(ttc_parser *parser)
             ttc_parse_error(parser, factor_place, "division by zero");
             return TTC_NONE;
         }
-        if (exponent < 0 && !ttc_parse_divides(parser, id)) return TTC_NONE;
+        if (exponent < 0 && !note_divisor(parser, id)) return TTC_NONE;
         if (!push_operand(parser, id, exponent, factor_place)) return TTC_NONE;
         divides = ttc_parse_at_mark(parser, '/');
     } while (ttc_parse_accept_mark(parser, '*') || ttc_parse_accept_mark(parser, '/'));
@@ -237,25 +261,4 @@ bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place)
     if (parser->expansions[id] <= TTC_EXPANSION_LIMIT) return true;
     return ttc_parse_error(parser, place, "the expression written out in full is too large (expected at most %d operands)",
                            TTC_EXPANSION_LIMIT);
-}
-
-ttc_id ttc_parse_rate(ttc_parser *parser, const ttc_token *name)
-{
-    const ttc_model *model = parser->model;
-    const ttc_place place = ttc_token_place(name);
-    size_t missing = 0;
-    if (!parser->may_rate) {
-        ttc_parse_error(parser, place, "rate() stands in 'observe' and 'valid' alone (expected the rate written out)");
-        return TTC_NONE;
-    }
-    while (missing < model->equation_count && model->equations[missing].place.line != 0) missing++;
-    if (missing < model->state_count) {
-        ttc_parse_error(parser, place, "rate() before all equations are there (expected 'eq %s = ...' above it)",
-                        model->symbols[model->states[missing]].name);
-        return TTC_NONE;
-    }
-    ttc_id id = ttc_parse_parentheses(parser);
-    if (id == TTC_NONE) return TTC_NONE;
-    id = ttc_model_rate(model, id);
-    return id == TTC_NONE ? ttc_parse_graph_error(parser, place) : id;
 }

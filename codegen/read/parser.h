@@ -81,13 +81,9 @@ bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
 
 /* Expressions. */
 bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol); /* notes a definition that this record names */
-bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor); /* notes a divisor of this record; false: memory is out */
 ttc_id ttc_parse_expression(ttc_parser *parser);
 /* The terms of a sum, left on the operand stack from the returned index on; SIZE_MAX after a report. */
 size_t ttc_parse_terms(ttc_parser *parser);
-ttc_id ttc_parse_parentheses(ttc_parser *parser); /* '(' is at hand */
-/* What follows the name `rate`: the rate of (expression) along the flow. */
-ttc_id ttc_parse_rate(ttc_parser *parser, const ttc_token *name);
 ttc_id ttc_parse_number(ttc_parser *parser, const ttc_token *token);
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place); /* reports the graph's error; always TTC_NONE */
 bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place); /* expansion within its limit */

@@ -19,7 +19,7 @@ void jlt_exact_poly_clear(jlt_exact_poly *p)
     flint_free(p->coefficients);
 }
 
-void jlt_exact_poly_swap(jlt_exact_poly *p, jlt_exact_poly *q)
+static void swap(jlt_exact_poly *p, jlt_exact_poly *q)
 {
     const jlt_exact_poly held = *p;
 
@@ -31,7 +31,7 @@ void jlt_exact_poly_swap(jlt_exact_poly *p, jlt_exact_poly *q)
 static void give(jlt_exact_poly *out, jlt_exact_poly *p)
 {
     while (p->length > 0 && jlt_surd_is_zero(&p->coefficients[p->length - 1])) jlt_surd_clear(&p->coefficients[--p->length]);
-    jlt_exact_poly_swap(out, p);
+    swap(out, p);
     jlt_exact_poly_clear(p);
 }
 
@@ -146,10 +146,10 @@ void jlt_exact_poly_gcd(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_
     while (b.length > 0) {
         make_monic(&b, field);
         jlt_exact_poly_divide(NULL, &a, &a, &b, field);
-        jlt_exact_poly_swap(&a, &b);
+        swap(&a, &b);
     }
     make_monic(&a, field);
-    jlt_exact_poly_swap(out, &a);
+    swap(out, &a);
     jlt_exact_poly_clear(&b);
     jlt_exact_poly_clear(&a);
 }

@@ -19,7 +19,6 @@ typedef struct {
 
 void jlt_exact_poly_init(jlt_exact_poly *p); /* zero */
 void jlt_exact_poly_clear(jlt_exact_poly *p);
-void jlt_exact_poly_swap(jlt_exact_poly *p, jlt_exact_poly *q);
 
 /* The polynomial with these coefficients, shape (count,). */
 void jlt_exact_poly_set(jlt_exact_poly *p, const jlt_surd *coefficients, size_t count);

@@ -36,7 +36,7 @@ static bool stepper_slower(const jlt_stepper *stepper, double speed)
     return slower(stepper->f, stepper->x, dim, speed * pace);
 }
 
-bool jlt_rest_is_slow(const jlt_stepper *stepper)
+static bool is_slow(const jlt_stepper *stepper)
 {
     return stepper_slower(stepper, jlt_rest_slow(stepper->asked));
 }
@@ -73,7 +73,7 @@ static bool is_near(const jlt_stepper *stepper, double *limit)
 
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit)
 {
-    if (!jlt_rest_is_slow(stepper)) self->slow_steps = 0;
+    if (!is_slow(stepper)) self->slow_steps = 0;
     if (++self->slow_steps > SLOW_STEPS && jlt_rest_ends(stepper, limit)) return true;
     return ++self->steps % LOOK_STEPS == 0 && is_near(stepper, limit);
 }

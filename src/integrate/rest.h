@@ -15,9 +15,6 @@ double jlt_rest_slow(double tolerance);
 /** Whether the field at x, shape (dim,), is slower than `speed`. Cost: 1 evaluation. */
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed);
 
-/** Whether the field at the stepper's current point is slower than jlt_rest_slow. Cost: none. */
-bool jlt_rest_is_slow(const jlt_stepper *stepper);
-
 /** An orbit under watch; zeroed where it begins, and at crossings of a section: an orbit that creeps makes none. */
 typedef struct {
     unsigned steps, slow_steps;
