@@ -41,12 +41,14 @@ static piece write_piece(const jlt_writer *self, size_t first)
 jlt_status jlt_writer_flush(jlt_writer *self)
 {
     const size_t count = (self->count + PIECE - 1) / PIECE;
-    piece *pieces = calloc(count + 1, sizeof *pieces);
+    piece *pieces;
     jlt_status st = JLT_OK;
 
+    if (count == 0) return ferror(self->stream) ? JLT_ERR_IO : JLT_OK;
+    pieces = calloc(count, sizeof *pieces);
     if (pieces == NULL) return JLT_ERR_NOMEM;
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(dynamic) num_threads((int)self->threads)
+#pragma omp parallel for schedule(dynamic) num_threads(count < self->threads ? (int)count : (int)self->threads)
 #endif
     for (size_t i = 0; i < count; i++) pieces[i] = write_piece(self, i * PIECE);
     for (size_t i = 0; i < count; i++) {

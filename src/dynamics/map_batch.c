@@ -277,6 +277,7 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
                         int direction, const int *directions)
 {
     const unsigned d = self->flow.chart->dim;
+    const unsigned threads = count < self->threads ? (unsigned)count : self->threads;
     const size_t share = (count + self->threads - 1) / self->threads, block = share < BLOCK ? share : BLOCK;
     size_t next = 0;
     int failure = JLT_OK;
@@ -294,9 +295,9 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
         out->status[i] = JLT_OK;
     }
 #if defined(_OPENMP)
-#pragma omp parallel for num_threads((int)self->threads) schedule(static, 1) reduction(max : failure)
+#pragma omp parallel for num_threads((int)threads) schedule(static, 1) reduction(max : failure)
 #endif
-    for (unsigned thread = 0; thread < self->threads; thread++) {
+    for (unsigned thread = 0; thread < threads; thread++) {
         worker *w = &self->workers[thread];
         w->out = out;
         w->direction = direction;

@@ -269,13 +269,14 @@ done:
 
 static jlt_status finish_all(jlt_section_batch *self)
 {
+    const unsigned threads = self->lanes < self->threads ? (unsigned)self->lanes : self->threads;
     size_t next = 0;
     int failure = JLT_OK;
 
 #if defined(_OPENMP)
-#pragma omp parallel for num_threads((int)self->threads) schedule(static, 1) reduction(max : failure)
+#pragma omp parallel for num_threads(threads > 1 ? (int)threads : 1) schedule(static, 1) reduction(max : failure)
 #endif
-    for (unsigned thread = 0; thread < self->threads; thread++) {
+    for (unsigned thread = 0; thread < threads; thread++) {
         jlt_status st = JLT_OK;
         while (st == JLT_OK) {
             const size_t lane = __atomic_fetch_add(&next, 1, __ATOMIC_RELAXED);

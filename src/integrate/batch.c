@@ -39,11 +39,12 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
                                   map->project->descriptor->integral_count >= JLT_INVARIANTS_MAX ||
                                   map->project->descriptor->lifted_count != (map->root >= 0))))
         return JLT_ERR_ARG;
-    const int threads = map->threads > 1 ? (int)map->threads : 1;
+    const size_t wide = JLT_BATCH_VECTORS * map->kernels->lanes, filled = (count + wide - 1) / wide;
+    const int threads = map->threads < filled ? (int)map->threads : (int)filled; /* others would wait alone, at full speed */
     size_t steps = 0, rejected = 0, stages = 0;
     int failure = JLT_OK;
 #if defined(_OPENMP)
-#pragma omp parallel num_threads(threads) reduction(+ : steps, rejected, stages) reduction(max : failure)
+#pragma omp parallel num_threads(threads > 1 ? threads : 1) reduction(+ : steps, rejected, stages) reduction(max : failure)
 #else
     (void)threads;
 #endif
