@@ -115,12 +115,11 @@ static int side(const jlt_chart *base, double *x)
 
 unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles)
 {
-    unsigned others = 0, places = 4096;
+    unsigned others = 0;
 
     if (self->base.period[coordinate] != 0) return angles;
     for (unsigned k = 0; k < self->base.dim; k++) others += self->base.period[k] == 0;
-    while (places > 2 && pow(places, others) > 4096.5) places /= 2;
-    return places;
+    return others < 12 ? 1u << 12 / others : 2; /* 2^12 places of all these together, and two at least */
 }
 
 size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles)
