@@ -148,8 +148,8 @@ uint64_t ttc_binomial_key(const ttc_binomial *binomial)
 {
     uint64_t key = hash_cube(hash_cube((uint64_t)(binomial->rest_b.sign + 2), &binomial->rest_a), &binomial->rest_b);
     key = mix(mix(key, binomial->rest_a.scale), binomial->rest_b.scale);
-    /* A sign that the count of one factor cancels leaves this where a sign stands, so that x - b has the key of 1 - b. */
-    return binomial->rest_a.count == 1 ? key ^ 1 : key;
+    /* A count that cancels the sign leaves no trace: 1 - b would have the key of x - b, x y + b that of z x y + b. */
+    return key ^ binomial->rest_a.count;
 }
 
 bool ttc_binomial_same(const ttc_binomial *a, const ttc_binomial *b)
