@@ -1633,7 +1633,7 @@ static const unsigned char way1_is_angle[] = { 0, 0, 1 };
 static const unsigned char way1_is_root[] = { 0, 0, 0, 0, 0, 1 };
 
 /* The lift track, to the table spherical_top_track, SHA-256
- * 6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39. */
+ * 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735. */
 static void way2_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
 {
     out[0] = x[0];
@@ -1828,7 +1828,7 @@ static const jlt_way ways[] = {
       .condition_values = way1_condition_values,
     },
     { .name = "track", .kind = "lift", .model = "spherical_top_track", .file = "spherical_top_track.tt",
-      .sha256 = "6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39",
+      .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
       .time = "", .claim = 27,
       .state_count = 9, .param_count = 6, .coordinate_count = 9,
       .is_angle = way2_is_angle,

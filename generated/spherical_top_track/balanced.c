@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top_track, SHA-256 6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 6   22    9    1    1    2     11   10   (90)
+ *  rhs                 6   22    9    1    1    2     11    8   (90)
  *  jacobian            11   51   17    1    1    2     14   13   (284)
- *  rhs_jacobian        19   56   16    1    1    2     13   20   (349)
+ *  rhs_jacobian        18   56   17    1    1    2     13   19   (349)
  *  divergence          3   10    3    1    1    0      8    5   (33)
  *  integral_values     3   15   10    0    1    2      8    9   (54)
  *  integral_gradients  2   26   12    1    1    2     10    7   (92)
@@ -19,11 +19,12 @@
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2),
  *      2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1),
- *      V/R = (1/R)*v_nu + omega_tau, v_tau = gamma3*omega_n*R + omega3*R*s, d(d(v_nu)/dt)/d(omega_n),
- *      d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*omega3*R, omega_n*gamma3*1/s^2*s + omega3*(I3/I1),
- *      (2)*omega_n*gamma3*1/s^2*s + omega3*(I3/I1), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R,
- *      d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(omega3)/dt, d(d(omega3)/dt)/d(gamma3), d(spin)/dt,
- *      d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau), d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt,
+ *      V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(omega3)/dt,
+ *      d(d(omega3)/dt)/d(omega_tau), v_tau = gamma3*omega_n*R + omega3*R*s, d(d(v_nu)/dt)/d(omega_n),
+ *      d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*omega3*R, d(omega_n)/dt,
+ *      gamma3*omega_n*1/s^2*s + omega3*(I3/I1), (2)*gamma3*omega_n*1/s^2*s + omega3*(I3/I1),
+ *      gamma3*1/s^2*s*gamma3*((I1 - I3)/I1) - ((I1 - I3)/I1)*s, d(d(omega3)/dt)/d(gamma3), d(spin)/dt,
+ *      d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt,
  *      d(d(x)/dt)/d(chi)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -88,15 +89,15 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t15 = t6*2.0; /* m*R*R*I3*2 */
     const double t16 = t14 - t15; /* m*R*R*I1*2 - m*R*R*I3*2 */
     out[13] = t16;
-    const double t17 = params[0]*params[0]; /* m*m */
-    const double t18 = t0*t0; /* R*R*R*R */
-    const double t19 = t17*t18; /* m*m*R*R*R*R */
-    const double t20 = params[4]*params[4]; /* I1*I1 */
-    const double t21 = t19*t20; /* m*m*R*R*R*R*I1*I1 */
-    const double t22 = t7/t21; /* (I3*I3 + m*R*R*I3)/(m*m*R*R*R*R*I1*I1) */
-    out[14] = t22;
-    const double t23 = t1*t20; /* m*R*R*I1*I1 */
-    const double t24 = params[5]/t23; /* I3/(m*R*R*I1*I1) */
+    const double t17 = params[4]*params[4]; /* I1*I1 */
+    const double t18 = t1*t17; /* m*R*R*I1*I1 */
+    const double t19 = params[5]/t18; /* I3/(m*R*R*I1*I1) */
+    out[14] = t19;
+    const double t20 = params[0]*params[0]; /* m*m */
+    const double t21 = t0*t0; /* R*R*R*R */
+    const double t22 = t20*t21; /* m*m*R*R*R*R */
+    const double t23 = t17*t22; /* I1*I1*m*m*R*R*R*R */
+    const double t24 = t7/t23; /* (I3*I3 + m*R*R*I3)/(I1*I1*m*m*R*R*R*R) */
     out[15] = t24;
     const double t25 = params[1]*params[4]; /* R*I1 */
     out[28] = t25;
@@ -114,11 +115,11 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t32 = params[5]*2.0; /* I3*2 */
     const double t33 = t4 - t6; /* m*R*R*I1 - m*R*R*I3 */
     const double t34 = t32*t33; /* I3*2*(m*R*R*I1 - m*R*R*I3) */
-    const double t35 = t34/t23; /* I3*2*(m*R*R*I1 - m*R*R*I3)/(m*R*R*I1*I1) */
+    const double t35 = t34/t18; /* I3*2*(m*R*R*I1 - m*R*R*I3)/(m*R*R*I1*I1) */
     out[20] = t35;
     const double t36 = t7*2.0; /* (I3*I3 + m*R*R*I3)*2 */
     const double t37 = t33*t36; /* (m*R*R*I1 - m*R*R*I3)*(I3*I3 + m*R*R*I3)*2 */
-    const double t38 = t37/t21; /* (m*R*R*I1 - m*R*R*I3)*(I3*I3 + m*R*R*I3)*2/(m*m*R*R*R*R*I1*I1) */
+    const double t38 = t37/t23; /* (m*R*R*I1 - m*R*R*I3)*(I3*I3 + m*R*R*I3)*2/(I1*I1*m*m*R*R*R*R) */
     out[21] = t38;
     const double t39 = 2.0*t33; /* 2*(m*R*R*I1 - m*R*R*I3) */
     const double t40 = t39/t4; /* 2*(m*R*R*I1 - m*R*R*I3)/(m*R*R*I1) */
@@ -157,45 +158,45 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
-    const double t5 = x[0]*x[3]; /* gamma3*omega_n */
-    const double t6 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t7 = t2 + p[6]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t8 = JLT_FMA(x[0], t6, t7); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t9 = t3*t8; /* s*Theta/(m*R^2*I1) */
-    const double t10 = 1.0/t9; /* 1/(s*Theta/(m*R^2*I1)) */
-    const double t11 = t8*t10; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
-    const double t12 = t5*t11; /* gamma3*omega_n*1/s */
-    const double t13 = x[4] + t12; /* omega3 + gamma3*omega_n*1/s */
+    const double t5 = x[0]*p[7]; /* gamma3*I3/I1 */
+    const double t6 = t2 + p[6]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t8 = t3*t7; /* s*Theta/(m*R^2*I1) */
+    const double t9 = 1.0/t8; /* 1/(s*Theta/(m*R^2*I1)) */
+    const double t10 = x[3]*t7; /* omega_n*Theta/(m*R^2*I1) */
+    const double t11 = t9*t10; /* 1/(s*Theta/(m*R^2*I1))*omega_n*Theta/(m*R^2*I1) */
+    const double t12 = x[0]*t11; /* gamma3*1/(s*Theta/(m*R^2*I1))*omega_n*Theta/(m*R^2*I1) */
+    const double t13 = x[4] + t12; /* omega3 + gamma3*1/(s*Theta/(m*R^2*I1))*omega_n*Theta/(m*R^2*I1) */
     out[6] = t13;
     const double t14 = p[1]*x[3]; /* R*omega_n */
-    const double t15 = t13*t14; /* (omega3 + gamma3*omega_n*1/s)*R*omega_n */
+    const double t15 = t13*t14; /* t13*R*omega_n */
     out[1] = t15;
-    const double t16 = JLT_FMA(x[4], p[7], t12); /* omega3*I3/I1 + gamma3*omega_n*1/s */
-    const double t17 = x[3]*t16; /* omega_n*(omega3*I3/I1 + gamma3*omega_n*1/s) */
-    const double t18 = -t17; /* -omega_n*(omega3*I3/I1 + gamma3*omega_n*1/s) */
+    const double t16 = JLT_FMA(x[4], p[7], t12); /* omega3*I3/I1 + gamma3*1/(s*Theta/(m*R^2*I1))*omega_n*Theta/(m*R^2*I1) */
+    const double t17 = x[3]*t16; /* omega_n*t16 */
+    const double t18 = -t17; /* -omega_n*t16 */
     out[2] = t18;
-    const double t19 = t3*t10; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t20 = x[4]*t19; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t21 = JLT_FMA(p[8], t20, t12); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/s */
-    const double t22 = x[2]*t21; /* omega_tau*t21 */
+    const double t19 = t3*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
+    const double t20 = x[2]*t19; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t21 = x[4]*p[8]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t22 = t20*t21; /* omega_tau*1/(Theta/(m*R^2*I1))*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
     const double t23 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t24 = t19*t23; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t25 = p[7]*t12; /* I3/I1*gamma3*omega_n*1/s */
-    const double t26 = JLT_FNMA(t24, t25, t22); /* omega_tau*t21 - 1/(Theta/(m*R^2*I1))*V/R*I3/I1*gamma3*omega_n*1/s */
+    const double t25 = JLT_FNMA(p[7], t24, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = JLT_FMA(t12, t25, t22); /* gamma3*1/(s*Theta/(m*R^2*I1))*omega_n*Theta/(m*R^2*I1)*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + t22 */
     out[3] = t26;
     const double t27 = x[3]*t24; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t28 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t29 = t4*t28; /* omega_tau*s*gamma3*(I1 - I3)/I1 */
-    const double t30 = JLT_FMS(t20, t29, t27); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[4] = t30;
-    const double t31 = x[3]*t11; /* omega_n*1/s */
-    const double t32 = -t31; /* -omega_n*1/s */
+    const double t28 = t3*x[4]; /* s*omega3 */
+    const double t29 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
+    const double t30 = t28*t29; /* s*omega3*gamma3*(I1 - I3)/I1 */
+    const double t31 = JLT_FMS(t20, t30, t27); /* omega_tau*1/(Theta/(m*R^2*I1))*s*omega3*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[4] = t31;
+    const double t32 = -t11; /* -1/(s*Theta/(m*R^2*I1))*omega_n*Theta/(m*R^2*I1) */
     out[5] = t32;
     const double t33 = cos(x[5]); /* C = cos(chi) */
     const double t34 = x[1]*t33; /* v_nu*C */
     const double t35 = sin(x[5]); /* S = sin(chi) */
-    const double t36 = JLT_FMA(t3, x[4], t5); /* s*omega3 + gamma3*omega_n */
-    const double t37 = p[1]*t36; /* v_tau = R*(s*omega3 + gamma3*omega_n) */
+    const double t36 = JLT_FMA(x[0], x[3], t28); /* gamma3*omega_n + s*omega3 */
+    const double t37 = p[1]*t36; /* v_tau = R*(gamma3*omega_n + s*omega3) */
     const double t38 = JLT_FMA(t35, t37, t34); /* S*v_tau + v_nu*C */
     out[7] = t38;
     const double t39 = x[1]*t35; /* v_nu*S */
@@ -271,103 +272,103 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t12 = t9*t11; /* 1/s^2*s */
     const double t13 = -t12; /* -1/s^2*s */
     out[48] = t13;
-    const double t14 = x[0]*t12; /* gamma3*1/s^2*s */
-    out[57] = t14;
-    const double t15 = x[4]*t10; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t16 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t17 = t10*t16; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t18 = -t17; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[39] = t18;
-    const double t19 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t20 = t11*t19; /* s*gamma3*(I1 - I3)/I1 */
-    const double t21 = x[3]*t14; /* omega_n*gamma3*1/s^2*s */
-    const double t22 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t23 = p[8]*t22; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[31] = t23;
-    const double t24 = p[14]*t15; /* (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t25 = t22*t24; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t26 = x[3]*t10; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t27 = t10*t21; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
-    const double t28 = p[16]*t27; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
-    out[28] = t28;
-    const double t29 = p[19]*t26; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[37] = t29;
-    const double t30 = JLT_FMS(t15, t20, t26); /* omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
-    out[38] = t30;
-    const double t31 = t17*t26; /* 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t32 = t20*t22; /* s*gamma3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[40] = t32;
-    const double t33 = JLT_FNMA(t15, t32, t31); /* 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) - omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t34 = JLT_FMA(p[8], t15, t21); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s^2*s */
-    const double t35 = JLT_FNMA(p[7], t27, t34); /* t34 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
-    out[29] = t35;
-    const double t36 = p[1]*x[3]; /* R*omega_n */
-    out[13] = t36;
+    const double t14 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t15 = t10*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t16 = -t15; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[39] = t16;
+    const double t17 = x[0]*t12; /* gamma3*1/s^2*s */
+    out[57] = t17;
+    const double t18 = x[3]*t10; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t19 = p[19]*t18; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[37] = t19;
+    const double t20 = t17*t18; /* gamma3*1/s^2*s*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t21 = p[16]*t20; /* (-I3/(R*I1))*gamma3*1/s^2*s*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[28] = t21;
+    const double t22 = p[14]*t15; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t23 = t20*t22; /* gamma3*1/s^2*s*omega_n*1/(Theta/(m*R^2*I1))*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t24 = x[4]*t10; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t25 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t26 = p[8]*t25; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[31] = t26;
+    const double t27 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
+    const double t28 = t11*t27; /* s*gamma3*(I1 - I3)/I1 */
+    const double t29 = JLT_FMS(t24, t28, t18); /* omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
+    out[38] = t29;
+    const double t30 = t15*t18; /* 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t31 = JLT_FNMA(p[7], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t32 = t17*t31; /* gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[30] = t32;
+    const double t33 = t25*t28; /* omega_tau*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
+    out[40] = t33;
+    const double t34 = t24*t25; /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t35 = JLT_FNMA(t28, t34, t30); /* 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) - s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t36 = JLT_FNMA(p[15], t34, t23); /* t23 - (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1))*omega_tau*1/(Theta/(m*R^2*I1)) */
     const double t37 = x[3]*t9; /* omega_n*1/s^2 */
     const double t38 = t12*t37; /* 1/s^2*s*omega_n*1/s^2 */
     out[54] = t38;
-    const double t39 = t9*t21; /* 1/s^2*omega_n*gamma3*1/s^2*s */
-    const double t40 = -t39; /* -1/s^2*omega_n*gamma3*1/s^2*s */
-    out[45] = t40;
-    const double t41 = t36*t38; /* R*omega_n*1/s^2*s*omega_n*1/s^2 */
-    out[9] = t41;
-    const double t42 = p[1]*x[4]; /* R*omega3 */
-    const double t43 = JLT_FMA(p[11], t21, t42); /* 2*R*omega_n*gamma3*1/s^2*s + R*omega3 */
-    out[12] = t43;
-    const double t44 = (-2.0)*t21; /* (-2)*omega_n*gamma3*1/s^2*s */
-    const double t45 = JLT_FMA(x[4], p[12], t44); /* omega3*(-I3/I1) + (-2)*omega_n*gamma3*1/s^2*s */
-    out[21] = t45;
-    const double t46 = x[0]*p[13]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t47 = p[15]*t17; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t48 = JLT_FNMA(t27, t47, t25); /* t25 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t49 = t46*t48; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t48 */
-    const double t50 = p[17]*t46; /* (-1/(m*R^2*I1))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t51 = t33*t50; /* t33*(-1/(m*R^2*I1))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t52 = JLT_FNMA(p[7], t17, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t53 = JLT_FMA(t38, t52, t49); /* 1/s^2*s*omega_n*1/s^2*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t48 */
-    out[27] = t53;
-    const double t54 = t14*t52; /* gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[30] = t54;
-    const double t55 = x[3]*t38; /* omega_n*1/s^2*s*omega_n*1/s^2 */
-    const double t56 = -t55; /* -omega_n*1/s^2*s*omega_n*1/s^2 */
-    out[18] = t56;
-    const double t57 = cos(x[5]); /* C = cos(chi) */
-    out[64] = t57;
-    const double t58 = x[4]*p[18]; /* omega3*(-(I1 - I3)/I1) */
-    const double t59 = t22*t58; /* omega_tau*1/(Theta/(m*R^2*I1))*omega3*(-(I1 - I3)/I1) */
-    const double t60 = sin(x[5]); /* S = sin(chi) */
-    out[73] = t60;
-    const double t61 = JLT_FNMA(t14, t42, t36); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s^2*s*R*omega3 */
-    const double t62 = t11*t42; /* s*R*omega3 */
-    const double t63 = JLT_FMA(x[0], t36, t62); /* v_tau = gamma3*R*omega_n + s*R*omega3 */
-    const double t64 = t60*t61; /* S*d(v_tau)/d(gamma3) */
-    out[63] = t64;
-    const double t65 = t57*t61; /* C*d(v_tau)/d(gamma3) */
-    const double t66 = -t65; /* -C*d(v_tau)/d(gamma3) */
-    out[72] = t66;
-    const double t67 = p[1]*t57; /* R*C */
-    const double t68 = x[2]*t14; /* omega_tau*gamma3*1/s^2*s */
-    const double t69 = -t68; /* -omega_tau*gamma3*1/s^2*s */
-    out[0] = t69;
-    const double t70 = JLT_FMS(x[0], t14, t11); /* gamma3*gamma3*1/s^2*s - s */
-    const double t71 = JLT_FMA(t59, t70, t51); /* omega_tau*1/(Theta/(m*R^2*I1))*omega3*(-(I1 - I3)/I1)*(gamma3*gamma3*1/s^2*s - s) + t33*(-1/(m*R^2*I1))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    out[36] = t71;
-    const double t72 = p[1]*t60; /* R*S */
-    const double t73 = x[0]*t72; /* gamma3*R*S */
-    out[66] = t73;
-    const double t74 = t11*t72; /* s*R*S */
-    out[67] = t74;
-    const double t75 = t11*t67; /* s*R*C */
-    const double t76 = -t75; /* -s*R*C */
-    out[76] = t76;
-    const double t77 = x[0]*t67; /* gamma3*R*C */
-    const double t78 = -t77; /* -gamma3*R*C */
-    out[75] = t78;
-    const double t79 = x[1]*t60; /* v_nu*S */
-    const double t80 = JLT_FMS(t57, t63, t79); /* C*v_tau - v_nu*S */
+    const double t39 = x[3]*p[1]; /* omega_n*R */
+    out[13] = t39;
+    const double t40 = t38*t39; /* 1/s^2*s*omega_n*1/s^2*omega_n*R */
+    out[9] = t40;
+    const double t41 = p[1]*x[4]; /* R*omega3 */
+    const double t42 = x[0]*p[13]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t43 = t36*t42; /* t36*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t44 = JLT_FMS(t31, t38, t43); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/s^2*s*omega_n*1/s^2 - t36*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    out[27] = t44;
+    const double t45 = p[17]*t42; /* (-1/(m*R^2*I1))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t46 = t35*t45; /* t35*(-1/(m*R^2*I1))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t47 = x[3]*t38; /* omega_n*1/s^2*s*omega_n*1/s^2 */
+    const double t48 = -t47; /* -omega_n*1/s^2*s*omega_n*1/s^2 */
+    out[18] = t48;
+    const double t49 = p[1]*t11; /* R*s */
+    const double t50 = JLT_FMS(x[0], t17, t11); /* gamma3*gamma3*1/s^2*s - s */
+    const double t51 = x[3]*t17; /* omega_n*gamma3*1/s^2*s */
+    const double t52 = t9*t51; /* 1/s^2*omega_n*gamma3*1/s^2*s */
+    const double t53 = -t52; /* -1/s^2*omega_n*gamma3*1/s^2*s */
+    out[45] = t53;
+    const double t54 = JLT_FMA(p[11], t51, t41); /* 2*R*omega_n*gamma3*1/s^2*s + R*omega3 */
+    out[12] = t54;
+    const double t55 = JLT_FNMA(t17, t41, t39); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3 */
+    const double t56 = x[2]*t17; /* omega_tau*gamma3*1/s^2*s */
+    const double t57 = -t56; /* -omega_tau*gamma3*1/s^2*s */
+    out[0] = t57;
+    const double t58 = x[2]*p[18]; /* omega_tau*(-(I1 - I3)/I1) */
+    const double t59 = t24*t58; /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*(-(I1 - I3)/I1) */
+    const double t60 = JLT_FMA(t50, t59, t46); /* (gamma3*gamma3*1/s^2*s - s)*omega3*1/(Theta/(m*R^2*I1))*omega_tau*(-(I1 - I3)/I1) + t35*(-1/(m*R^2*I1))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    out[36] = t60;
+    const double t61 = JLT_FMA(p[8], t24, t51); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s^2*s */
+    const double t62 = JLT_FNMA(p[7], t20, t61); /* t61 - I3/I1*gamma3*1/s^2*s*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[29] = t62;
+    const double t63 = (-2.0)*t51; /* (-2)*omega_n*gamma3*1/s^2*s */
+    const double t64 = JLT_FMA(x[4], p[12], t63); /* omega3*(-I3/I1) + (-2)*omega_n*gamma3*1/s^2*s */
+    out[21] = t64;
+    const double t65 = sin(x[5]); /* S = sin(chi) */
+    out[73] = t65;
+    const double t66 = t55*t65; /* d(v_tau)/d(gamma3)*S */
+    out[63] = t66;
+    const double t67 = t49*t65; /* R*s*S */
+    out[67] = t67;
+    const double t68 = cos(x[5]); /* C = cos(chi) */
+    out[64] = t68;
+    const double t69 = t55*t68; /* d(v_tau)/d(gamma3)*C */
+    const double t70 = -t69; /* -d(v_tau)/d(gamma3)*C */
+    out[72] = t70;
+    const double t71 = x[0]*p[1]; /* gamma3*R */
+    const double t72 = t65*t71; /* S*gamma3*R */
+    out[66] = t72;
+    const double t73 = t68*t71; /* C*gamma3*R */
+    const double t74 = -t73; /* -C*gamma3*R */
+    out[75] = t74;
+    const double t75 = x[4]*t49; /* omega3*R*s */
+    const double t76 = JLT_FMA(x[0], t39, t75); /* v_tau = gamma3*omega_n*R + omega3*R*s */
+    const double t77 = t49*t68; /* R*s*C */
+    const double t78 = -t77; /* -R*s*C */
+    out[76] = t78;
+    const double t79 = x[1]*t65; /* v_nu*S */
+    const double t80 = JLT_FMS(t68, t76, t79); /* C*v_tau - v_nu*S */
     out[68] = t80;
-    const double t81 = x[1]*t57; /* v_nu*C */
-    const double t82 = JLT_FMA(t60, t63, t81); /* S*v_tau + v_nu*C */
+    const double t81 = x[1]*t68; /* v_nu*C */
+    const double t82 = JLT_FMA(t65, t76, t81); /* S*v_tau + v_nu*C */
     out[77] = t82;
 }
 
@@ -436,124 +437,124 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t10 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
     const double t11 = sqrt(t3); /* s = sqrt(s^2) */
     out[11] = t11;
-    const double t12 = t9*t11; /* 1/s^2*s */
-    const double t13 = -t12; /* -1/s^2*s */
-    out[57] = t13;
-    const double t14 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t15 = t10*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t16 = -t15; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[48] = t16;
-    const double t17 = x[0]*t10; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t18 = x[0]*t12; /* gamma3*1/s^2*s */
-    out[66] = t18;
-    const double t19 = x[3]*t12; /* omega_n*1/s^2*s */
-    const double t20 = -t19; /* -omega_n*1/s^2*s */
+    const double t12 = x[2]*t11; /* omega_tau*s */
+    out[0] = t12;
+    const double t13 = t9*t11; /* 1/s^2*s */
+    const double t14 = -t13; /* -1/s^2*s */
+    out[57] = t14;
+    const double t15 = x[4]*t10; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t16 = p[10]*t11; /* (I1 - I3)/I1*s */
+    const double t17 = p[1]*t11; /* R*s */
+    const double t18 = x[3]*t13; /* omega_n*1/s^2*s */
+    const double t19 = x[0]*t13; /* gamma3*1/s^2*s */
+    out[66] = t19;
+    const double t20 = -t18; /* -omega_n*1/s^2*s */
     out[5] = t20;
-    const double t21 = t9*t19; /* 1/s^2*omega_n*1/s^2*s */
-    out[63] = t21;
-    const double t22 = x[4]*t17; /* omega3*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t23 = p[1]*t11; /* R*s */
-    const double t24 = p[20]*t17; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t25 = t15*t24; /* 1/(Theta/(m*R^2*I1))*V/R*t24 */
-    const double t26 = x[2]*t11; /* omega_tau*s */
-    out[0] = t26;
-    const double t27 = x[3]*t18; /* omega_n*gamma3*1/s^2*s */
-    const double t28 = t25*t27; /* 1/(Theta/(m*R^2*I1))*V/R*t24*omega_n*gamma3*1/s^2*s */
-    const double t29 = t9*t27; /* 1/s^2*omega_n*gamma3*1/s^2*s */
-    const double t30 = -t29; /* -1/s^2*omega_n*gamma3*1/s^2*s */
-    out[54] = t30;
-    const double t31 = x[3]*p[1]; /* omega_n*R */
-    out[22] = t31;
-    const double t32 = t21*t31; /* 1/s^2*omega_n*1/s^2*s*omega_n*R */
-    out[18] = t32;
-    const double t33 = x[4]*p[7]; /* omega3*I3/I1 */
-    const double t34 = x[4]*t10; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t35 = p[10]*t22; /* (I1 - I3)/I1*omega3*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t36 = x[4]*t23; /* omega3*R*s */
-    const double t37 = JLT_FMA(x[0], t31, t36); /* v_tau = gamma3*omega_n*R + omega3*R*s */
-    const double t38 = x[2]*t18; /* omega_tau*gamma3*1/s^2*s */
-    const double t39 = -t38; /* -omega_tau*gamma3*1/s^2*s */
-    out[9] = t39;
-    const double t40 = t35*t38; /* (I1 - I3)/I1*omega3*gamma3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*1/s^2*s */
-    const double t41 = x[4]*p[1]; /* omega3*R */
-    const double t42 = JLT_FMA(p[11], t27, t41); /* 2*R*omega_n*gamma3*1/s^2*s + omega3*R */
-    out[21] = t42;
-    const double t43 = JLT_FNMA(t18, t41, t31); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*omega3*R */
-    const double t44 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t45 = p[8]*t44; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[40] = t45;
-    const double t46 = p[21]*t44; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t47 = JLT_FMS(t22, t46, t28); /* omega3*gamma3*1/(Theta/(m*R^2*I1))*t46 - 1/(Theta/(m*R^2*I1))*V/R*t24*omega_n*gamma3*1/s^2*s */
-    const double t48 = t27 + t33; /* omega_n*gamma3*1/s^2*s + omega3*I3/I1 */
-    const double t49 = x[3]*t48; /* omega_n*(omega_n*gamma3*1/s^2*s + omega3*I3/I1) */
-    const double t50 = -t49; /* -omega_n*(omega_n*gamma3*1/s^2*s + omega3*I3/I1) */
-    out[2] = t50;
-    const double t51 = JLT_FMA(2.0, t27, t33); /* 2*omega_n*gamma3*1/s^2*s + omega3*I3/I1 */
-    const double t52 = -t51; /* -(2*omega_n*gamma3*1/s^2*s + omega3*I3/I1) */
-    out[30] = t52;
-    const double t53 = JLT_FNMA(p[7], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t54 = JLT_FMA(t21, t53, t47); /* 1/s^2*omega_n*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + t47 */
-    out[36] = t54;
-    const double t55 = t18*t53; /* gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[39] = t55;
-    const double t56 = t27*t53; /* omega_n*gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t57 = x[3]*t21; /* omega_n*1/s^2*omega_n*1/s^2*s */
-    const double t58 = -t57; /* -omega_n*1/s^2*omega_n*1/s^2*s */
-    out[27] = t58;
-    const double t59 = p[8]*t34; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t60 = JLT_FMA(x[2], t59, t56); /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + t56 */
-    out[3] = t60;
-    const double t61 = t27 + t59; /* omega_n*gamma3*1/s^2*s + (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t62 = t26*t35; /* omega_tau*s*(I1 - I3)/I1*omega3*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t63 = JLT_FNMA(x[3], t15, t62); /* omega_tau*s*(I1 - I3)/I1*omega3*gamma3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[4] = t63;
-    const double t64 = p[10]*t26; /* (I1 - I3)/I1*omega_tau*s */
-    const double t65 = JLT_FMS(t34, t64, t40); /* omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*s - t40 */
-    const double t66 = t17*t64; /* gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*s */
-    out[49] = t66;
-    const double t67 = p[22]*t17; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t68 = JLT_FMA(t63, t67, t65); /* t63*t67 + omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*s - t40 */
-    out[45] = t68;
-    const double t69 = cos(x[5]); /* C = cos(chi) */
-    out[73] = t69;
-    const double t70 = sin(x[5]); /* S = sin(chi) */
-    out[82] = t70;
-    const double t71 = t43*t70; /* d(v_tau)/d(gamma3)*S */
-    out[72] = t71;
-    const double t72 = t43*t69; /* d(v_tau)/d(gamma3)*C */
-    const double t73 = -t72; /* -d(v_tau)/d(gamma3)*C */
-    out[81] = t73;
-    const double t74 = t23*t70; /* R*s*S */
-    out[76] = t74;
-    const double t75 = t23*t69; /* R*s*C */
-    const double t76 = -t75; /* -R*s*C */
-    out[85] = t76;
-    const double t77 = x[0]*p[1]; /* gamma3*R */
-    const double t78 = t70*t77; /* S*gamma3*R */
-    out[75] = t78;
-    const double t79 = t69*t77; /* C*gamma3*R */
-    const double t80 = -t79; /* -C*gamma3*R */
-    out[84] = t80;
-    const double t81 = x[4] + t27; /* omega3 + omega_n*gamma3*1/s^2*s */
-    out[6] = t81;
-    const double t82 = t31*t81; /* omega_n*R*(omega3 + omega_n*gamma3*1/s^2*s) */
-    out[1] = t82;
-    const double t83 = t10*t27; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
-    const double t84 = JLT_FNMA(p[7], t83, t61); /* t61 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
+    const double t21 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t22 = x[2]*t15; /* omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t23 = x[0]*t16; /* gamma3*(I1 - I3)/I1*s */
+    const double t24 = x[0]*t10; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t25 = x[0]*t18; /* gamma3*omega_n*1/s^2*s */
+    const double t26 = t9*t18; /* 1/s^2*omega_n*1/s^2*s */
+    out[63] = t26;
+    const double t27 = t9*t25; /* 1/s^2*gamma3*omega_n*1/s^2*s */
+    const double t28 = -t27; /* -1/s^2*gamma3*omega_n*1/s^2*s */
+    out[54] = t28;
+    const double t29 = x[3]*p[1]; /* omega_n*R */
+    out[22] = t29;
+    const double t30 = t26*t29; /* 1/s^2*omega_n*1/s^2*s*omega_n*R */
+    out[18] = t30;
+    const double t31 = x[4]*p[7]; /* omega3*I3/I1 */
+    const double t32 = t10*t21; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t33 = -t32; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[48] = t33;
+    const double t34 = JLT_FNMA(p[7], t32, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t35 = t19*t34; /* gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[39] = t35;
+    const double t36 = t22*t23; /* omega_tau*omega3*1/(Theta/(m*R^2*I1))*gamma3*(I1 - I3)/I1*s */
+    const double t37 = x[3]*t10; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t38 = JLT_FNMA(t21, t37, t36); /* omega_tau*omega3*1/(Theta/(m*R^2*I1))*gamma3*(I1 - I3)/I1*s - V/R*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[4] = t38;
+    const double t39 = p[20]*t21; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*V/R */
+    const double t40 = t24*t39; /* gamma3*1/(Theta/(m*R^2*I1))*2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*V/R */
+    const double t41 = p[19]*t37; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[46] = t41;
+    const double t42 = JLT_FMS(t15, t23, t37); /* omega3*1/(Theta/(m*R^2*I1))*gamma3*(I1 - I3)/I1*s - omega_n*1/(Theta/(m*R^2*I1)) */
+    out[47] = t42;
+    const double t43 = JLT_FMA(p[8], t15, t25); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/s^2*s */
+    const double t44 = x[4]*t17; /* omega3*R*s */
+    const double t45 = JLT_FMA(x[0], t29, t44); /* v_tau = gamma3*omega_n*R + omega3*R*s */
+    const double t46 = x[4]*p[1]; /* omega3*R */
+    const double t47 = JLT_FMA(p[11], t25, t46); /* 2*R*gamma3*omega_n*1/s^2*s + omega3*R */
+    out[21] = t47;
+    const double t48 = JLT_FNMA(t19, t46, t29); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*omega3*R */
+    const double t49 = p[21]*t24; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t50 = t22*t49; /* omega_tau*omega3*1/(Theta/(m*R^2*I1))*t49 */
+    const double t51 = p[22]*t24; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t52 = t38*t51; /* t38*t51 */
+    const double t53 = JLT_FMA(t26, t34, t50); /* 1/s^2*omega_n*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + omega_tau*omega3*1/(Theta/(m*R^2*I1))*t49 */
+    const double t54 = t25*t34; /* gamma3*omega_n*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t55 = JLT_FMA(p[8], t22, t54); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*omega3*1/(Theta/(m*R^2*I1)) + t54 */
+    out[3] = t55;
+    const double t56 = x[3]*t26; /* omega_n*1/s^2*omega_n*1/s^2*s */
+    const double t57 = -t56; /* -omega_n*1/s^2*omega_n*1/s^2*s */
+    out[27] = t57;
+    const double t58 = t25 + t31; /* gamma3*omega_n*1/s^2*s + omega3*I3/I1 */
+    const double t59 = x[3]*t58; /* omega_n*(gamma3*omega_n*1/s^2*s + omega3*I3/I1) */
+    const double t60 = -t59; /* -omega_n*(gamma3*omega_n*1/s^2*s + omega3*I3/I1) */
+    out[2] = t60;
+    const double t61 = JLT_FMA(2.0, t25, t31); /* 2*gamma3*omega_n*1/s^2*s + omega3*I3/I1 */
+    const double t62 = -t61; /* -(2*gamma3*omega_n*1/s^2*s + omega3*I3/I1) */
+    out[30] = t62;
+    const double t63 = cos(x[5]); /* C = cos(chi) */
+    out[73] = t63;
+    const double t64 = sin(x[5]); /* S = sin(chi) */
+    out[82] = t64;
+    const double t65 = t48*t64; /* d(v_tau)/d(gamma3)*S */
+    out[72] = t65;
+    const double t66 = t48*t63; /* d(v_tau)/d(gamma3)*C */
+    const double t67 = -t66; /* -d(v_tau)/d(gamma3)*C */
+    out[81] = t67;
+    const double t68 = t17*t64; /* R*s*S */
+    out[76] = t68;
+    const double t69 = t17*t63; /* R*s*C */
+    const double t70 = -t69; /* -R*s*C */
+    out[85] = t70;
+    const double t71 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
+    const double t72 = JLT_FMS(t19, t71, t16); /* gamma3*1/s^2*s*gamma3*(I1 - I3)/I1 - (I1 - I3)/I1*s */
+    const double t73 = JLT_FNMA(t22, t72, t52); /* t38*t51 - omega_tau*omega3*1/(Theta/(m*R^2*I1))*(gamma3*1/s^2*s*gamma3*(I1 - I3)/I1 - (I1 - I3)/I1*s) */
+    out[45] = t73;
+    const double t74 = x[2]*t19; /* omega_tau*gamma3*1/s^2*s */
+    const double t75 = -t74; /* -omega_tau*gamma3*1/s^2*s */
+    out[9] = t75;
+    const double t76 = x[0]*p[1]; /* gamma3*R */
+    const double t77 = t64*t76; /* S*gamma3*R */
+    out[75] = t77;
+    const double t78 = t63*t76; /* C*gamma3*R */
+    const double t79 = -t78; /* -C*gamma3*R */
+    out[84] = t79;
+    const double t80 = x[4] + t25; /* omega3 + gamma3*omega_n*1/s^2*s */
+    out[6] = t80;
+    const double t81 = t29*t80; /* omega_n*R*(omega3 + gamma3*omega_n*1/s^2*s) */
+    out[1] = t81;
+    const double t82 = t10*t25; /* 1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s^2*s */
+    const double t83 = JLT_FNMA(t40, t82, t53); /* t53 - t40*1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s^2*s */
+    out[36] = t83;
+    const double t84 = JLT_FNMA(p[7], t82, t43); /* t43 - I3/I1*1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s^2*s */
     out[38] = t84;
-    const double t85 = p[16]*t83; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
+    const double t85 = p[16]*t82; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s^2*s */
     out[37] = t85;
-    const double t86 = x[3]*t10; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t87 = JLT_FMS(t11, t35, t86); /* s*(I1 - I3)/I1*omega3*gamma3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1)) */
-    out[47] = t87;
-    const double t88 = p[19]*t86; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[46] = t88;
-    const double t89 = x[1]*t69; /* v_nu*C */
-    const double t90 = JLT_FMA(t37, t70, t89); /* v_tau*S + v_nu*C */
+    const double t86 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t87 = t23*t86; /* gamma3*(I1 - I3)/I1*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[49] = t87;
+    const double t88 = p[8]*t86; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[40] = t88;
+    const double t89 = x[1]*t63; /* v_nu*C */
+    const double t90 = JLT_FMA(t45, t64, t89); /* v_tau*S + v_nu*C */
     out[7] = t90;
     out[86] = t90;
-    const double t91 = t37*t69; /* v_tau*C */
-    const double t92 = x[1]*t70; /* v_nu*S */
+    const double t91 = t45*t63; /* v_tau*C */
+    const double t92 = x[1]*t64; /* v_nu*S */
     const double t93 = t92 - t91; /* v_nu*S - v_tau*C */
     out[8] = t93;
     const double t94 = t91 - t92; /* v_tau*C - v_nu*S */
@@ -723,7 +724,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t5[JLT_JET_ORDER_MAX + 1];
     double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
@@ -776,38 +777,38 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
         t7[k] = jlt_jet_product(x2, t6, k);
-        t11[k] = jlt_jet_product(x0, x3, k);
-        t14[k] = x0[k]*p[7];
-        t15[k] = t5[k] + (k == 0 ? p[6] : 0);
-        t16[k] = jlt_jet_product(x0, t14, k) + t15[k];
-        t17[k] = jlt_jet_product(t6, t16, k);
-        t18[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t17, t18, k);
-        t19[k] = jlt_jet_product(t16, t18, k);
-        t20[k] = jlt_jet_product(t11, t19, k);
+        t13[k] = x0[k]*p[7];
+        t14[k] = t5[k] + (k == 0 ? p[6] : 0);
+        t15[k] = jlt_jet_product(x0, t13, k) + t14[k];
+        t16[k] = jlt_jet_product(t6, t15, k);
+        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
+        t18[k] = jlt_jet_product(x3, t15, k);
+        t19[k] = jlt_jet_product(t17, t18, k);
+        t20[k] = jlt_jet_product(x0, t19, k);
         t21[k] = x4[k] + t20[k];
         t22[k] = p[1]*x3[k];
         t23[k] = jlt_jet_product(t21, t22, k);
         t24[k] = x4[k]*p[7] + t20[k];
         t25[k] = jlt_jet_product(x3, t24, k);
         t26[k] = -t25[k];
-        t28[k] = jlt_jet_product(t6, t18, k);
-        t29[k] = jlt_jet_product(x4, t28, k);
-        t30[k] = p[8]*t29[k] + t20[k];
-        t31[k] = jlt_jet_product(x2, t30, k);
+        t28[k] = jlt_jet_product(t6, t17, k);
+        t29[k] = jlt_jet_product(x2, t28, k);
+        t30[k] = x4[k]*p[8];
+        t31[k] = jlt_jet_product(t29, t30, k);
         t34[k] = p[9]*x1[k] + x2[k];
         t35[k] = jlt_jet_product(t28, t34, k);
-        t36[k] = p[7]*t20[k];
-        t37[k] = t31[k] - jlt_jet_product(t35, t36, k);
+        t36[k] = x2[k] - p[7]*t35[k];
+        t37[k] = jlt_jet_product(t20, t36, k) + t31[k];
         t38[k] = jlt_jet_product(x3, t35, k);
-        t40[k] = x0[k]*p[10];
-        t41[k] = jlt_jet_product(t7, t40, k);
-        t42[k] = jlt_jet_product(t29, t41, k) - t38[k];
-        t43[k] = jlt_jet_product(x3, t19, k);
-        t44[k] = -t43[k];
+        t40[k] = jlt_jet_product(t6, x4, k);
+        t41[k] = x0[k]*p[10];
+        t42[k] = jlt_jet_product(t40, t41, k);
+        t43[k] = jlt_jet_product(t29, t42, k) - t38[k];
+        t44[k] = -t19[k];
         t46[k] = jlt_jet_cosine(x5, t46, u46, k);
         t47[k] = jlt_jet_product(x1, t46, k);
         t48[k] = jlt_jet_sine(x5, t48, u48, k);
-        t49[k] = jlt_jet_product(t6, x4, k) + t11[k];
+        t49[k] = jlt_jet_product(x0, x3, k) + t40[k];
         t50[k] = p[1]*t49[k];
         t51[k] = jlt_jet_product(t48, t50, k) + t47[k];
         t52[k] = jlt_jet_product(x1, t48, k);
@@ -817,7 +818,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         next[1] = x1[k + 1] = t23[k]/(k + 1);
         next[2] = x2[k + 1] = t26[k]/(k + 1);
         next[3] = x3[k + 1] = t37[k]/(k + 1);
-        next[4] = x4[k + 1] = t42[k]/(k + 1);
+        next[4] = x4[k + 1] = t43[k]/(k + 1);
         next[5] = x5[k + 1] = t44[k]/(k + 1);
         next[6] = x6[k + 1] = t21[k]/(k + 1);
         next[7] = x7[k + 1] = t51[k]/(k + 1);
@@ -912,7 +913,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39",
+    .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 9, .param_count = 6, .prepared_count = 38,
@@ -920,12 +921,12 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 9, { 6, 22, 9, 1, 1, 2, 11, 10 }, { 17, 59, 0, 11, 1, 2, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in d(spin)/dt, omega3*(I3/I1) + gamma3*omega_n*1/s, a part of d(omega_n)/dt, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dt, d(omega3)/dt, s*omega3 + gamma3*omega_n, d(x)/dt, d(y)/dt" },
+    .rhs = { rhs, 9, { 6, 22, 9, 1, 1, 2, 11, 8 }, { 17, 59, 0, 11, 1, 2, 11, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in d(spin)/dt, a part of d(omega_tau)/dt, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(omega_n)/dt, d(omega3)/dt, gamma3*omega_n + s*omega3, d(x)/dt, d(y)/dt" },
     .jacobian = { jacobian, 81, { 11, 51, 17, 1, 1, 2, 14, 13 }, { 45, 196, 0, 40, 1, 2, 14, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, V/R = (1/R)*v_nu + omega_tau, d(d(omega3)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n), d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dt)/d(gamma3), d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s^2*s*R*omega3, v_tau = gamma3*R*omega_n + s*R*omega3, gamma3*gamma3*1/s^2*s - s, d(d(omega3)/dt)/d(gamma3), d(d(x)/dt)/d(chi), d(d(y)/dt)/d(chi)" },
-    .rhs_jacobian = { rhs_jacobian, 90, { 19, 56, 16, 1, 1, 2, 13, 20 }, { 57, 238, 0, 51, 1, 2, 14, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2), 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, v_tau = gamma3*omega_n*R + omega3*R*s, d(d(v_nu)/dt)/d(omega_n), d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*omega3*R, omega_n*gamma3*1/s^2*s + omega3*(I3/I1), (2)*omega_n*gamma3*1/s^2*s + omega3*(I3/I1), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(omega3)/dt, d(d(omega3)/dt)/d(gamma3), d(spin)/dt, d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau), d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt, d(d(x)/dt)/d(chi)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, V/R = (1/R)*v_nu + omega_tau, d(d(omega3)/dt)/d(omega_tau), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), gamma3*gamma3*1/s^2*s - s, d(d(v_nu)/dt)/d(omega_n), d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3, d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_tau)/dt)/d(omega_n), v_tau = gamma3*omega_n*R + omega3*R*s, d(d(x)/dt)/d(chi), d(d(y)/dt)/d(chi)" },
+    .rhs_jacobian = { rhs_jacobian, 90, { 18, 56, 17, 1, 1, 2, 13, 19 }, { 57, 238, 0, 51, 1, 2, 14, 12 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2), 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(omega3)/dt, d(d(omega3)/dt)/d(omega_tau), v_tau = gamma3*omega_n*R + omega3*R*s, d(d(v_nu)/dt)/d(omega_n), d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*omega3*R, d(omega_n)/dt, gamma3*omega_n*1/s^2*s + omega3*(I3/I1), (2)*gamma3*omega_n*1/s^2*s + omega3*(I3/I1), gamma3*1/s^2*s*gamma3*((I1 - I3)/I1) - ((I1 - I3)/I1)*s, d(d(omega3)/dt)/d(gamma3), d(spin)/dt, d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt, d(d(x)/dt)/d(chi)" },
     .divergence = { divergence, 1, { 3, 10, 3, 1, 1, 0, 8, 5 }, { 6, 24, 0, 2, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 4, { 3, 15, 10, 0, 1, 2, 8, 9 }, { 12, 39, 0, 0, 1, 2, 10, 7 },

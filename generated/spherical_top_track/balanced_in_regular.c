@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   19    9    1    0    2      7    8   (96)
- *  jacobian            9   62   21    1    0    2     10   16   (375)
- *  rhs_jacobian        15   69   21    1    0    2      7   18   (449)
+ *  jacobian            13   59   21    1    0    2     10   19   (375)
+ *  rhs_jacobian        15   69   21    1    0    2      7   19   (449)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     1   14   10    0    0    2      6    8   (51)
  *  integral_gradients  0   31    7    0    0    2      5    8   (89)
@@ -18,17 +18,17 @@
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau,
- *      numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*(m*R*I3)*V,
- *      omega_tau - ((1)/Theta)*(m*R*I3)*V,
- *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
- *      d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau,
+ *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V,
+ *      omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau,
  *      numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - s*omega_n*(m*R*I1)*V,
- *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n,
  *      v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s),
  *      d(d(y)/dtau)/d(s),
  *      d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V,
- *      d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3,
- *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)
+ *      omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(v_nu)/dtau)/d(omega_n),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3),
+ *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -70,14 +70,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
-    out[32] = t2;
+    out[40] = t2;
     const double t3 = params[4]*t2; /* I1*m*R*R */
-    out[14] = t3;
+    out[22] = t3;
     const double t4 = params[5]*params[5]; /* I3*I3 */
     const double t5 = params[5]*t2; /* I3*m*R*R */
-    out[15] = t5;
+    out[23] = t5;
     const double t6 = t4 + t5; /* I3*I3 + I3*m*R*R */
-    out[17] = t6;
+    out[24] = t6;
     const double t7 = t6/t3; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
     out[7] = t7;
     const double t8 = params[5]/t2; /* I3/(m*R*R) */
@@ -91,52 +91,86 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t12;
     const double t13 = -t0; /* -I3/I1 */
     out[12] = t13;
-    const double t14 = params[4]*params[5]; /* I1*I3 */
-    out[13] = t14;
-    const double t15 = params[0]*params[1]; /* m*R */
-    out[33] = t15;
-    const double t16 = params[5]*t15; /* I3*m*R */
-    out[16] = t16;
-    const double t17 = params[0]*2.0; /* m*2 */
-    const double t18 = t1*t17; /* R*R*m*2 */
-    const double t19 = params[5]*t18; /* I3*R*R*m*2 */
-    out[18] = t19;
-    const double t20 = -t15; /* -m*R */
-    out[36] = t20;
-    const double t21 = -t16; /* -I3*m*R */
-    out[19] = t21;
-    const double t22 = params[4]*t18; /* I1*R*R*m*2 */
-    out[20] = t22;
-    const double t23 = t2*t10; /* m*R*R*(I1 - I3) */
-    out[21] = t23;
-    const double t24 = params[4]*t15; /* I1*m*R */
-    out[22] = t24;
-    const double t25 = -t24; /* -I1*m*R */
-    out[23] = t25;
-    const double t26 = t10*t18; /* (I1 - I3)*R*R*m*2 */
-    out[24] = t26;
+    const double t14 = params[4]*params[4]; /* I1*I1 */
+    const double t15 = t4*2.0; /* I3*I3*2 */
+    const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
+    out[13] = t16;
+    const double t17 = params[0]*params[0]; /* m*m */
+    const double t18 = t1*t1; /* R*R*R*R */
+    const double t19 = t17*t18; /* m*m*R*R*R*R */
+    const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
+    const double t21 = params[5]*t4; /* I3*I3*I3 */
+    const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
+    const double t23 = t4*t19; /* I3*I3*m*m*R*R*R*R */
+    const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
-    out[30] = t27;
+    out[38] = t27;
     const double t28 = params[5]/t27; /* I3/(I1*R) */
-    out[25] = t28;
-    const double t29 = params[0]/2.0; /* m/2 */
-    out[26] = t29;
-    const double t30 = params[4]/2.0; /* I1/2 */
-    out[27] = t30;
-    const double t31 = params[5]/2.0; /* I3/2 */
-    out[28] = t31;
-    const double t32 = t2/2.0; /* m*R*R/2 */
-    out[29] = t32;
-    const double t33 = params[5]*params[1]; /* I3*R */
-    out[31] = t33;
-    const double t34 = -t33; /* -I3*R */
-    out[34] = t34;
-    const double t35 = params[4] + t2; /* I1 + m*R*R */
-    out[35] = t35;
-    const double t36 = params[5] + t2; /* I3 + m*R*R */
-    out[37] = t36;
-    const double t37 = -params[4]; /* -I1 */
-    out[38] = t37;
+    out[33] = t28;
+    const double t29 = -t28; /* -I3/(I1*R) */
+    out[15] = t29;
+    const double t30 = t3*t4; /* I1*m*R*R*I3*I3 */
+    const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
+    const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
+    const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
+    const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
+    const double t35 = t34/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    out[16] = t35;
+    const double t36 = params[5]*2.0; /* I3*2 */
+    const double t37 = t36/params[4]; /* I3*2/I1 */
+    out[17] = t37;
+    const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
+    const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
+    out[18] = t39;
+    const double t40 = (-1.0)/params[1]; /* (-1)/R */
+    out[19] = t40;
+    const double t41 = params[4]/t2; /* I1/(m*R*R) */
+    out[20] = t41;
+    const double t42 = params[4]*params[5]; /* I1*I3 */
+    out[21] = t42;
+    const double t43 = params[0]*params[1]; /* m*R */
+    out[41] = t43;
+    const double t44 = params[5]*t43; /* I3*m*R */
+    out[25] = t44;
+    const double t45 = params[4]*t43; /* I1*m*R */
+    out[26] = t45;
+    const double t46 = t2*t10; /* m*R*R*(I1 - I3) */
+    out[27] = t46;
+    const double t47 = params[0]*2.0; /* m*2 */
+    const double t48 = t1*t47; /* R*R*m*2 */
+    const double t49 = params[5]*t48; /* I3*R*R*m*2 */
+    out[28] = t49;
+    const double t50 = -t43; /* -m*R */
+    out[44] = t50;
+    const double t51 = -t44; /* -I3*m*R */
+    out[29] = t51;
+    const double t52 = params[4]*t48; /* I1*R*R*m*2 */
+    out[30] = t52;
+    const double t53 = -t45; /* -I1*m*R */
+    out[31] = t53;
+    const double t54 = t10*t48; /* (I1 - I3)*R*R*m*2 */
+    out[32] = t54;
+    const double t55 = params[0]/2.0; /* m/2 */
+    out[34] = t55;
+    const double t56 = params[4]/2.0; /* I1/2 */
+    out[35] = t56;
+    const double t57 = params[5]/2.0; /* I3/2 */
+    out[36] = t57;
+    const double t58 = t2/2.0; /* m*R*R/2 */
+    out[37] = t58;
+    const double t59 = params[5]*params[1]; /* I3*R */
+    out[39] = t59;
+    const double t60 = -t59; /* -I3*R */
+    out[42] = t60;
+    const double t61 = params[4] + t2; /* I1 + m*R*R */
+    out[43] = t61;
+    const double t62 = params[5] + t2; /* I3 + m*R*R */
+    out[45] = t62;
+    const double t63 = -params[4]; /* -I1 */
+    out[46] = t63;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -175,14 +209,14 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t25 = -x[3]; /* -omega_n */
     out[5] = t25;
     const double t26 = cos(x[5]); /* C = cos(chi) */
-    const double t27 = x[1]*t26; /* v_nu*C */
-    const double t28 = sin(x[5]); /* S = sin(chi) */
-    const double t29 = JLT_FMA(t5, t28, t27); /* R*(omega_n*gamma3 + s*omega3)*S + v_nu*C */
-    const double t30 = x[9]*t29; /* s*(R*(omega_n*gamma3 + s*omega3)*S + v_nu*C) */
-    out[7] = t30;
-    const double t31 = x[1]*t28; /* v_nu*S */
-    const double t32 = JLT_FNMA(t5, t26, t31); /* v_nu*S - R*(omega_n*gamma3 + s*omega3)*C */
-    const double t33 = x[9]*t32; /* s*(v_nu*S - R*(omega_n*gamma3 + s*omega3)*C) */
+    const double t27 = x[9]*x[1]; /* s*v_nu */
+    const double t28 = t26*t27; /* C*s*v_nu */
+    const double t29 = sin(x[5]); /* S = sin(chi) */
+    const double t30 = x[9]*t5; /* s*R*(omega_n*gamma3 + s*omega3) */
+    const double t31 = JLT_FMA(t29, t30, t28); /* S*s*R*(omega_n*gamma3 + s*omega3) + C*s*v_nu */
+    out[7] = t31;
+    const double t32 = t27*t29; /* s*v_nu*S */
+    const double t33 = JLT_FNMA(t26, t30, t32); /* s*v_nu*S - C*s*R*(omega_n*gamma3 + s*omega3) */
     out[8] = t33;
     const double t34 = -t22; /* -s*omega_tau*gamma3 */
     out[9] = t34;
@@ -259,139 +293,140 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = p[1]*t3; /* R*omega_n*omega_n */
     out[10] = t4;
     out[69] = x[4];
-    const double t5 = x[9]*x[4]; /* s*omega3 */
-    const double t6 = p[1]*t5; /* R*s*omega3 */
+    const double t5 = x[9]*p[1]; /* s*R */
+    const double t6 = x[4]*t5; /* omega3*s*R */
     out[63] = x[0];
     const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + omega3*s*R */
     out[13] = t8;
-    const double t9 = x[9]*x[3]; /* s*omega_n */
-    const double t10 = p[1]*t9; /* R*s*omega_n */
-    out[14] = t10;
-    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
-    out[19] = t12;
-    const double t13 = -t3; /* -omega_n*omega_n */
-    out[20] = t13;
-    const double t14 = t7*(-2.0); /* omega_n*gamma3*(-2) */
-    const double t15 = JLT_FMA(t5, p[12], t14); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
-    out[23] = t15;
-    const double t16 = t9*p[12]; /* s*omega_n*(-I3/I1) */
-    out[24] = t16;
-    const double t17 = t11*p[12]; /* omega_n*omega3*(-I3/I1) */
-    out[29] = t17;
-    const double t18 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t19 = JLT_FMA(t0, p[14], p[13]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t20 = JLT_FMA(x[0], t18, t19); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t21 = 1.0/t20; /* 1/Theta */
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[16]*t22; /* m*R*I3*V */
-    const double t24 = JLT_FNMA(t21, t23, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t25 = x[3]*t24; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t26 = x[2]*p[17]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t27 = t5*t26; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t28 = JLT_FNMA(t7, t23, t27); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t29 = x[0]*p[18]; /* gamma3*2*m*R^2*I3 */
-    const double t30 = t21*t29; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t31 = t21*t28; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t32 = JLT_FNMA(t30, t31, t25); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*gamma3*2*m*R^2*I3*1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[30] = t32;
-    const double t33 = t7*p[19]; /* omega_n*gamma3*(-m*R*I3) */
-    const double t34 = t21*t33; /* 1/Theta*omega_n*gamma3*(-m*R*I3) */
-    out[31] = t34;
-    const double t35 = t5*p[17]; /* s*omega3*(I3^2 + m*R^2*I3) */
-    const double t36 = JLT_FNMA(t7, p[15], t35); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R^2*I3 */
-    const double t37 = JLT_FMA(t21, t36, t7); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[32] = t37;
-    const double t38 = x[0]*t24; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[33] = t38;
-    const double t39 = x[9]*t21; /* s*1/Theta */
-    const double t40 = t26*t39; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
-    out[34] = t40;
-    const double t41 = x[4]*t26; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t42 = t39*p[20]; /* s*1/Theta*2*m*R^2*I1 */
-    const double t43 = JLT_FNMA(t28, t42, t41); /* omega3*omega_tau*(I3^2 + m*R^2*I3) - numerator of d(omega_n)/dt over Theta*s*1/Theta*2*m*R^2*I1 */
-    const double t44 = t21*t43; /* 1/Theta*t43 */
-    out[39] = t44;
-    const double t45 = t39*p[21]; /* s*1/Theta*m*R^2*(I1 - I3) */
-    const double t46 = t5*t45; /* s*omega3*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t47 = x[2]*t46; /* omega_tau*s*omega3*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t48 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t49 = t46*t48; /* s*omega3*s*1/Theta*m*R^2*(I1 - I3)*omega_tau*gamma3 */
-    const double t50 = x[3]*t39; /* omega_n*s*1/Theta */
-    const double t51 = t22*p[22]; /* V*m*R*I1 */
-    const double t52 = JLT_FNMA(t50, t51, t49); /* s*omega3*s*1/Theta*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*s*1/Theta*V*m*R*I1 */
-    const double t53 = JLT_FNMA(t30, t52, t47); /* omega_tau*s*omega3*s*1/Theta*m*R^2*(I1 - I3) - 1/Theta*gamma3*2*m*R^2*I3*t52 */
-    out[40] = t53;
-    const double t54 = t50*p[23]; /* omega_n*s*1/Theta*(-m*R*I1) */
+    const double t9 = x[3]*t5; /* omega_n*s*R */
+    out[14] = t9;
+    const double t10 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t11 = p[1]*t10; /* R*omega_n*omega3 */
+    out[19] = t11;
+    const double t12 = -t3; /* -omega_n*omega_n */
+    out[20] = t12;
+    const double t13 = 2.0*t7; /* 2*omega_n*gamma3 */
+    const double t14 = x[9]*p[6]; /* s*I3/I1 */
+    const double t15 = JLT_FMA(x[4], t14, t13); /* omega3*s*I3/I1 + 2*omega_n*gamma3 */
+    const double t16 = -t15; /* -(omega3*s*I3/I1 + 2*omega_n*gamma3) */
+    out[23] = t16;
+    const double t17 = x[3]*t14; /* omega_n*s*I3/I1 */
+    const double t18 = -t17; /* -omega_n*s*I3/I1 */
+    out[24] = t18;
+    const double t19 = t10*p[12]; /* omega_n*omega3*(-I3/I1) */
+    out[29] = t19;
+    const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t21 = t0 + p[8]; /* s*s + I3/(m*R^2) */
+    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
+    const double t23 = 1.0/t22; /* 1/(Theta/(m*R^2*I1)) */
+    const double t24 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t28 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t29 = t24*t28; /* V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t30 = p[13]*t29; /* 2*I3^2/I1^2*V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t31 = x[9]*t23; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t32 = x[2]*t31; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t33 = x[4]*t32; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t34 = JLT_FNMA(p[14], t33, t30); /* 2*I3^2/I1^2*V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1)) - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t35 = x[0]*t23; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t36 = JLT_FMA(t34, t35, t27); /* t34*gamma3*1/(Theta/(m*R^2*I1)) + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[30] = t36;
+    const double t37 = t28*p[15]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
+    out[31] = t37;
+    const double t38 = x[4]*p[7]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t39 = JLT_FMA(t31, t38, t7); /* s*1/(Theta/(m*R^2*I1))*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
+    const double t40 = JLT_FNMA(p[6], t28, t39); /* t39 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[32] = t40;
+    const double t41 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[33] = t41;
+    const double t42 = t32*p[7]; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[34] = t42;
+    const double t43 = x[2]*t38; /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = t23*t43; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t29*p[17]; /* V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t46 = JLT_FMS(t33, p[16], t45); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t47 = JLT_FNMA(t31, t46, t44); /* t44 - s*1/(Theta/(m*R^2*I1))*t46 */
+    out[39] = t47;
+    const double t48 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
+    const double t49 = t33*t48; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    const double t50 = t33*p[18]; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t51 = JLT_FNMA(t20, t50, t45); /* V/R*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 - gamma3*gamma3*omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t52 = JLT_FMA(t31, t51, t49); /* s*1/(Theta/(m*R^2*I1))*t51 + omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    out[40] = t52;
+    const double t53 = x[3]*t31; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
     out[41] = t54;
-    const double t55 = p[14]*t50; /* m*R^2*I1*omega_n*s*1/Theta */
-    const double t56 = JLT_FMS(x[0], t46, t55); /* gamma3*s*omega3*s*1/Theta*m*R^2*(I1 - I3) - m*R^2*I1*omega_n*s*1/Theta */
-    out[42] = t56;
-    const double t57 = t39*t51; /* s*1/Theta*V*m*R*I1 */
-    const double t58 = -t57; /* -s*1/Theta*V*m*R*I1 */
-    out[43] = t58;
-    const double t59 = x[9]*t48; /* s*omega_tau*gamma3 */
-    const double t60 = t45*t59; /* s*1/Theta*m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    out[44] = t60;
-    const double t61 = x[3]*t51; /* omega_n*V*m*R*I1 */
-    const double t62 = t48*p[24]; /* omega_tau*gamma3*2*m*R^2*(I1 - I3) */
-    const double t63 = JLT_FMS(t5, t62, t61); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*omega_tau*gamma3*2*m*R^2*(I1 - I3) - omega_n*V*m*R*I1 */
-    const double t64 = t21*t63; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t65 = JLT_FNMA(t42, t52, t64); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - s*1/Theta*2*m*R^2*I1*t52 */
-    out[49] = t65;
+    const double t55 = x[9]*x[0]; /* s*gamma3 */
+    const double t56 = p[10]*t55; /* (I1 - I3)/I1*s*gamma3 */
+    const double t57 = x[4]*t56; /* omega3*(I1 - I3)/I1*s*gamma3 */
+    const double t58 = JLT_FMS(t31, t57, t53); /* s*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[42] = t58;
+    const double t59 = t24*t31; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t60 = -t59; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    out[43] = t60;
+    const double t61 = t32*t56; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    out[44] = t61;
+    const double t62 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t63 = 2.0*t59; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t64 = t20 + p[20]; /* gamma3*gamma3 + I1/(m*R^2) */
+    const double t65 = t35*t64; /* gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) */
+    const double t66 = JLT_FMS(t53, t63, t62); /* omega_n*s*1/(Theta/(m*R^2*I1))*2*V/R*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t67 = JLT_FMA(t50, t65, t66); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2*gamma3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3 + I1/(m*R^2)) + t66 */
+    out[49] = t67;
     out[53] = (-1.0);
-    const double t66 = sin(x[5]); /* S = sin(chi) */
-    const double t67 = x[9]*t66; /* s*S */
-    out[81] = t67;
-    const double t68 = p[1]*t67; /* R*s*S */
-    const double t69 = x[3]*t68; /* omega_n*R*s*S */
+    const double t68 = sin(x[5]); /* S = sin(chi) */
+    const double t69 = t9*t68; /* omega_n*s*R*S */
     out[70] = t69;
     const double t70 = cos(x[5]); /* C = cos(chi) */
     const double t71 = x[9]*t70; /* s*C */
     out[71] = t71;
-    const double t72 = x[0]*t68; /* gamma3*R*s*S */
-    out[73] = t72;
-    const double t73 = x[9]*t68; /* s*R*s*S */
-    out[74] = t73;
-    const double t74 = x[1]*t66; /* v_nu*S */
-    const double t75 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + R*s*omega3 */
-    const double t76 = JLT_FNMA(t70, t75, t74); /* v_nu*S - C*v_tau */
-    const double t77 = x[9]*t76; /* s*(v_nu*S - C*v_tau) */
-    const double t78 = -t77; /* -s*(v_nu*S - C*v_tau) */
+    const double t72 = t5*x[0]; /* s*R*gamma3 */
+    const double t73 = t68*t72; /* S*s*R*gamma3 */
+    out[73] = t73;
+    const double t74 = x[9]*t68; /* s*S */
+    out[81] = t74;
+    const double t75 = t5*t74; /* s*R*s*S */
+    out[74] = t75;
+    const double t76 = x[1]*t74; /* v_nu*s*S */
+    const double t77 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
+    const double t78 = JLT_FMS(t71, t77, t76); /* s*C*v_tau - v_nu*s*S */
     out[75] = t78;
     const double t79 = x[1]*t70; /* v_nu*C */
-    const double t80 = JLT_FMA(t66, t75, t79); /* S*v_tau + v_nu*C */
-    const double t81 = JLT_FMA(t6, t66, t80); /* R*s*omega3*S + S*v_tau + v_nu*C */
+    const double t80 = t6 + t77; /* omega3*s*R + v_tau */
+    const double t81 = JLT_FMA(t68, t80, t79); /* S*(omega3*s*R + v_tau) + v_nu*C */
     out[79] = t81;
-    const double t82 = p[1]*t71; /* R*s*C */
-    const double t83 = x[3]*t82; /* omega_n*R*s*C */
-    const double t84 = -t83; /* -omega_n*R*s*C */
-    out[80] = t84;
-    const double t85 = x[0]*t82; /* gamma3*R*s*C */
-    const double t86 = -t85; /* -gamma3*R*s*C */
-    out[83] = t86;
-    const double t87 = x[9]*t82; /* s*R*s*C */
-    const double t88 = -t87; /* -s*R*s*C */
-    out[84] = t88;
-    const double t89 = x[9]*t80; /* s*(S*v_tau + v_nu*C) */
+    const double t82 = t9*t70; /* omega_n*s*R*C */
+    const double t83 = -t82; /* -omega_n*s*R*C */
+    out[80] = t83;
+    const double t84 = t70*t72; /* C*s*R*gamma3 */
+    const double t85 = -t84; /* -C*s*R*gamma3 */
+    out[83] = t85;
+    const double t86 = t5*t71; /* s*R*s*C */
+    const double t87 = -t86; /* -s*R*s*C */
+    out[84] = t87;
+    const double t88 = x[1]*t71; /* v_nu*s*C */
+    const double t89 = JLT_FMA(t74, t77, t88); /* s*S*v_tau + v_nu*s*C */
     out[85] = t89;
-    const double t90 = JLT_FNMA(x[4], t82, t76); /* v_nu*S - C*v_tau - omega3*R*s*C */
-    out[89] = t90;
-    const double t91 = -t1; /* -s*omega_tau */
-    out[90] = t91;
-    const double t92 = x[9]*x[0]; /* s*gamma3 */
-    const double t93 = -t92; /* -s*gamma3 */
+    const double t90 = x[1]*t68; /* v_nu*S */
+    const double t91 = JLT_FNMA(t70, t80, t90); /* v_nu*S - C*(omega3*s*R + v_tau) */
+    out[89] = t91;
+    const double t92 = -t1; /* -s*omega_tau */
+    out[90] = t92;
+    const double t93 = -t55; /* -s*gamma3 */
     out[92] = t93;
-    const double t94 = -t48; /* -omega_tau*gamma3 */
-    out[99] = t94;
+    const double t94 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t95 = -t94; /* -omega_tau*gamma3 */
+    out[99] = t95;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[74] = x[9];
-    out[79] = x[4];
     out[70] = x[3];
+    out[79] = x[4];
     out[73] = x[0];
     out[10] = 0.0;
     out[11] = 0.0;
@@ -456,157 +491,157 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[5] = t0;
     const double t1 = x[9]*x[9]; /* s*s */
     out[12] = t1;
-    const double t2 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t3 = JLT_FMA(p[14], t1, p[13]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t4 = JLT_FMA(x[0], t2, t3); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t5 = 1.0/t4; /* 1/Theta */
-    const double t6 = x[9]*x[4]; /* s*omega3 */
+    const double t2 = x[2]*t1; /* omega_tau*s*s */
+    out[0] = t2;
+    const double t3 = x[0]*p[23]; /* gamma3*m*R^2*I3 */
+    const double t4 = JLT_FMA(p[22], t1, p[21]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
+    const double t6 = 1.0/t5; /* 1/Theta */
     const double t7 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t8 = x[9]*x[2]; /* s*omega_tau */
-    const double t9 = x[9]*t8; /* s*s*omega_tau */
-    out[0] = t9;
-    const double t10 = 2.0*t8; /* 2*s*omega_tau */
-    out[19] = t10;
-    const double t11 = -t8; /* -s*omega_tau */
-    out[100] = t11;
-    const double t12 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t13 = p[17]*t6; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t14 = x[9]*x[3]; /* s*omega_n */
-    const double t15 = p[1]*t14; /* R*s*omega_n */
-    out[24] = t15;
-    const double t16 = p[12]*t14; /* (-I3/I1)*s*omega_n */
-    out[34] = t16;
-    const double t17 = p[22]*t7; /* m*R*I1*V */
-    const double t18 = p[16]*t7; /* m*R*I3*V */
-    const double t19 = x[9]*x[0]; /* s*gamma3 */
-    const double t20 = -t19; /* -s*gamma3 */
-    out[102] = t20;
-    const double t21 = cos(x[5]); /* C = cos(chi) */
-    const double t22 = x[9]*t21; /* s*C */
-    out[81] = t22;
-    const double t23 = sin(x[5]); /* S = sin(chi) */
-    const double t24 = x[9]*t23; /* s*S */
-    out[91] = t24;
-    const double t25 = t6 + t12; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t25;
-    const double t26 = p[6]*t6; /* I3/I1*s*omega3 */
-    const double t27 = x[2]*t13; /* omega_tau*(I3^2 + m*R^2*I3)*s*omega3 */
-    const double t28 = JLT_FNMA(t12, t18, t27); /* numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*m*R*I3*V */
-    const double t29 = JLT_FNMA(t5, t18, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t30 = t5*t28; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t31 = JLT_FNMA(p[15], t12, t13); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t32 = JLT_FMA(t5, t31, t12); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[42] = t32;
-    const double t33 = JLT_FMA(x[2], t12, t30); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t33;
-    const double t34 = x[0]*t29; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[43] = t34;
-    const double t35 = x[3]*t29; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t36 = t14*t17; /* s*omega_n*m*R*I1*V */
-    const double t37 = x[2]*t19; /* omega_tau*s*gamma3 */
-    const double t38 = -t37; /* -omega_tau*s*gamma3 */
-    out[9] = t38;
-    const double t39 = p[21]*t6; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t40 = JLT_FMS(t37, t39, t36); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - s*omega_n*m*R*I1*V */
-    const double t41 = t19*t39; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
-    const double t42 = t5*t40; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    out[4] = t42;
-    const double t43 = JLT_FNMA(p[14], t14, t41); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
-    const double t44 = t5*t43; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[52] = t44;
-    const double t45 = x[1]*t23; /* v_nu*S */
-    const double t46 = p[1]*t23; /* R*S */
-    const double t47 = t14*t46; /* s*omega_n*R*S */
-    out[80] = t47;
-    const double t48 = t19*t46; /* s*gamma3*R*S */
-    out[83] = t48;
-    const double t49 = t1*t46; /* s*s*R*S */
-    out[84] = t49;
-    const double t50 = p[1]*t21; /* R*C */
-    const double t51 = x[1]*t21; /* v_nu*C */
-    const double t52 = JLT_FNMA(t25, t50, t45); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
-    const double t53 = JLT_FMA(t25, t46, t51); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    const double t54 = JLT_FMA(t6, t46, t53); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    out[89] = t54;
-    const double t55 = x[9]*t53; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
-    out[7] = t55;
-    out[95] = t55;
-    const double t56 = t1*t50; /* s*s*R*C */
-    const double t57 = -t56; /* -s*s*R*C */
-    out[94] = t57;
-    const double t58 = JLT_FNMA(t6, t50, t52); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
-    out[99] = t58;
-    const double t59 = x[9]*t52; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[8] = t59;
-    const double t60 = -t59; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[85] = t60;
-    const double t61 = p[21]*t8; /* m*R^2*(I1 - I3)*s*omega_tau */
-    const double t62 = t5*t61; /* 1/Theta*m*R^2*(I1 - I3)*s*omega_tau */
-    const double t63 = t19*t62; /* s*gamma3*1/Theta*m*R^2*(I1 - I3)*s*omega_tau */
-    out[54] = t63;
-    const double t64 = t6*t62; /* s*omega3*1/Theta*m*R^2*(I1 - I3)*s*omega_tau */
-    const double t65 = t19*t50; /* s*gamma3*R*C */
-    const double t66 = -t65; /* -s*gamma3*R*C */
-    out[93] = t66;
-    const double t67 = t14*t50; /* s*omega_n*R*C */
-    const double t68 = -t67; /* -s*omega_n*R*C */
-    out[90] = t68;
-    const double t69 = p[23]*t14; /* (-m*R*I1)*s*omega_n */
-    const double t70 = t5*t69; /* 1/Theta*(-m*R*I1)*s*omega_n */
-    out[51] = t70;
-    const double t71 = x[3]*t17; /* omega_n*m*R*I1*V */
-    const double t72 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t73 = -t72; /* -omega_tau*gamma3 */
-    out[109] = t73;
-    const double t74 = p[24]*t6; /* 2*m*R^2*(I1 - I3)*s*omega3 */
-    const double t75 = JLT_FMS(t72, t74, t71); /* d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*2*m*R^2*(I1 - I3)*s*omega3 - omega_n*m*R*I1*V */
-    const double t76 = p[1]*t6; /* R*s*omega3 */
-    const double t77 = JLT_FMA(p[11], t12, t76); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[23] = t77;
-    const double t78 = t5*t75; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t79 = t12 + t26; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t80 = x[3]*t79; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t81 = -t80; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t81;
-    const double t82 = JLT_FMA(2.0, t12, t26); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t83 = -t82; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[33] = t83;
-    const double t84 = p[19]*t12; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t85 = t5*t84; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[41] = t85;
-    const double t86 = x[0]*p[18]; /* gamma3*2*m*R^2*I3 */
-    const double t87 = t5*t86; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t88 = JLT_FNMA(t30, t87, t35); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[40] = t88;
-    const double t89 = JLT_FNMA(t42, t87, t64); /* s*omega3*1/Theta*m*R^2*(I1 - I3)*s*omega_tau - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    const double t8 = x[9]*x[4]; /* s*omega3 */
+    const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t10 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t11 = x[9]*x[3]; /* s*omega_n */
+    const double t12 = p[1]*t11; /* R*s*omega_n */
+    out[24] = t12;
+    const double t13 = p[12]*t11; /* (-I3/I1)*s*omega_n */
+    out[34] = t13;
+    const double t14 = p[26]*t7; /* m*R*I1*V */
+    const double t15 = p[25]*t7; /* m*R*I3*V */
+    const double t16 = x[9]*x[0]; /* s*gamma3 */
+    const double t17 = -t16; /* -s*gamma3 */
+    out[102] = t17;
+    const double t18 = cos(x[5]); /* C = cos(chi) */
+    const double t19 = x[9]*t18; /* s*C */
+    out[81] = t19;
+    const double t20 = sin(x[5]); /* S = sin(chi) */
+    const double t21 = x[9]*t20; /* s*S */
+    out[91] = t21;
+    const double t22 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t22;
+    const double t23 = p[6]*t8; /* I3/I1*s*omega3 */
+    const double t24 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t25 = JLT_FNMA(t9, t15, t24); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
+    const double t26 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t27 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t28 = t6*t25; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t29 = t6*t27; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t30 = JLT_FMA(x[2], t9, t28); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t30;
+    const double t31 = x[0]*t26; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[43] = t31;
+    const double t32 = x[3]*t26; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t33 = t11*t14; /* s*omega_n*m*R*I1*V */
+    const double t34 = x[2]*t16; /* omega_tau*s*gamma3 */
+    const double t35 = -t34; /* -omega_tau*s*gamma3 */
+    out[9] = t35;
+    const double t36 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t37 = JLT_FMS(t34, t36, t33); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - s*omega_n*m*R*I1*V */
+    const double t38 = t6*t37; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t38;
+    const double t39 = x[1]*t20; /* v_nu*S */
+    const double t40 = p[1]*t20; /* R*S */
+    const double t41 = t11*t40; /* s*omega_n*R*S */
+    out[80] = t41;
+    const double t42 = t16*t40; /* s*gamma3*R*S */
+    out[83] = t42;
+    const double t43 = t1*t40; /* s*s*R*S */
+    out[84] = t43;
+    const double t44 = p[1]*t18; /* R*C */
+    const double t45 = x[1]*t18; /* v_nu*C */
+    const double t46 = JLT_FNMA(t22, t44, t39); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
+    const double t47 = JLT_FMA(t22, t40, t45); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t48 = JLT_FMA(t8, t40, t47); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    out[89] = t48;
+    const double t49 = x[9]*t47; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
+    out[7] = t49;
+    out[95] = t49;
+    const double t50 = t1*t44; /* s*s*R*C */
+    const double t51 = -t50; /* -s*s*R*C */
+    out[94] = t51;
+    const double t52 = JLT_FNMA(t8, t44, t46); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
+    out[99] = t52;
+    const double t53 = x[9]*t46; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[8] = t53;
+    const double t54 = -t53; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[85] = t54;
+    const double t55 = x[2]*x[9]; /* omega_tau*s */
+    const double t56 = 2.0*t55; /* 2*omega_tau*s */
+    out[19] = t56;
+    const double t57 = -t55; /* -omega_tau*s */
+    out[100] = t57;
+    const double t58 = t6*t55; /* 1/Theta*omega_tau*s */
+    const double t59 = p[24]*t58; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
+    out[44] = t59;
+    const double t60 = x[3]*t14; /* omega_n*m*R*I1*V */
+    const double t61 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t62 = -t61; /* -omega_tau*gamma3 */
+    out[109] = t62;
+    const double t63 = p[32]*t8; /* 2*m*R^2*(I1 - I3)*s*omega3 */
+    const double t64 = JLT_FMS(t61, t63, t60); /* d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*2*m*R^2*(I1 - I3)*s*omega3 - omega_n*m*R*I1*V */
+    const double t65 = t6*t64; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t66 = t9 + t23; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t67 = x[3]*t66; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t68 = -t67; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t68;
+    const double t69 = JLT_FMA(2.0, t9, t23); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t70 = -t69; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[33] = t70;
+    const double t71 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t72 = t6*t71; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t73 = JLT_FNMA(t28, t72, t32); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[40] = t73;
+    const double t74 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t75 = p[1]*t8; /* R*s*omega3 */
+    const double t76 = JLT_FMA(p[11], t9, t75); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[23] = t76;
+    const double t77 = JLT_FNMA(p[23], t9, t74); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t78 = JLT_FMA(t6, t77, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[42] = t78;
+    const double t79 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t80 = t6*t79; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[41] = t80;
+    const double t81 = x[9]*t6; /* s*1/Theta */
+    const double t82 = t14*t81; /* m*R*I1*V*s*1/Theta */
+    const double t83 = -t82; /* -m*R*I1*V*s*1/Theta */
+    out[53] = t83;
+    const double t84 = p[30]*t81; /* 2*m*R^2*I1*s*1/Theta */
+    const double t85 = JLT_FNMA(t28, t84, t29); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[49] = t85;
+    const double t86 = JLT_FNMA(t38, t84, t65); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[59] = t86;
+    const double t87 = t16*t36; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
+    const double t88 = t36*t58; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s */
+    const double t89 = JLT_FNMA(t38, t72, t88); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
     out[50] = t89;
-    const double t90 = p[17]*t5; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t91 = t8*t90; /* s*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[44] = t91;
-    const double t92 = x[9]*t5; /* s*1/Theta */
-    const double t93 = t17*t92; /* m*R*I1*V*s*1/Theta */
-    const double t94 = -t93; /* -m*R*I1*V*s*1/Theta */
-    out[53] = t94;
-    const double t95 = p[20]*t92; /* 2*m*R^2*I1*s*1/Theta */
-    const double t96 = JLT_FNMA(t42, t95, t78); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[59] = t96;
-    const double t97 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t98 = t90*t97; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*omega3 */
-    const double t99 = JLT_FNMA(t30, t95, t98); /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[49] = t99;
-    const double t100 = x[3]*p[1]; /* omega_n*R */
-    const double t101 = t25*t100; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
-    out[1] = t101;
-    const double t102 = x[3]*t100; /* omega_n*omega_n*R */
-    out[20] = t102;
-    const double t103 = x[4]*t100; /* omega3*omega_n*R */
-    out[29] = t103;
-    const double t104 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t105 = -t104; /* -omega_n*omega_n */
-    out[30] = t105;
-    const double t106 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    const double t107 = x[4]*t106; /* omega3*omega_n*(-I3/I1) */
-    out[39] = t107;
+    const double t90 = JLT_FNMA(p[22], t11, t87); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
+    const double t91 = t6*t90; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[52] = t91;
+    const double t92 = p[1]*x[3]; /* R*omega_n */
+    const double t93 = t22*t92; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
+    out[1] = t93;
+    const double t94 = x[3]*t92; /* omega_n*R*omega_n */
+    out[20] = t94;
+    const double t95 = x[4]*t92; /* omega3*R*omega_n */
+    out[29] = t95;
+    const double t96 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t97 = -t96; /* -omega_n*omega_n */
+    out[30] = t97;
+    const double t98 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t99 = x[4]*t98; /* omega3*omega_n*(-I3/I1) */
+    out[39] = t99;
+    const double t100 = p[31]*t11; /* (-m*R*I1)*s*omega_n */
+    const double t101 = t6*t100; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[51] = t101;
+    const double t102 = t11*t44; /* s*omega_n*R*C */
+    const double t103 = -t102; /* -s*omega_n*R*C */
+    out[90] = t103;
+    const double t104 = t16*t44; /* s*gamma3*R*C */
+    const double t105 = -t104; /* -s*gamma3*R*C */
+    out[93] = t105;
+    const double t106 = p[27]*t16; /* m*R^2*(I1 - I3)*s*gamma3 */
+    const double t107 = t58*t106; /* 1/Theta*omega_tau*s*m*R^2*(I1 - I3)*s*gamma3 */
+    out[54] = t107;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -618,7 +653,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t7 = JLT_FNMA(p[25], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t7 = JLT_FNMA(p[33], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
     const double t8 = x[0]*t7; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V) */
     const double t9 = t8/t3; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
     out[0] = t9;
@@ -626,32 +661,32 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[26]*x[1]; /* 1/2*m*v_nu */
+    const double t0 = p[34]*x[1]; /* 1/2*m*v_nu */
     const double t1 = x[1]*t0; /* v_nu*1/2*m*v_nu */
     const double t2 = x[3]*x[3]; /* omega_n*omega_n */
     const double t3 = JLT_FMA(x[2], x[2], t2); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t4 = p[28]*x[4]; /* 1/2*I3*omega3 */
+    const double t4 = p[36]*x[4]; /* 1/2*I3*omega3 */
     const double t5 = x[4]*x[9]; /* omega3*s */
     const double t6 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t7 = t5 + t6; /* v_tau/R = omega3*s + omega_n*gamma3 */
-    const double t8 = p[29]*t7; /* 1/2*m*R^2*v_tau/R */
+    const double t8 = p[37]*t7; /* 1/2*m*R^2*v_tau/R */
     const double t9 = JLT_FMA(x[4], t4, t1); /* omega3*1/2*I3*omega3 + v_nu*1/2*m*v_nu */
-    const double t10 = JLT_FMA(p[27], t3, t9); /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) + omega3*1/2*I3*omega3 + v_nu*1/2*m*v_nu */
+    const double t10 = JLT_FMA(p[35], t3, t9); /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) + omega3*1/2*I3*omega3 + v_nu*1/2*m*v_nu */
     const double t11 = JLT_FMA(t7, t8, t10); /* v_tau/R*1/2*m*R^2*v_tau/R + t10 */
     out[0] = t11;
-    const double t12 = x[3]*p[30]; /* omega_n*R*I1 */
+    const double t12 = x[3]*p[38]; /* omega_n*R*I1 */
     const double t13 = x[9]*t12; /* s*omega_n*R*I1 */
-    const double t14 = x[4]*p[31]; /* omega3*R*I3 */
+    const double t14 = x[4]*p[39]; /* omega3*R*I3 */
     const double t15 = JLT_FNMA(x[0], t14, t13); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     out[1] = t15;
     const double t16 = cos(x[5]); /* C = cos(chi) */
     const double t17 = t6*p[4]; /* omega_n*gamma3*I1 */
     const double t18 = JLT_FMA(t5, p[5], t17); /* omega3*s*I3 + omega_n*gamma3*I1 */
-    const double t19 = JLT_FMA(t7, p[32], t18); /* M_nu = v_tau/R*m*R^2 + omega3*s*I3 + omega_n*gamma3*I1 */
+    const double t19 = JLT_FMA(t7, p[40], t18); /* M_nu = v_tau/R*m*R^2 + omega3*s*I3 + omega_n*gamma3*I1 */
     const double t20 = t16*t19; /* C*M_nu */
     const double t21 = sin(x[5]); /* S = sin(chi) */
     const double t22 = x[2]*p[4]; /* omega_tau*I1 */
-    const double t23 = JLT_FNMA(x[1], p[33], t22); /* M_tau = omega_tau*I1 - v_nu*m*R */
+    const double t23 = JLT_FNMA(x[1], p[41], t22); /* M_tau = omega_tau*I1 - v_nu*m*R */
     const double t24 = JLT_FMA(t21, t23, t20); /* S*M_tau + C*M_nu */
     out[2] = t24;
     const double t25 = t19*t21; /* M_nu*S */
@@ -679,43 +714,43 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[38] = 0.0;
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[4]*p[34]; /* omega3*(-R*I3) */
+    const double t1 = x[4]*p[42]; /* omega3*(-R*I3) */
     out[10] = t1;
-    const double t2 = x[9]*p[30]; /* s*R*I1 */
+    const double t2 = x[9]*p[38]; /* s*R*I1 */
     out[13] = t2;
-    const double t3 = x[0]*p[34]; /* gamma3*(-R*I3) */
+    const double t3 = x[0]*p[42]; /* gamma3*(-R*I3) */
     out[14] = t3;
-    const double t4 = x[3]*p[30]; /* omega_n*R*I1 */
+    const double t4 = x[3]*p[38]; /* omega_n*R*I1 */
     out[19] = t4;
-    const double t5 = x[0]*p[35]; /* gamma3*(I1 + m*R^2) */
+    const double t5 = x[0]*p[43]; /* gamma3*(I1 + m*R^2) */
     const double t6 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t7 = JLT_FMA(x[4], x[9], t6); /* omega3*s + omega_n*gamma3 */
-    const double t8 = p[32]*t7; /* m*R^2*(omega3*s + omega_n*gamma3) */
+    const double t8 = p[40]*t7; /* m*R^2*(omega3*s + omega_n*gamma3) */
     const double t9 = x[3]*t8; /* omega_n*m*R^2*(omega3*s + omega_n*gamma3) */
     out[0] = t9;
     const double t10 = x[4]*t8; /* omega3*m*R^2*(omega3*s + omega_n*gamma3) */
     out[9] = t10;
     const double t11 = x[3]*t5; /* omega_n*gamma3*(I1 + m*R^2) */
-    const double t12 = x[4]*p[37]; /* omega3*(I3 + m*R^2) */
+    const double t12 = x[4]*p[45]; /* omega3*(I3 + m*R^2) */
     const double t13 = JLT_FMA(x[9], t12, t11); /* M_nu = s*omega3*(I3 + m*R^2) + omega_n*gamma3*(I1 + m*R^2) */
     const double t14 = p[4]*x[2]; /* I1*omega_tau */
     out[2] = t14;
-    const double t15 = JLT_FNMA(x[1], p[33], t14); /* M_tau = I1*omega_tau - v_nu*m*R */
+    const double t15 = JLT_FNMA(x[1], p[41], t14); /* M_tau = I1*omega_tau - v_nu*m*R */
     const double t16 = cos(x[5]); /* C = cos(chi) */
     const double t17 = t5*t16; /* gamma3*(I1 + m*R^2)*C */
     out[23] = t17;
     const double t18 = t12*t16; /* omega3*(I3 + m*R^2)*C */
     out[29] = t18;
-    const double t19 = p[33]*t16; /* m*R*C */
+    const double t19 = p[41]*t16; /* m*R*C */
     out[31] = t19;
-    const double t20 = p[38]*t16; /* (-I1)*C */
+    const double t20 = p[46]*t16; /* (-I1)*C */
     out[32] = t20;
     const double t21 = sin(x[5]); /* S = sin(chi) */
     const double t22 = t5*t21; /* gamma3*(I1 + m*R^2)*S */
     out[33] = t22;
     const double t23 = t12*t21; /* omega3*(I3 + m*R^2)*S */
     out[39] = t23;
-    const double t24 = p[36]*t21; /* (-m*R)*S */
+    const double t24 = p[44]*t21; /* (-m*R)*S */
     out[21] = t24;
     const double t25 = p[4]*t21; /* I1*S */
     out[22] = t25;
@@ -725,12 +760,12 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t28 = x[4]*p[5]; /* omega3*I3 */
     const double t29 = JLT_FMA(x[9], t8, t28); /* s*m*R^2*(omega3*s + omega_n*gamma3) + omega3*I3 */
     out[4] = t29;
-    const double t30 = x[3]*p[35]; /* d(M_nu)/d(gamma3) = omega_n*(I1 + m*R^2) */
+    const double t30 = x[3]*p[43]; /* d(M_nu)/d(gamma3) = omega_n*(I1 + m*R^2) */
     const double t31 = t16*t30; /* C*d(M_nu)/d(gamma3) */
     out[20] = t31;
     const double t32 = t21*t30; /* S*d(M_nu)/d(gamma3) */
     out[30] = t32;
-    const double t33 = x[9]*p[37]; /* s*(I3 + m*R^2) */
+    const double t33 = x[9]*p[45]; /* s*(I3 + m*R^2) */
     const double t34 = t16*t33; /* C*s*(I3 + m*R^2) */
     out[24] = t34;
     const double t35 = t21*t33; /* S*s*(I3 + m*R^2) */
@@ -783,14 +818,14 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
-    double t40[JLT_JET_ORDER_MAX + 1];
-    double u40[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
+    double u41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
     double u43[JLT_JET_ORDER_MAX + 1];
@@ -799,6 +834,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -813,50 +849,51 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x9, x2, k);
         t3[k] = jlt_jet_product(x9, t2, k);
-        t7[k] = jlt_jet_product(x3, x0, k);
-        t9[k] = jlt_jet_product(x9, x4, k);
+        t7[k] = jlt_jet_product(x9, x4, k);
+        t9[k] = jlt_jet_product(x3, x0, k);
         t10[k] = t7[k] + t9[k];
         t11[k] = p[1]*t10[k];
         t12[k] = jlt_jet_product(x3, t11, k);
-        t14[k] = t9[k]*p[6] + t7[k];
+        t14[k] = t7[k]*p[6] + t9[k];
         t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
         t19[k] = x0[k]*p[6];
         t20[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[8] : 0);
         t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
         t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
-        t24[k] = jlt_jet_product(t9, t23, k);
-        t25[k] = p[7]*t24[k] + t7[k];
-        t26[k] = jlt_jet_product(x2, t25, k);
+        t24[k] = jlt_jet_product(t7, t23, k);
+        t25[k] = x2[k]*p[7];
+        t26[k] = jlt_jet_product(t24, t25, k);
         t29[k] = p[9]*x1[k] + x2[k];
-        t30[k] = jlt_jet_product(x3, t29, k);
-        t31[k] = jlt_jet_product(t23, t30, k);
-        t32[k] = t26[k] - jlt_jet_product(t19, t31, k);
-        t33[k] = jlt_jet_product(x9, t31, k);
-        t35[k] = jlt_jet_product(t2, x0, k);
-        t36[k] = p[10]*t35[k];
-        t37[k] = jlt_jet_product(t24, t36, k) - t33[k];
-        t38[k] = -x3[k];
-        t40[k] = jlt_jet_cosine(x5, t40, u40, k);
-        t41[k] = jlt_jet_product(x9, x1, k);
-        t42[k] = jlt_jet_product(t40, t41, k);
+        t30[k] = jlt_jet_product(t23, t29, k);
+        t31[k] = x2[k] - p[6]*t30[k];
+        t32[k] = jlt_jet_product(t9, t31, k) + t26[k];
+        t34[k] = jlt_jet_product(t2, x0, k);
+        t35[k] = p[10]*t34[k];
+        t36[k] = jlt_jet_product(t24, t35, k);
+        t37[k] = jlt_jet_product(x9, x3, k);
+        t38[k] = t36[k] - jlt_jet_product(t30, t37, k);
+        t39[k] = -x3[k];
+        t41[k] = jlt_jet_cosine(x5, t41, u41, k);
+        t42[k] = jlt_jet_product(x1, t41, k);
         t43[k] = jlt_jet_sine(x5, t43, u43, k);
-        t44[k] = jlt_jet_product(x9, t11, k);
-        t45[k] = jlt_jet_product(t43, t44, k) + t42[k];
-        t46[k] = jlt_jet_product(t41, t43, k);
-        t47[k] = t46[k] - jlt_jet_product(t40, t44, k);
-        t48[k] = -t35[k];
+        t44[k] = jlt_jet_product(t11, t43, k) + t42[k];
+        t45[k] = jlt_jet_product(x9, t44, k);
+        t46[k] = jlt_jet_product(x1, t43, k);
+        t47[k] = t46[k] - jlt_jet_product(t11, t41, k);
+        t48[k] = jlt_jet_product(x9, t47, k);
+        t49[k] = -t34[k];
         double *restrict next = coefficients + (k + 1)*11;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
         next[1] = x1[k + 1] = t12[k]/(k + 1);
         next[2] = x2[k + 1] = t16[k]/(k + 1);
         next[3] = x3[k + 1] = t32[k]/(k + 1);
-        next[4] = x4[k + 1] = t37[k]/(k + 1);
-        next[5] = x5[k + 1] = t38[k]/(k + 1);
+        next[4] = x4[k + 1] = t38[k]/(k + 1);
+        next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x6[k + 1] = t10[k]/(k + 1);
         next[7] = x7[k + 1] = t45[k]/(k + 1);
-        next[8] = x8[k + 1] = t47[k]/(k + 1);
-        next[9] = x9[k + 1] = t48[k]/(k + 1);
+        next[8] = x8[k + 1] = t48[k]/(k + 1);
+        next[9] = x9[k + 1] = t49[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
     }
 }
@@ -991,20 +1028,20 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39",
+    .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
-    .state_count = 10, .param_count = 6, .prepared_count = 39,
+    .state_count = 10, .param_count = 6, .prepared_count = 47,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 10, { 4, 19, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(spin)/dtau, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau, R*(omega_n*gamma3 + s*omega3)*S + v_nu*C, v_nu*S - R*(omega_n*gamma3 + s*omega3)*C" },
-    .jacobian = { jacobian, 100, { 9, 62, 21, 1, 0, 2, 10, 16 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(omega_n), V = omega_tau*R + v_nu, omega_tau - ((1)/Theta)*(m*R*I3)*V, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, d(d(omega_n)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R^2*I3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*omega_tau*gamma3*(2*m*R^2*(I1 - I3)) - omega_n*V*(m*R*I1), d(d(omega3)/dtau)/d(s), v_tau = R*omega_n*gamma3 + R*s*omega3, v_nu*S - C*v_tau, S*v_tau + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 18 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - s*omega_n*(m*R*I1)*V, d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V, d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(spin)/dtau, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau, d(x)/dtau, d(y)/dtau" },
+    .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 10, 19 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(d(v_nu)/dtau)/d(omega_n), omega3*s*(I3/I1) + (2)*omega_n*gamma3, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), d(d(omega3)/dtau)/d(s), v_tau = R*omega_n*gamma3 + omega3*s*R, d(d(x)/dtau)/d(chi), omega3*s*R + v_tau, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(chi), d(d(y)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 19 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - s*omega_n*(m*R*I1)*V, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*(2*m*R^2*(I1 - I3))*s*omega3 - omega_n*(m*R*I1)*V, omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega_n), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V" },
     .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 8 }, { 11, 38, 0, 0, 0, 2, 8, 7 },

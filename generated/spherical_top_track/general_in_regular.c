@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   27   15    1    0    2     10   11   (125)
- *  jacobian            17   79   34    1    0    2     14   25   (531)
- *  rhs_jacobian        18   86   37    1    0    2     10   28   (628)
+ *  jacobian            16   79   34    1    0    2     13   25   (531)
+ *  rhs_jacobian        18   86   37    1    0    2      9   29   (628)
  *  divergence          0    8    9    1    0    0      8    7   (53)
  *  integral_values     0   12    9    0    0    0      5    7   (40)
  *  integral_gradients  0   15    7    0    0    0      5    5   (46)
@@ -17,22 +17,22 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
- *    digits are lost where terms nearly cancel in b = R*gamma3 + a3,
- *      s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, e = a3*gamma3 + R,
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu,
- *      d(d(omega_n)/dtau)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), d(d(v_nu)/dtau)/d(omega_n),
- *      (m*R*I3)*e + I3^2,
+ *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu,
+ *      m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), d(d(v_nu)/dtau)/d(omega_n),
+ *      s*omega_tau*(m*a3^2)*s*omega_tau - I1*omega_n*omega_n,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), (m*R*I3)*e + I3^2,
  *      numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b,
  *      d(omega_n)/dtau, a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
  *      omega_n*b + R*s*omega3, (2*I1)*omega_n*gamma3 + I3*s*omega3, d(spin)/dtau, v_nu*S - (omega_n*b + R*s*omega3)*C,
  *      d(d(y)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s),
  *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(s),
+ *      d(d(omega_n)/dtau)/d(omega_n),
  *      d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*(m*R^2*(I1 - I3))*s*omega_tau - s*omega_tau*omega_n*(m*R*a3*I1),
  *      s*s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*(m*R*I1)*s*omega_n,
  *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b,
  *      d(d(omega_n)/dtau)/d(omega_tau), S*(omega_n*b + R*s*omega3) + v_nu*C, d(d(x)/dtau)/d(s),
- *      a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s),
- *      a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3)
+ *      a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s),
+ *      d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -68,14 +68,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[7] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[34] = t6;
+    out[30] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[8] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
     out[9] = t8;
     const double t9 = params[0]*params[2]; /* m*g */
     const double t10 = params[3]*t9; /* a3*m*g */
-    out[30] = t10;
+    out[31] = t10;
     const double t11 = t10/params[4]; /* a3*m*g/I1 */
     out[10] = t11;
     const double t12 = params[1]*params[4]; /* R*I1 */
@@ -99,67 +99,67 @@ static void prepare(const double *restrict params, double *restrict out)
     out[40] = t22;
     const double t23 = t22/params[4]; /* a3*a3*m*2/I1 */
     out[16] = t23;
-    const double t24 = params[4]*params[4]; /* I1*I1 */
-    const double t25 = params[5]*t22; /* I3*a3*a3*m*2 */
-    const double t26 = t25/t24; /* I3*a3*a3*m*2/(I1*I1) */
-    out[17] = t26;
-    const double t27 = params[2]*t21; /* g*m*2 */
-    const double t28 = params[3]*t27; /* a3*g*m*2 */
-    out[43] = t28;
-    const double t29 = t28/params[4]; /* a3*g*m*2/I1 */
-    out[18] = t29;
-    const double t30 = t19/t3; /* I3*a3/(R*R*I1) */
-    out[19] = t30;
-    const double t31 = params[1]*t0; /* R*R*R */
-    const double t32 = t24*t31; /* I1*I1*R*R*R */
-    const double t33 = params[5]*params[5]; /* I3*I3 */
-    out[35] = t33;
-    const double t34 = 2.0*t33; /* 2*I3*I3 */
-    const double t35 = t34/t32; /* 2*I3*I3/(I1*I1*R*R*R) */
-    out[20] = t35;
-    const double t36 = t0*t24; /* R*R*I1*I1 */
-    const double t37 = t34/t36; /* 2*I3*I3/(R*R*I1*I1) */
-    out[21] = t37;
-    const double t38 = params[5]*2.0; /* I3*2 */
-    const double t39 = t38/t3; /* I3*2/(R*R*I1) */
+    const double t24 = -params[5]; /* -I3 */
+    out[42] = t24;
+    const double t25 = -t8; /* -I3/I1 */
+    out[17] = t25;
+    const double t26 = params[2]*t21; /* g*m*2 */
+    const double t27 = params[3]*t26; /* a3*g*m*2 */
+    out[43] = t27;
+    const double t28 = t27/params[4]; /* a3*g*m*2/I1 */
+    out[18] = t28;
+    const double t29 = params[4]*params[4]; /* I1*I1 */
+    const double t30 = params[5]*t22; /* I3*a3*a3*m*2 */
+    const double t31 = t30/t29; /* I3*a3*a3*m*2/(I1*I1) */
+    out[19] = t31;
+    const double t32 = t19/t3; /* I3*a3/(R*R*I1) */
+    out[20] = t32;
+    const double t33 = t0*t29; /* R*R*I1*I1 */
+    const double t34 = params[5]*params[5]; /* I3*I3 */
+    out[35] = t34;
+    const double t35 = 2.0*t34; /* 2*I3*I3 */
+    const double t36 = t35/t33; /* 2*I3*I3/(R*R*I1*I1) */
+    out[21] = t36;
+    const double t37 = params[1]*t0; /* R*R*R */
+    const double t38 = t29*t37; /* I1*I1*R*R*R */
+    const double t39 = t35/t38; /* 2*I3*I3/(I1*I1*R*R*R) */
     out[22] = t39;
-    const double t40 = t38/t12; /* I3*2/(R*I1) */
-    out[23] = t40;
-    const double t41 = params[3]/params[1]; /* a3/R */
-    out[24] = t41;
-    const double t42 = params[3]*2.0; /* a3*2 */
-    const double t43 = t33*t42; /* I3*I3*a3*2 */
-    const double t44 = t43/t36; /* I3*I3*a3*2/(R*R*I1*I1) */
-    out[25] = t44;
-    const double t45 = params[1]*t24; /* R*I1*I1 */
-    const double t46 = t17*t38; /* (I1 - I3)*I3*2 */
-    const double t47 = t46/t45; /* (I1 - I3)*I3*2/(R*I1*I1) */
-    out[26] = t47;
-    const double t48 = (-1.0)/params[1]; /* (-1)/R */
-    out[27] = t48;
-    const double t49 = params[4]/params[0]; /* I1/m */
-    out[28] = t49;
-    const double t50 = 2.0/params[1]; /* 2/R */
-    out[29] = t50;
-    const double t51 = params[5]*params[4]; /* I3*I1 */
-    out[31] = t51;
-    const double t52 = t1*params[4]; /* m*R*R*I1 */
+    const double t40 = params[5]*2.0; /* I3*2 */
+    const double t41 = t40/t12; /* I3*2/(R*I1) */
+    out[23] = t41;
+    const double t42 = t40/t3; /* I3*2/(R*R*I1) */
+    out[24] = t42;
+    const double t43 = params[3]*2.0; /* a3*2 */
+    const double t44 = t34*t43; /* I3*I3*a3*2 */
+    const double t45 = t44/t33; /* I3*I3*a3*2/(R*R*I1*I1) */
+    out[25] = t45;
+    const double t46 = params[1]*t29; /* R*I1*I1 */
+    const double t47 = t17*t40; /* (I1 - I3)*I3*2 */
+    const double t48 = t47/t46; /* (I1 - I3)*I3*2/(R*I1*I1) */
+    out[26] = t48;
+    const double t49 = params[3]/params[1]; /* a3/R */
+    out[27] = t49;
+    const double t50 = params[4]/params[0]; /* I1/m */
+    out[28] = t50;
+    const double t51 = 2.0/params[1]; /* 2/R */
+    out[29] = t51;
+    const double t52 = params[5]*params[4]; /* I3*I1 */
     out[32] = t52;
-    const double t53 = params[0]*params[5]; /* m*I3 */
+    const double t53 = t1*params[4]; /* m*R*R*I1 */
     out[33] = t53;
-    const double t54 = params[5]*t14; /* I3*m*R */
-    out[36] = t54;
-    const double t55 = params[4]*t14; /* I1*m*R */
-    out[37] = t55;
-    const double t56 = params[3]*t14; /* a3*m*R */
-    const double t57 = params[5]*t56; /* I3*a3*m*R */
-    out[38] = t57;
-    const double t58 = t1*t17; /* m*R*R*(I1 - I3) */
-    out[39] = t58;
-    const double t59 = params[4]*2.0; /* I1*2 */
-    out[41] = t59;
-    const double t60 = -params[5]; /* -I3 */
-    out[42] = t60;
+    const double t54 = params[0]*params[5]; /* m*I3 */
+    out[34] = t54;
+    const double t55 = params[5]*t14; /* I3*m*R */
+    out[36] = t55;
+    const double t56 = params[4]*t14; /* I1*m*R */
+    out[37] = t56;
+    const double t57 = params[3]*t14; /* a3*m*R */
+    const double t58 = params[5]*t57; /* I3*a3*m*R */
+    out[38] = t58;
+    const double t59 = t1*t17; /* m*R*R*(I1 - I3) */
+    out[39] = t59;
+    const double t60 = params[4]*2.0; /* I1*2 */
+    out[41] = t60;
     const double t61 = params[0]*params[3]; /* m*a3 */
     const double t62 = params[5]*t61; /* I3*m*a3 */
     out[44] = t62;
@@ -169,9 +169,9 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t65 = t0*t21; /* R*R*m*2 */
     const double t66 = params[4]*t65; /* I1*R*R*m*2 */
     out[46] = t66;
-    const double t67 = params[4]*t56; /* I1*a3*m*R */
+    const double t67 = params[4]*t57; /* I1*a3*m*R */
     out[47] = t67;
-    const double t68 = -t55; /* -I1*m*R */
+    const double t68 = -t56; /* -I1*m*R */
     out[48] = t68;
     const double t69 = t17*t65; /* (I1 - I3)*R*R*m*2 */
     out[49] = t69;
@@ -187,12 +187,19 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t75 = params[1]*params[5]; /* R*I3 */
     const double t76 = -t75; /* -R*I3 */
     out[56] = t76;
+    const double t77 = (-1.0)/params[1]; /* (-1)/R */
+    out[57] = t77;
+    const double t78 = t19/params[4]; /* I3*a3/I1 */
+    out[58] = t78;
+    const double t79 = params[1]*t17; /* R*(I1 - I3) */
+    const double t80 = t79/params[4]; /* R*(I1 - I3)/I1 */
+    out[59] = t80;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[9]*x[2]; /* s*omega_tau */
-    const double t1 = x[9]*t0; /* s*s*omega_tau */
+    const double t0 = x[9]*x[9]; /* s*s */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
     out[0] = t1;
     const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t3 = x[3]*t2; /* omega_n*b */
@@ -200,21 +207,21 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FMA(p[1], t4, t3); /* R*s*omega3 + omega_n*b */
     const double t6 = x[3]*t5; /* omega_n*(R*s*omega3 + omega_n*b) */
     out[1] = t6;
-    const double t7 = x[9]*x[9]; /* s*s */
-    const double t8 = t2*p[7]; /* b*I3/(R^2*I1) */
-    const double t9 = p[6] + t7; /* I3/(m*R^2) + s*s */
-    const double t10 = JLT_FMA(t2, t8, t9); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + I3/(m*R^2) + s*s */
-    const double t11 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t12 = t0*p[8]; /* s*omega_tau*m*a3^2/I1 */
-    const double t13 = t11*t12; /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 */
+    const double t7 = t2*p[7]; /* b*I3/(R^2*I1) */
+    const double t8 = t0 + p[6]; /* s*s + I3/(m*R^2) */
+    const double t9 = JLT_FMA(t2, t7, t8); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + s*s + I3/(m*R^2) */
+    const double t10 = x[2]*x[9]; /* omega_tau*s */
+    const double t11 = x[0]*t10; /* gamma3*omega_tau*s */
+    const double t12 = p[8]*t10; /* m*a3^2/I1*omega_tau*s */
+    const double t13 = t11*t12; /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s */
     const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t15 = JLT_FMA(t4, p[9], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
-    const double t16 = JLT_FNMA(t7, p[10], t13); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 */
-    const double t17 = JLT_FNMA(x[3], t15, t16); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
-    const double t18 = JLT_FMA(t7, p[8], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t19 = t10*t18; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t16 = JLT_FNMA(t0, p[10], t13); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 */
+    const double t17 = JLT_FNMA(x[3], t15, t16); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
+    const double t18 = JLT_FMA(t0, p[8], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t19 = t9*t18; /* Theta/(m*R^2*I1)*D/I1 */
     const double t20 = 1.0/t19; /* 1/(Theta/(m*R^2*I1)*D/I1) */
-    const double t21 = t10*t17; /* Theta/(m*R^2*I1)*t17 */
+    const double t21 = t9*t17; /* Theta/(m*R^2*I1)*t17 */
     const double t22 = t20*t21; /* 1/(Theta/(m*R^2*I1)*D/I1)*Theta/(m*R^2*I1)*t17 */
     out[2] = t22;
     const double t23 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
@@ -227,29 +234,29 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t30 = JLT_FMA(x[2], t23, x[1]); /* V = omega_tau*e + v_nu */
     const double t31 = x[3]*t30; /* omega_n*V */
     const double t32 = t25*t31; /* 1/(Theta/(m*R^2*I1))*omega_n*V */
-    const double t33 = JLT_FNMA(t8, t32, t29); /* omega_tau*t28 - b*I3/(R^2*I1)*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t33 = JLT_FNMA(t7, t32, t29); /* omega_tau*t28 - b*I3/(R^2*I1)*1/(Theta/(m*R^2*I1))*omega_n*V */
     out[3] = t33;
     const double t34 = x[9]*p[13]; /* s*1/R */
     const double t35 = t32*t34; /* 1/(Theta/(m*R^2*I1))*omega_n*V*s*1/R */
-    const double t36 = t11*p[14]; /* s*omega_tau*gamma3*(I1 - I3)/I1 */
-    const double t37 = JLT_FNMA(t0, p[15], t36); /* s*omega_tau*gamma3*(I1 - I3)/I1 - s*omega_tau*a3*I3/(R*I1) */
-    const double t38 = JLT_FMS(t26, t37, t35); /* s*omega3*1/(Theta/(m*R^2*I1))*(s*omega_tau*gamma3*(I1 - I3)/I1 - s*omega_tau*a3*I3/(R*I1)) - 1/(Theta/(m*R^2*I1))*omega_n*V*s*1/R */
+    const double t36 = t11*p[14]; /* gamma3*omega_tau*s*(I1 - I3)/I1 */
+    const double t37 = JLT_FNMA(t10, p[15], t36); /* gamma3*omega_tau*s*(I1 - I3)/I1 - omega_tau*s*a3*I3/(R*I1) */
+    const double t38 = JLT_FMS(t26, t37, t35); /* s*omega3*1/(Theta/(m*R^2*I1))*(gamma3*omega_tau*s*(I1 - I3)/I1 - omega_tau*s*a3*I3/(R*I1)) - 1/(Theta/(m*R^2*I1))*omega_n*V*s*1/R */
     out[4] = t38;
     const double t39 = -x[3]; /* -omega_n */
     out[5] = t39;
     const double t40 = t4 + t14; /* s*omega3 + omega_n*gamma3 */
     out[6] = t40;
     const double t41 = cos(x[5]); /* C = cos(chi) */
-    const double t42 = x[9]*t41; /* s*C */
-    const double t43 = x[1]*t42; /* v_nu*s*C */
-    const double t44 = sin(x[5]); /* S = sin(chi) */
-    const double t45 = x[9]*t44; /* s*S */
-    const double t46 = JLT_FMA(t5, t45, t43); /* (R*s*omega3 + omega_n*b)*s*S + v_nu*s*C */
-    out[7] = t46;
-    const double t47 = x[1]*t45; /* v_nu*s*S */
-    const double t48 = JLT_FNMA(t5, t42, t47); /* v_nu*s*S - (R*s*omega3 + omega_n*b)*s*C */
+    const double t42 = x[1]*t41; /* v_nu*C */
+    const double t43 = sin(x[5]); /* S = sin(chi) */
+    const double t44 = JLT_FMA(t5, t43, t42); /* (R*s*omega3 + omega_n*b)*S + v_nu*C */
+    const double t45 = x[9]*t44; /* s*((R*s*omega3 + omega_n*b)*S + v_nu*C) */
+    out[7] = t45;
+    const double t46 = x[1]*t43; /* v_nu*S */
+    const double t47 = JLT_FNMA(t5, t41, t46); /* v_nu*S - (R*s*omega3 + omega_n*b)*C */
+    const double t48 = x[9]*t47; /* s*(v_nu*S - (R*s*omega3 + omega_n*b)*C) */
     out[8] = t48;
-    const double t49 = -t11; /* -s*omega_tau*gamma3 */
+    const double t49 = -t11; /* -gamma3*omega_tau*s */
     out[9] = t49;
 }
 
@@ -352,150 +359,149 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t26 = t21*t25; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
     out[22] = t26;
     const double t27 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t28 = 2.0*t27; /* 2*omega_n*gamma3 */
-    const double t29 = t19*t28; /* 1/(D/I1)*2*omega_n*gamma3 */
-    const double t30 = t20*p[9]; /* s*1/(D/I1)*I3/I1 */
-    const double t31 = JLT_FMA(x[4], t30, t29); /* omega3*s*1/(D/I1)*I3/I1 + 1/(D/I1)*2*omega_n*gamma3 */
-    const double t32 = -t31; /* -(omega3*s*1/(D/I1)*I3/I1 + 1/(D/I1)*2*omega_n*gamma3) */
-    out[23] = t32;
-    const double t33 = x[3]*t30; /* omega_n*s*1/(D/I1)*I3/I1 */
-    const double t34 = -t33; /* -omega_n*s*1/(D/I1)*I3/I1 */
-    out[24] = t34;
-    const double t35 = t11*p[17]; /* omega_n*omega3*2*m*a3^2*I3/I1^2 */
-    const double t36 = t20*t35; /* s*1/(D/I1)*omega_n*omega3*2*m*a3^2*I3/I1^2 */
-    const double t37 = t20*t36; /* s*1/(D/I1)*s*1/(D/I1)*omega_n*omega3*2*m*a3^2*I3/I1^2 */
-    const double t38 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t39 = JLT_FNMA(t25, t38, p[18]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t40 = t20*t39; /* s*1/(D/I1)*t39 */
-    const double t41 = JLT_FMA(t11, p[9], t40); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t39 */
-    const double t42 = JLT_FNMA(t19, t41, t37); /* s*1/(D/I1)*s*1/(D/I1)*omega_n*omega3*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t39) */
-    out[29] = t42;
-    const double t43 = t16*t18; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
-    const double t44 = x[9]*t43; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t45 = x[2]*t44; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t46 = x[4]*t45; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t47 = p[15]*t46; /* a3*I3/(R*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t48 = t5*t43; /* b*1/(Theta/(m*R^2*I1)) */
-    const double t49 = x[3]*t48; /* omega_n*b*1/(Theta/(m*R^2*I1)) */
-    const double t50 = JLT_FNMA(p[19], t49, x[3]); /* omega_n - a3*I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
-    const double t51 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t52 = JLT_FMA(x[2], t51, x[1]); /* V = omega_tau*e + v_nu */
-    const double t53 = x[3]*t52; /* omega_n*V */
-    const double t54 = p[11]*t53; /* I3/(R*I1)*omega_n*V */
-    const double t55 = t48*t52; /* b*1/(Theta/(m*R^2*I1))*V */
-    const double t56 = p[20]*t55; /* 2*I3^2/(R^3*I1^2)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t57 = t51 + p[12]; /* e + I3/(m*R) */
-    const double t58 = t46*t57; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
-    const double t59 = t48*p[21]; /* b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^2*I1^2) */
-    const double t60 = JLT_FNMA(t43, t54, t47); /* a3*I3/(R*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*omega_n*V */
-    const double t61 = JLT_FMA(t49, t56, t60); /* omega_n*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^3*I1^2)*b*1/(Theta/(m*R^2*I1))*V + t60 */
-    const double t62 = JLT_FMA(x[2], t50, t61); /* omega_tau*(omega_n - a3*I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1))) + t61 */
-    const double t63 = JLT_FNMA(t58, t59, t62); /* t62 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^2*I1^2) */
-    out[30] = t63;
-    const double t64 = p[7]*t49; /* I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
-    const double t65 = -t64; /* -I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
-    out[31] = t65;
-    const double t66 = p[11]*t57; /* I3/(R*I1)*(e + I3/(m*R)) */
-    const double t67 = x[4]*t44; /* omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t68 = JLT_FMA(t66, t67, t27); /* I3/(R*I1)*(e + I3/(m*R))*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
-    const double t69 = JLT_FNMA(t51, t64, t68); /* t68 - e*I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
-    out[32] = t69;
-    const double t70 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t71 = JLT_FNMA(p[7], t55, t70); /* omega_tau*gamma3 - I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    out[33] = t71;
-    const double t72 = t45*t66; /* omega_tau*s*1/(Theta/(m*R^2*I1))*I3/(R*I1)*(e + I3/(m*R)) */
-    out[34] = t72;
-    const double t73 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t74 = t66*t73; /* I3/(R*I1)*(e + I3/(m*R))*omega_tau*omega3 */
-    const double t75 = x[3]*t44; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t76 = p[22]*t75; /* 2*I3/(R^2*I1)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t77 = t55*t76; /* b*1/(Theta/(m*R^2*I1))*V*2*I3/(R^2*I1)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t78 = t44*p[23]; /* s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
-    const double t79 = JLT_FMA(t43, t74, t77); /* 1/(Theta/(m*R^2*I1))*I3/(R*I1)*(e + I3/(m*R))*omega_tau*omega3 + t77 */
-    const double t80 = JLT_FNMA(t58, t78, t79); /* t79 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
-    out[39] = t80;
-    const double t81 = x[3]*p[24]; /* omega_n*a3/R */
-    const double t82 = x[9]*p[14]; /* s*(I1 - I3)/I1 */
-    const double t83 = JLT_FNMA(x[0], p[26], p[25]); /* 2*a3*I3^2/(R^2*I1^2) - gamma3*2*I3*(I1 - I3)/(R*I1^2) */
-    const double t84 = t5*t83; /* b*(2*a3*I3^2/(R^2*I1^2) - gamma3*2*I3*(I1 - I3)/(R*I1^2)) */
-    const double t85 = JLT_FMA(t44, t84, t82); /* s*1/(Theta/(m*R^2*I1))*b*(2*a3*I3^2/(R^2*I1^2) - gamma3*2*I3*(I1 - I3)/(R*I1^2)) + s*(I1 - I3)/I1 */
-    const double t86 = JLT_FNMA(t45, t81, t77); /* t77 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
-    const double t87 = JLT_FMA(t46, t85, t86); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t85 + t77 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
-    out[40] = t87;
-    const double t88 = t75*p[13]; /* omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
-    const double t89 = -t88; /* -omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
-    out[41] = t89;
-    const double t90 = t51*t88; /* e*omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
-    const double t91 = JLT_FNMA(x[0], p[14], p[15]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t92 = x[9]*t91; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t93 = JLT_FMA(t67, t92, t90); /* omega3*s*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + e*omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
-    const double t94 = -t93; /* -t93 */
-    out[42] = t94;
-    const double t95 = t44*t52; /* s*1/(Theta/(m*R^2*I1))*V */
-    const double t96 = p[27]*t95; /* (-1/R)*s*1/(Theta/(m*R^2*I1))*V */
-    out[43] = t96;
-    const double t97 = t45*t92; /* omega_tau*s*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t98 = -t97; /* -t97 */
-    out[44] = t98;
-    const double t99 = t13 + p[28]; /* b*b + I1/m */
-    const double t100 = t83*t99; /* (2*a3*I3^2/(R^2*I1^2) - gamma3*2*I3*(I1 - I3)/(R*I1^2))*(b*b + I1/m) */
-    const double t101 = JLT_FMA(t46, t100, t53); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t100 + omega_n*V */
-    const double t102 = t43*p[13]; /* 1/(Theta/(m*R^2*I1))*1/R */
-    const double t103 = t101*t102; /* (omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t100 + omega_n*V)*1/(Theta/(m*R^2*I1))*1/R */
-    const double t104 = t75*p[29]; /* omega_n*s*1/(Theta/(m*R^2*I1))*2/R */
-    const double t105 = JLT_FMS(t95, t104, t103); /* s*1/(Theta/(m*R^2*I1))*V*omega_n*s*1/(Theta/(m*R^2*I1))*2/R - t103 */
-    out[49] = t105;
+    const double t28 = (-2.0)*t27; /* (-2)*omega_n*gamma3 */
+    const double t29 = t19*t28; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    const double t30 = x[4]*t20; /* omega3*s*1/(D/I1) */
+    const double t31 = JLT_FMA(p[17], t30, t29); /* (-I3/I1)*omega3*s*1/(D/I1) + 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[23] = t31;
+    const double t32 = x[3]*t20; /* omega_n*s*1/(D/I1) */
+    const double t33 = p[17]*t32; /* (-I3/I1)*omega_n*s*1/(D/I1) */
+    out[24] = t33;
+    const double t34 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t35 = JLT_FNMA(t25, t34, p[18]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t36 = t20*t35; /* s*1/(D/I1)*t35 */
+    const double t37 = JLT_FMA(t11, p[9], t36); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t35 */
+    const double t38 = t19*t37; /* 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    const double t39 = t32*p[19]; /* omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
+    const double t40 = JLT_FMS(t30, t39, t38); /* omega3*s*1/(D/I1)*omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    out[29] = t40;
+    const double t41 = t16*t18; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t42 = x[9]*t41; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t43 = x[2]*t42; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t44 = x[4]*t43; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t45 = t5*t41; /* b*1/(Theta/(m*R^2*I1)) */
+    const double t46 = x[3]*p[20]; /* omega_n*a3*I3/(R^2*I1) */
+    const double t47 = JLT_FNMA(t45, t46, x[3]); /* omega_n - b*1/(Theta/(m*R^2*I1))*omega_n*a3*I3/(R^2*I1) */
+    const double t48 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t49 = JLT_FMA(x[2], t48, x[1]); /* V = omega_tau*e + v_nu */
+    const double t50 = x[3]*t49; /* omega_n*V */
+    const double t51 = t41*t50; /* 1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t52 = p[11]*t51; /* I3/(R*I1)*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t53 = t48 + p[12]; /* e + I3/(m*R) */
+    const double t54 = t44*t53; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t55 = t45*p[21]; /* b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^2*I1^2) */
+    const double t56 = t45*t50; /* b*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t57 = t45*p[22]; /* b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^3*I1^2) */
+    const double t58 = JLT_FMS(t56, t57, t52); /* b*1/(Theta/(m*R^2*I1))*omega_n*V*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^3*I1^2) - I3/(R*I1)*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t59 = JLT_FMA(p[15], t44, t58); /* a3*I3/(R*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) + t58 */
+    const double t60 = JLT_FMA(x[2], t47, t59); /* omega_tau*(omega_n - b*1/(Theta/(m*R^2*I1))*omega_n*a3*I3/(R^2*I1)) + a3*I3/(R*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) + t58 */
+    const double t61 = JLT_FNMA(t54, t55, t60); /* t60 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^2*I1^2) */
+    out[30] = t61;
+    const double t62 = p[7]*t45; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    const double t63 = x[3]*t62; /* omega_n*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    const double t64 = -t63; /* -omega_n*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    out[31] = t64;
+    const double t65 = x[4]*t42; /* omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t66 = p[11]*t53; /* I3/(R*I1)*(e + I3/(m*R)) */
+    const double t67 = JLT_FMA(t65, t66, t27); /* omega3*s*1/(Theta/(m*R^2*I1))*I3/(R*I1)*(e + I3/(m*R)) + omega_n*gamma3 */
+    const double t68 = JLT_FNMA(t48, t63, t67); /* t67 - e*omega_n*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    out[32] = t68;
+    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t70 = JLT_FNMA(t49, t62, t69); /* omega_tau*gamma3 - V*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    out[33] = t70;
+    const double t71 = t43*t66; /* omega_tau*s*1/(Theta/(m*R^2*I1))*I3/(R*I1)*(e + I3/(m*R)) */
+    out[34] = t71;
+    const double t72 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t73 = t66*t72; /* I3/(R*I1)*(e + I3/(m*R))*omega_tau*omega3 */
+    const double t74 = t41*t73; /* 1/(Theta/(m*R^2*I1))*I3/(R*I1)*(e + I3/(m*R))*omega_tau*omega3 */
+    const double t75 = t56*p[24]; /* b*1/(Theta/(m*R^2*I1))*omega_n*V*2*I3/(R^2*I1) */
+    const double t76 = JLT_FMS(t54, p[23], t75); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*2*I3/(R*I1) - b*1/(Theta/(m*R^2*I1))*omega_n*V*2*I3/(R^2*I1) */
+    const double t77 = JLT_FNMA(t42, t76, t74); /* t74 - s*1/(Theta/(m*R^2*I1))*t76 */
+    out[39] = t77;
+    const double t78 = JLT_FNMA(x[0], p[26], p[25]); /* 2*a3*I3^2/(R^2*I1^2) - gamma3*2*I3*(I1 - I3)/(R*I1^2) */
+    const double t79 = t44*t78; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(2*a3*I3^2/(R^2*I1^2) - gamma3*2*I3*(I1 - I3)/(R*I1^2)) */
+    const double t80 = JLT_FMA(t5, t79, t75); /* b*t79 + b*1/(Theta/(m*R^2*I1))*omega_n*V*2*I3/(R^2*I1) */
+    const double t81 = x[3]*p[27]; /* omega_n*a3/R */
+    const double t82 = t43*t81; /* omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    const double t83 = x[9]*p[14]; /* s*(I1 - I3)/I1 */
+    const double t84 = JLT_FMS(t44, t83, t82); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    const double t85 = JLT_FMA(t42, t80, t84); /* s*1/(Theta/(m*R^2*I1))*(b*t79 + b*1/(Theta/(m*R^2*I1))*omega_n*V*2*I3/(R^2*I1)) + t84 */
+    out[40] = t85;
+    const double t86 = t42*p[13]; /* s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t87 = x[3]*t86; /* omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t88 = -t87; /* -omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    out[41] = t88;
+    const double t89 = t48*t87; /* e*omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t90 = x[9]*p[15]; /* s*a3*I3/(R*I1) */
+    const double t91 = JLT_FNMA(x[0], t83, t90); /* s*a3*I3/(R*I1) - gamma3*s*(I1 - I3)/I1 */
+    const double t92 = JLT_FMA(t65, t91, t89); /* omega3*s*1/(Theta/(m*R^2*I1))*(s*a3*I3/(R*I1) - gamma3*s*(I1 - I3)/I1) + e*omega_n*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t93 = -t92; /* -t92 */
+    out[42] = t93;
+    const double t94 = t49*t86; /* V*s*1/(Theta/(m*R^2*I1))*1/R */
+    const double t95 = -t94; /* -V*s*1/(Theta/(m*R^2*I1))*1/R */
+    out[43] = t95;
+    const double t96 = t43*t91; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(s*a3*I3/(R*I1) - gamma3*s*(I1 - I3)/I1) */
+    const double t97 = -t96; /* -t96 */
+    out[44] = t97;
+    const double t98 = t13 + p[28]; /* b*b + I1/m */
+    const double t99 = t41*t98; /* 1/(Theta/(m*R^2*I1))*(b*b + I1/m) */
+    const double t100 = JLT_FMA(t79, t99, t51); /* t79*1/(Theta/(m*R^2*I1))*(b*b + I1/m) + 1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t101 = p[13]*t100; /* 1/R*t100 */
+    const double t102 = t50*p[29]; /* omega_n*V*2/R */
+    const double t103 = t42*t102; /* s*1/(Theta/(m*R^2*I1))*omega_n*V*2/R */
+    const double t104 = JLT_FMS(t42, t103, t101); /* s*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*omega_n*V*2/R - 1/R*t100 */
+    out[49] = t104;
     out[53] = (-1.0);
-    const double t106 = sin(x[5]); /* S = sin(chi) */
-    const double t107 = t10*t106; /* omega_n*s*R*S */
-    out[70] = t107;
-    const double t108 = cos(x[5]); /* C = cos(chi) */
-    const double t109 = x[9]*t108; /* s*C */
-    out[71] = t109;
-    const double t110 = x[9]*t106; /* s*S */
-    out[81] = t110;
-    const double t111 = t5*t110; /* b*s*S */
-    out[73] = t111;
-    const double t112 = t7*t110; /* s*R*s*S */
-    out[74] = t112;
-    const double t113 = x[1]*t106; /* v_nu*S */
-    const double t114 = t6 + t8; /* v_tau = omega_n*b + omega3*s*R */
-    const double t115 = JLT_FNMA(t108, t114, t113); /* v_nu*S - C*v_tau */
-    const double t116 = x[9]*t115; /* s*(v_nu*S - C*v_tau) */
-    const double t117 = -t116; /* -s*(v_nu*S - C*v_tau) */
-    out[75] = t117;
-    const double t118 = x[1]*t108; /* v_nu*C */
-    const double t119 = JLT_FMA(t106, t114, t118); /* S*v_tau + v_nu*C */
-    const double t120 = JLT_FMA(t8, t106, t119); /* omega3*s*R*S + S*v_tau + v_nu*C */
-    out[79] = t120;
-    const double t121 = t10*t108; /* omega_n*s*R*C */
-    const double t122 = -t121; /* -omega_n*s*R*C */
-    out[80] = t122;
-    const double t123 = t5*t109; /* b*s*C */
-    const double t124 = -t123; /* -b*s*C */
-    out[83] = t124;
-    const double t125 = t7*t109; /* s*R*s*C */
-    const double t126 = -t125; /* -s*R*s*C */
-    out[84] = t126;
-    const double t127 = x[9]*t119; /* s*(S*v_tau + v_nu*C) */
-    out[85] = t127;
-    const double t128 = JLT_FNMA(t8, t108, t115); /* v_nu*S - C*v_tau - omega3*s*R*C */
-    out[89] = t128;
-    const double t129 = -t1; /* -s*omega_tau */
-    out[90] = t129;
-    const double t130 = x[9]*x[0]; /* s*gamma3 */
-    const double t131 = -t130; /* -s*gamma3 */
-    out[92] = t131;
-    const double t132 = -t70; /* -omega_tau*gamma3 */
-    out[99] = t132;
+    const double t105 = sin(x[5]); /* S = sin(chi) */
+    const double t106 = t10*t105; /* omega_n*s*R*S */
+    out[70] = t106;
+    const double t107 = cos(x[5]); /* C = cos(chi) */
+    const double t108 = x[9]*t107; /* s*C */
+    out[71] = t108;
+    const double t109 = x[9]*t105; /* s*S */
+    out[81] = t109;
+    const double t110 = t5*t109; /* b*s*S */
+    out[73] = t110;
+    const double t111 = t7*t109; /* s*R*s*S */
+    out[74] = t111;
+    const double t112 = x[1]*t109; /* v_nu*s*S */
+    const double t113 = t6 + t8; /* v_tau = omega_n*b + omega3*s*R */
+    const double t114 = JLT_FMS(t108, t113, t112); /* s*C*v_tau - v_nu*s*S */
+    out[75] = t114;
+    const double t115 = x[1]*t107; /* v_nu*C */
+    const double t116 = t8 + t113; /* omega3*s*R + v_tau */
+    const double t117 = JLT_FMA(t105, t116, t115); /* S*(omega3*s*R + v_tau) + v_nu*C */
+    out[79] = t117;
+    const double t118 = t10*t107; /* omega_n*s*R*C */
+    const double t119 = -t118; /* -omega_n*s*R*C */
+    out[80] = t119;
+    const double t120 = t5*t108; /* b*s*C */
+    const double t121 = -t120; /* -b*s*C */
+    out[83] = t121;
+    const double t122 = t7*t108; /* s*R*s*C */
+    const double t123 = -t122; /* -s*R*s*C */
+    out[84] = t123;
+    const double t124 = x[1]*t108; /* v_nu*s*C */
+    const double t125 = JLT_FMA(t109, t113, t124); /* s*S*v_tau + v_nu*s*C */
+    out[85] = t125;
+    const double t126 = x[1]*t105; /* v_nu*S */
+    const double t127 = JLT_FNMA(t107, t116, t126); /* v_nu*S - C*(omega3*s*R + v_tau) */
+    out[89] = t127;
+    const double t128 = -t1; /* -s*omega_tau */
+    out[90] = t128;
+    const double t129 = x[9]*x[0]; /* s*gamma3 */
+    const double t130 = -t129; /* -s*gamma3 */
+    out[92] = t130;
+    const double t131 = -t69; /* -omega_tau*gamma3 */
+    out[99] = t131;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[74] = x[9];
     out[70] = x[3];
-    out[73] = x[0];
     out[79] = x[4];
+    out[73] = x[0];
     out[10] = 0.0;
     out[11] = 0.0;
     out[13] = 0.0;
@@ -559,10 +565,10 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t2 = x[9]*x[9]; /* s*s */
     out[12] = t2;
-    const double t3 = p[33]*t1; /* m*I3*b */
-    const double t4 = JLT_FMA(p[32], t2, p[31]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t3 = p[34]*t1; /* m*I3*b */
+    const double t4 = JLT_FMA(p[33], t2, p[32]); /* m*R^2*I1*s*s + I1*I3 */
     const double t5 = JLT_FMA(t1, t3, t4); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t6 = JLT_FMA(p[34], t2, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t6 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t7 = t5*t6; /* Theta*D */
     const double t8 = 1.0/t7; /* 1/(Theta*D) */
     const double t9 = t6*t8; /* 1/Theta = D*1/(Theta*D) */
@@ -575,177 +581,177 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t14 = -t11; /* -s*omega_tau */
     out[100] = t14;
     const double t15 = x[3]*t1; /* omega_n*b */
-    const double t16 = x[9]*x[4]; /* s*omega3 */
-    const double t17 = p[8]*t11; /* m*a3^2/I1*s*omega_tau */
-    const double t18 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t19 = JLT_FMS(t11, t17, t18); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t20 = p[1]*t18; /* R*omega_n*omega_n */
-    out[20] = t20;
-    const double t21 = p[4]*t19; /* I1*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t22 = t10*t21; /* 1/D*I1*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    out[30] = t22;
-    const double t23 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t24 = x[9]*x[3]; /* s*omega_n */
-    const double t25 = p[30]*t2; /* m*g*a3*s*s */
-    const double t26 = p[1]*t2; /* R*s*s */
-    const double t27 = p[5]*t16; /* I3*s*omega3 */
-    const double t28 = JLT_FMA(x[3], t27, t25); /* omega_n*I3*s*omega3 + m*g*a3*s*s */
-    const double t29 = JLT_FNMA(x[0], t21, t28); /* omega_n*I3*s*omega3 + m*g*a3*s*s - gamma3*I1*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t30 = t10*t29; /* 1/D*t29 */
-    const double t31 = -t30; /* -1/D*t29 */
-    out[2] = t31;
-    const double t32 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t33 = -t32; /* -omega_tau*gamma3 */
-    out[109] = t33;
-    const double t34 = JLT_FMA(x[2], t23, x[1]); /* V = omega_tau*e + v_nu */
-    const double t35 = t3*t34; /* m*I3*b*V */
-    const double t36 = JLT_FNMA(t9, t35, t32); /* omega_tau*gamma3 - 1/Theta*m*I3*b*V */
-    out[43] = t36;
-    const double t37 = p[33]*t15; /* m*I3*omega_n*b */
-    const double t38 = x[4]*t11; /* omega3*s*omega_tau */
-    const double t39 = p[37]*t24; /* m*R*I1*s*omega_n */
-    const double t40 = JLT_FNMA(x[0], p[39], p[38]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t41 = p[40]*t11; /* 2*m*a3^2*s*omega_tau */
-    const double t42 = p[1]*t16; /* R*s*omega3 */
-    const double t43 = JLT_FMA(2.0, t15, t42); /* 2*omega_n*b + R*s*omega3 */
-    out[23] = t43;
-    const double t44 = t34*t37; /* V*m*I3*omega_n*b */
-    const double t45 = JLT_FMA(p[36], t23, p[35]); /* m*R*I3*e + I3^2 */
-    const double t46 = JLT_FMS(t38, t45, t44); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
-    const double t47 = t9*t46; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t48 = JLT_FMA(x[3], t32, t47); /* omega_n*omega_tau*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t48;
-    const double t49 = t32*t41; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
-    const double t50 = JLT_FNMA(x[9], p[43], t49); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
-    const double t51 = t34*t39; /* V*m*R*I1*s*omega_n */
-    const double t52 = t16*t40; /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t53 = JLT_FMA(t11, t52, t51); /* s*omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*R*I1*s*omega_n */
-    const double t54 = t9*t53; /* 1/Theta*t53 */
-    const double t55 = t11*t40; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t56 = -t54; /* -1/Theta*t53 */
-    out[4] = t56;
-    const double t57 = sin(x[5]); /* S = sin(chi) */
-    const double t58 = t26*t57; /* R*s*s*S */
-    out[84] = t58;
-    const double t59 = p[38]*t38; /* m*R*a3*I3*omega3*s*omega_tau */
-    const double t60 = x[2]*p[44]; /* omega_tau*m*a3*I3 */
-    const double t61 = JLT_FNMA(t15, t60, t59); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
-    const double t62 = t15 + t42; /* omega_n*b + R*s*omega3 */
-    const double t63 = x[3]*t62; /* omega_n*(omega_n*b + R*s*omega3) */
-    out[1] = t63;
-    const double t64 = x[3]*p[47]; /* omega_n*m*R*a3*I1 */
-    const double t65 = t11*t64; /* s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t66 = x[0]*p[49]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t67 = t38*t66; /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) */
-    const double t68 = JLT_FNMA(p[50], t38, t67); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - 2*m*R*a3*I3*omega3*s*omega_tau */
-    const double t69 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t70 = JLT_FMA(p[41], t69, t27); /* 2*I1*omega_n*gamma3 + I3*s*omega3 */
-    const double t71 = t10*t70; /* 1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
-    const double t72 = -t71; /* -1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
-    out[33] = t72;
-    const double t73 = t16 + t69; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t73;
-    const double t74 = cos(x[5]); /* C = cos(chi) */
-    const double t75 = t26*t74; /* R*s*s*C */
-    const double t76 = -t75; /* -R*s*s*C */
-    out[94] = t76;
-    const double t77 = x[1]*t57; /* v_nu*S */
-    const double t78 = JLT_FNMA(t62, t74, t77); /* v_nu*S - (omega_n*b + R*s*omega3)*C */
-    const double t79 = JLT_FNMA(t42, t74, t78); /* v_nu*S - (omega_n*b + R*s*omega3)*C - R*s*omega3*C */
-    out[99] = t79;
-    const double t80 = x[9]*t78; /* s*(v_nu*S - (omega_n*b + R*s*omega3)*C) */
-    out[8] = t80;
-    const double t81 = -t80; /* -s*(v_nu*S - (omega_n*b + R*s*omega3)*C) */
-    out[85] = t81;
-    const double t82 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t83 = JLT_FNMA(p[5], t82, t50); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 - I3*omega_n*omega3 */
-    const double t84 = p[1]*t82; /* R*omega_n*omega3 */
-    out[29] = t84;
-    const double t85 = x[3]*t34; /* omega_n*V */
-    const double t86 = JLT_FNMA(p[36], t85, t61); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
-    const double t87 = JLT_FNMA(p[37], t85, t68); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t68 - m*R*I1*omega_n*V */
-    const double t88 = p[48]*t34; /* (-m*R*I1)*V */
-    const double t89 = x[9]*t9; /* s*1/Theta */
-    const double t90 = t88*t89; /* (-m*R*I1)*V*s*1/Theta */
-    out[53] = t90;
-    const double t91 = t55*t89; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
-    const double t92 = -t91; /* -s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
-    out[54] = t92;
-    const double t93 = p[46]*t89; /* 2*m*R^2*I1*s*1/Theta */
-    const double t94 = p[39]*t11; /* m*R^2*(I1 - I3)*s*omega_tau */
-    const double t95 = JLT_FMS(t16, t94, t65); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*m*R^2*(I1 - I3)*s*omega_tau - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t96 = t23*t39; /* e*m*R*I1*s*omega_n */
-    const double t97 = JLT_FMA(x[9], t52, t96); /* s*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*m*R*I1*s*omega_n */
-    const double t98 = t23*t37; /* e*m*I3*omega_n*b */
-    const double t99 = JLT_FMS(t16, t45, t98); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
-    const double t100 = JLT_FMA(t9, t99, t69); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[42] = t100;
-    const double t101 = t9*t45; /* 1/Theta*(m*R*I3*e + I3^2) */
-    const double t102 = t9*t37; /* 1/Theta*m*I3*omega_n*b */
-    const double t103 = -t102; /* -1/Theta*m*I3*omega_n*b */
-    out[41] = t103;
-    const double t104 = t9*t39; /* 1/Theta*m*R*I1*s*omega_n */
-    const double t105 = -t104; /* -1/Theta*m*R*I1*s*omega_n */
-    out[51] = t105;
-    const double t106 = t9*t97; /* 1/Theta*t97 */
-    const double t107 = -t106; /* -1/Theta*t97 */
-    out[52] = t107;
-    const double t108 = t11*t101; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
-    out[44] = t108;
-    const double t109 = x[0]*t11; /* gamma3*s*omega_tau */
-    const double t110 = -t109; /* -gamma3*s*omega_tau */
-    out[9] = t110;
-    const double t111 = x[1]*t74; /* v_nu*C */
-    const double t112 = JLT_FMA(t57, t62, t111); /* S*(omega_n*b + R*s*omega3) + v_nu*C */
-    const double t113 = JLT_FMA(t42, t57, t112); /* R*s*omega3*S + S*(omega_n*b + R*s*omega3) + v_nu*C */
-    out[89] = t113;
-    const double t114 = x[9]*t112; /* s*(S*(omega_n*b + R*s*omega3) + v_nu*C) */
-    out[7] = t114;
-    out[95] = t114;
-    const double t115 = p[1]*t24; /* R*s*omega_n */
-    out[24] = t115;
-    const double t116 = p[42]*t24; /* (-I3)*s*omega_n */
-    const double t117 = t10*t116; /* 1/D*(-I3)*s*omega_n */
-    out[34] = t117;
-    const double t118 = t57*t115; /* S*R*s*omega_n */
-    out[80] = t118;
-    const double t119 = x[9]*t57; /* s*S */
-    out[91] = t119;
-    const double t120 = t1*t119; /* b*s*S */
-    out[83] = t120;
-    const double t121 = t74*t115; /* C*R*s*omega_n */
-    const double t122 = -t121; /* -C*R*s*omega_n */
-    out[90] = t122;
-    const double t123 = x[9]*t74; /* s*C */
-    out[81] = t123;
-    const double t124 = t1*t123; /* b*s*C */
-    const double t125 = -t124; /* -b*s*C */
-    out[93] = t125;
-    const double t126 = p[45]*t1; /* 2*m*R*I3*b */
-    const double t127 = JLT_FNMA(t47, t126, t86); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R*I3*b */
-    const double t128 = JLT_FMA(t54, t126, t95); /* 1/Theta*t53*2*m*R*I3*b + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t129 = t9*t128; /* 1/Theta*t128 */
-    out[50] = t129;
-    const double t130 = t54*t93; /* 1/Theta*t53*2*m*R^2*I1*s*1/Theta */
-    const double t131 = JLT_FMA(t9, t87, t130); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) + 1/Theta*t53*2*m*R^2*I1*s*1/Theta */
-    out[59] = t131;
-    const double t132 = x[9]*x[0]; /* s*gamma3 */
-    const double t133 = t41*t132; /* 2*m*a3^2*s*omega_tau*s*gamma3 */
-    const double t134 = t10*t133; /* 1/D*2*m*a3^2*s*omega_tau*s*gamma3 */
-    out[32] = t134;
-    const double t135 = -t132; /* -s*gamma3 */
-    out[102] = t135;
-    const double t136 = x[9]*p[40]; /* s*2*m*a3^2 */
-    const double t137 = JLT_FMA(t30, t136, t83); /* 1/D*t29*s*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t138 = t10*t137; /* 1/D*t137 */
-    out[39] = t138;
-    const double t139 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t140 = t101*t139; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
-    const double t141 = JLT_FNMA(t47, t93, t140); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[49] = t141;
-    const double t142 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t143 = JLT_FMA(t9, t127, t142); /* 1/Theta*t127 + omega_tau*omega_n */
-    out[40] = t143;
+    const double t16 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t17 = x[9]*x[3]; /* s*omega_n */
+    const double t18 = x[9]*x[4]; /* s*omega3 */
+    const double t19 = p[30]*t11; /* m*a3^2*s*omega_tau */
+    const double t20 = t11*t19; /* s*omega_tau*m*a3^2*s*omega_tau */
+    const double t21 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t22 = -t21; /* -omega_tau*gamma3 */
+    out[109] = t22;
+    const double t23 = JLT_FMA(x[2], t16, x[1]); /* V = omega_tau*e + v_nu */
+    const double t24 = p[34]*t15; /* m*I3*omega_n*b */
+    const double t25 = x[4]*t11; /* omega3*s*omega_tau */
+    const double t26 = p[37]*t17; /* m*R*I1*s*omega_n */
+    const double t27 = JLT_FNMA(x[0], p[39], p[38]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t28 = p[40]*t11; /* 2*m*a3^2*s*omega_tau */
+    const double t29 = t21*t28; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
+    const double t30 = JLT_FNMA(x[9], p[43], t29); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
+    const double t31 = x[0]*p[49]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t32 = t25*t31; /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) */
+    const double t33 = JLT_FNMA(p[50], t25, t32); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - 2*m*R*a3*I3*omega3*s*omega_tau */
+    const double t34 = p[1]*t18; /* R*s*omega3 */
+    const double t35 = JLT_FMA(2.0, t15, t34); /* 2*omega_n*b + R*s*omega3 */
+    out[23] = t35;
+    const double t36 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t37 = JLT_FNMA(p[4], t36, t20); /* s*omega_tau*m*a3^2*s*omega_tau - I1*omega_n*omega_n */
+    const double t38 = p[1]*t36; /* R*omega_n*omega_n */
+    out[20] = t38;
+    const double t39 = t10*t37; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - I1*omega_n*omega_n) */
+    out[30] = t39;
+    const double t40 = p[31]*t2; /* m*g*a3*s*s */
+    const double t41 = p[1]*t2; /* R*s*s */
+    const double t42 = p[5]*t18; /* I3*s*omega3 */
+    const double t43 = JLT_FMA(x[3], t42, t40); /* omega_n*I3*s*omega3 + m*g*a3*s*s */
+    const double t44 = JLT_FNMA(x[0], t37, t43); /* omega_n*I3*s*omega3 + m*g*a3*s*s - gamma3*(s*omega_tau*m*a3^2*s*omega_tau - I1*omega_n*omega_n) */
+    const double t45 = t10*t44; /* 1/D*t44 */
+    const double t46 = -t45; /* -1/D*t44 */
+    out[2] = t46;
+    const double t47 = t23*t24; /* V*m*I3*omega_n*b */
+    const double t48 = JLT_FMA(p[36], t16, p[35]); /* m*R*I3*e + I3^2 */
+    const double t49 = JLT_FMS(t25, t48, t47); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
+    const double t50 = p[38]*t25; /* m*R*a3*I3*omega3*s*omega_tau */
+    const double t51 = t9*t49; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t52 = JLT_FMA(x[3], t21, t51); /* omega_n*omega_tau*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t52;
+    const double t53 = t23*t26; /* V*m*R*I1*s*omega_n */
+    const double t54 = t18*t27; /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t55 = JLT_FMA(t11, t54, t53); /* s*omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*R*I1*s*omega_n */
+    const double t56 = t9*t55; /* 1/Theta*t55 */
+    const double t57 = t11*t27; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t58 = -t56; /* -1/Theta*t55 */
+    out[4] = t58;
+    const double t59 = sin(x[5]); /* S = sin(chi) */
+    const double t60 = t41*t59; /* R*s*s*S */
+    out[84] = t60;
+    const double t61 = x[2]*p[44]; /* omega_tau*m*a3*I3 */
+    const double t62 = JLT_FNMA(t15, t61, t50); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
+    const double t63 = t15 + t34; /* omega_n*b + R*s*omega3 */
+    const double t64 = x[3]*t63; /* omega_n*(omega_n*b + R*s*omega3) */
+    out[1] = t64;
+    const double t65 = x[3]*p[47]; /* omega_n*m*R*a3*I1 */
+    const double t66 = t11*t65; /* s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t67 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t68 = JLT_FMA(p[41], t67, t42); /* 2*I1*omega_n*gamma3 + I3*s*omega3 */
+    const double t69 = t10*t68; /* 1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
+    const double t70 = -t69; /* -1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
+    out[33] = t70;
+    const double t71 = t18 + t67; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t71;
+    const double t72 = cos(x[5]); /* C = cos(chi) */
+    const double t73 = t41*t72; /* R*s*s*C */
+    const double t74 = -t73; /* -R*s*s*C */
+    out[94] = t74;
+    const double t75 = x[1]*t59; /* v_nu*S */
+    const double t76 = JLT_FNMA(t63, t72, t75); /* v_nu*S - (omega_n*b + R*s*omega3)*C */
+    const double t77 = JLT_FNMA(t34, t72, t76); /* v_nu*S - (omega_n*b + R*s*omega3)*C - R*s*omega3*C */
+    out[99] = t77;
+    const double t78 = x[9]*t76; /* s*(v_nu*S - (omega_n*b + R*s*omega3)*C) */
+    out[8] = t78;
+    const double t79 = -t78; /* -s*(v_nu*S - (omega_n*b + R*s*omega3)*C) */
+    out[85] = t79;
+    const double t80 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t81 = JLT_FNMA(p[5], t80, t30); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 - I3*omega_n*omega3 */
+    const double t82 = p[1]*t80; /* R*omega_n*omega3 */
+    out[29] = t82;
+    const double t83 = t10*t81; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t84 = x[3]*t23; /* omega_n*V */
+    const double t85 = JLT_FNMA(p[36], t84, t62); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t86 = JLT_FNMA(p[37], t84, t33); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t33 - m*R*I1*omega_n*V */
+    const double t87 = t9*t23; /* 1/Theta*V */
+    const double t88 = JLT_FNMA(t3, t87, t21); /* omega_tau*gamma3 - m*I3*b*1/Theta*V */
+    out[43] = t88;
+    const double t89 = t9*t86; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t90 = p[39]*t11; /* m*R^2*(I1 - I3)*s*omega_tau */
+    const double t91 = JLT_FMS(t18, t90, t66); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*m*R^2*(I1 - I3)*s*omega_tau - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t92 = t16*t26; /* e*m*R*I1*s*omega_n */
+    const double t93 = JLT_FMA(x[9], t54, t92); /* s*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*m*R*I1*s*omega_n */
+    const double t94 = t16*t24; /* e*m*I3*omega_n*b */
+    const double t95 = JLT_FMS(t18, t48, t94); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
+    const double t96 = JLT_FMA(t9, t95, t67); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[42] = t96;
+    const double t97 = t9*t48; /* 1/Theta*(m*R*I3*e + I3^2) */
+    const double t98 = t9*t24; /* 1/Theta*m*I3*omega_n*b */
+    const double t99 = -t98; /* -1/Theta*m*I3*omega_n*b */
+    out[41] = t99;
+    const double t100 = t9*t26; /* 1/Theta*m*R*I1*s*omega_n */
+    const double t101 = -t100; /* -1/Theta*m*R*I1*s*omega_n */
+    out[51] = t101;
+    const double t102 = t9*t93; /* 1/Theta*t93 */
+    const double t103 = -t102; /* -1/Theta*t93 */
+    out[52] = t103;
+    const double t104 = t11*t97; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
+    out[44] = t104;
+    const double t105 = x[0]*t11; /* gamma3*s*omega_tau */
+    const double t106 = -t105; /* -gamma3*s*omega_tau */
+    out[9] = t106;
+    const double t107 = x[1]*t72; /* v_nu*C */
+    const double t108 = JLT_FMA(t59, t63, t107); /* S*(omega_n*b + R*s*omega3) + v_nu*C */
+    const double t109 = JLT_FMA(t34, t59, t108); /* R*s*omega3*S + S*(omega_n*b + R*s*omega3) + v_nu*C */
+    out[89] = t109;
+    const double t110 = x[9]*t108; /* s*(S*(omega_n*b + R*s*omega3) + v_nu*C) */
+    out[7] = t110;
+    out[95] = t110;
+    const double t111 = p[1]*t17; /* R*s*omega_n */
+    out[24] = t111;
+    const double t112 = p[42]*t17; /* (-I3)*s*omega_n */
+    const double t113 = t10*t112; /* 1/D*(-I3)*s*omega_n */
+    out[34] = t113;
+    const double t114 = t59*t111; /* S*R*s*omega_n */
+    out[80] = t114;
+    const double t115 = x[9]*t59; /* s*S */
+    out[91] = t115;
+    const double t116 = t1*t115; /* b*s*S */
+    out[83] = t116;
+    const double t117 = t72*t111; /* C*R*s*omega_n */
+    const double t118 = -t117; /* -C*R*s*omega_n */
+    out[90] = t118;
+    const double t119 = x[9]*t72; /* s*C */
+    out[81] = t119;
+    const double t120 = t1*t119; /* b*s*C */
+    const double t121 = -t120; /* -b*s*C */
+    out[93] = t121;
+    const double t122 = p[45]*t1; /* 2*m*R*I3*b */
+    const double t123 = JLT_FNMA(t51, t122, t85); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R*I3*b */
+    const double t124 = JLT_FMA(t56, t122, t91); /* 1/Theta*t55*2*m*R*I3*b + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t125 = t9*t124; /* 1/Theta*t124 */
+    out[50] = t125;
+    const double t126 = x[9]*p[40]; /* s*2*m*a3^2 */
+    const double t127 = t10*t126; /* 1/D*s*2*m*a3^2 */
+    const double t128 = JLT_FMA(t45, t127, t83); /* 1/D*t44*1/D*s*2*m*a3^2 + 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) */
+    out[39] = t128;
+    const double t129 = t105*t127; /* gamma3*s*omega_tau*1/D*s*2*m*a3^2 */
+    out[32] = t129;
+    const double t130 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t131 = t97*t130; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
+    const double t132 = x[9]*t9; /* s*1/Theta */
+    const double t133 = t57*t132; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
+    const double t134 = -t133; /* -s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
+    out[54] = t134;
+    const double t135 = p[46]*t132; /* 2*m*R^2*I1*s*1/Theta */
+    const double t136 = JLT_FNMA(t51, t135, t131); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[49] = t136;
+    const double t137 = JLT_FMA(t56, t135, t89); /* 1/Theta*t55*2*m*R^2*I1*s*1/Theta + 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    out[59] = t137;
+    const double t138 = x[2]*x[3]; /* omega_tau*omega_n */
+    const double t139 = JLT_FMA(t9, t123, t138); /* 1/Theta*t123 + omega_tau*omega_n */
+    out[40] = t139;
+    const double t140 = x[9]*p[48]; /* s*(-m*R*I1) */
+    const double t141 = t87*t140; /* 1/Theta*V*s*(-m*R*I1) */
+    out[53] = t141;
+    const double t142 = x[9]*x[0]; /* s*gamma3 */
+    const double t143 = -t142; /* -s*gamma3 */
+    out[102] = t143;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -754,10 +760,10 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[2]*t0; /* omega_tau*s*s */
     const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t3 = x[0]*t1; /* gamma3*omega_tau*s*s */
-    const double t4 = p[33]*t2; /* m*I3*b */
-    const double t5 = JLT_FMA(p[32], t0, p[31]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t4 = p[34]*t2; /* m*I3*b */
+    const double t5 = JLT_FMA(p[33], t0, p[32]); /* m*R^2*I1*s*s + I1*I3 */
     const double t6 = JLT_FMA(t2, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t7 = JLT_FMA(p[34], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t7 = JLT_FMA(p[30], t0, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t8 = p[39]*t3; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
     const double t9 = JLT_FNMA(p[38], t1, t8); /* d(numerator of d(omega3)/dt over Theta)/d(omega3) = m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
     const double t10 = p[40]*t3; /* 2*m*a3^2*gamma3*omega_tau*s*s */
@@ -773,14 +779,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[30]*x[0]; /* m*g*a3*gamma3 */
+    const double t0 = p[31]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t2 = x[3]*p[52]; /* omega_n*1/2*I1 */
     const double t3 = JLT_FMA(x[3], t2, t0); /* omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
     const double t4 = x[3]*t1; /* omega_n*b */
     const double t5 = p[1]*x[9]; /* R*s */
     const double t6 = JLT_FMA(x[4], t5, t4); /* v_tau = omega3*R*s + omega_n*b */
-    const double t7 = x[9]*p[34]; /* s*m*a3^2 */
+    const double t7 = x[9]*p[30]; /* s*m*a3^2 */
     const double t8 = JLT_FMA(x[9], t7, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t9 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t10 = x[2]*t9; /* omega_tau*1/2*omega_tau */
@@ -825,7 +831,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t7 = p[0]*t4; /* m*b */
     const double t8 = p[1]*x[4]; /* R*omega3 */
     const double t9 = JLT_FMA(x[9], t8, t6); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t10 = x[9]*p[34]; /* s*m*a3^2 */
+    const double t10 = x[9]*p[30]; /* s*m*a3^2 */
     const double t11 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t12 = t10*t11; /* s*m*a3^2*omega_tau*omega_tau */
     const double t13 = JLT_FMA(x[9], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
@@ -834,7 +840,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t15 = p[55]*t9; /* m*R*v_tau */
     const double t16 = JLT_FMA(x[4], t15, t12); /* omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
     out[9] = t16;
-    const double t17 = JLT_FMA(x[3], t15, p[30]); /* omega_n*m*R*v_tau + m*g*a3 */
+    const double t17 = JLT_FMA(x[3], t15, p[31]); /* omega_n*m*R*v_tau + m*g*a3 */
     out[0] = t17;
     const double t18 = x[3]*p[4]; /* omega_n*I1 */
     const double t19 = JLT_FMA(t7, t9, t18); /* m*b*v_tau + omega_n*I1 */
@@ -899,29 +905,24 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x7[JLT_JET_ORDER_MAX + 1];
     double x8[JLT_JET_ORDER_MAX + 1];
     double x9[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
-    double t12[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
-    double t15[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
-    double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
@@ -929,23 +930,28 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
     double t51[JLT_JET_ORDER_MAX + 1];
     double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
     double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double u55[JLT_JET_ORDER_MAX + 1];
     double t56[JLT_JET_ORDER_MAX + 1];
     double t57[JLT_JET_ORDER_MAX + 1];
+    double u57[JLT_JET_ORDER_MAX + 1];
     double t58[JLT_JET_ORDER_MAX + 1];
     double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
     double t61[JLT_JET_ORDER_MAX + 1];
-    double u61[JLT_JET_ORDER_MAX + 1];
     double t62[JLT_JET_ORDER_MAX + 1];
     double t63[JLT_JET_ORDER_MAX + 1];
     double t64[JLT_JET_ORDER_MAX + 1];
-    double u64[JLT_JET_ORDER_MAX + 1];
     double t65[JLT_JET_ORDER_MAX + 1];
     double t66[JLT_JET_ORDER_MAX + 1];
     double t67[JLT_JET_ORDER_MAX + 1];
@@ -963,67 +969,67 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[9] = x9[0] = x[9];
     coefficients[10] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x9, x2, k);
-        t3[k] = jlt_jet_product(x9, t2, k);
-        t8[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
-        t9[k] = jlt_jet_product(x3, t8, k);
-        t11[k] = jlt_jet_product(x9, x4, k);
-        t12[k] = p[1]*t11[k] + t9[k];
-        t13[k] = jlt_jet_product(x3, t12, k);
-        t15[k] = jlt_jet_product(x9, x9, k);
-        t17[k] = t8[k]*p[7];
-        t18[k] = (k == 0 ? p[6] : 0) + t15[k];
-        t19[k] = jlt_jet_product(t8, t17, k) + t18[k];
-        t21[k] = jlt_jet_product(t2, x0, k);
-        t22[k] = t2[k]*p[8];
-        t23[k] = jlt_jet_product(t21, t22, k);
-        t25[k] = jlt_jet_product(x3, x0, k);
-        t26[k] = t11[k]*p[9] + t25[k];
-        t28[k] = t23[k] - t15[k]*p[10];
-        t29[k] = t28[k] - jlt_jet_product(x3, t26, k);
-        t31[k] = t15[k]*p[8] + (k == 0 ? 1.0 : 0);
-        t32[k] = jlt_jet_product(t19, t31, k);
-        t33[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t32, t33, k);
-        t34[k] = jlt_jet_product(t19, t29, k);
-        t35[k] = jlt_jet_product(t33, t34, k);
-        t38[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t39[k] = (k == 0 ? p[12] : 0) + t38[k];
-        t40[k] = jlt_jet_product(t31, t33, k);
-        t41[k] = jlt_jet_product(t11, t40, k);
-        t42[k] = p[11]*t39[k];
-        t43[k] = jlt_jet_product(t41, t42, k) + t25[k];
-        t44[k] = jlt_jet_product(x2, t43, k);
-        t46[k] = jlt_jet_product(x2, t38, k) + x1[k];
-        t47[k] = jlt_jet_product(x3, t46, k);
-        t48[k] = jlt_jet_product(t40, t47, k);
-        t49[k] = t44[k] - jlt_jet_product(t17, t48, k);
-        t51[k] = x9[k]*p[13];
-        t52[k] = jlt_jet_product(t48, t51, k);
-        t54[k] = t21[k]*p[14];
-        t56[k] = t54[k] - t2[k]*p[15];
-        t57[k] = jlt_jet_product(t41, t56, k) - t52[k];
-        t58[k] = -x3[k];
-        t59[k] = t11[k] + t25[k];
-        t61[k] = jlt_jet_cosine(x5, t61, u61, k);
-        t62[k] = jlt_jet_product(x9, x1, k);
-        t63[k] = jlt_jet_product(t61, t62, k);
-        t64[k] = jlt_jet_sine(x5, t64, u64, k);
-        t65[k] = jlt_jet_product(x9, t12, k);
-        t66[k] = jlt_jet_product(t64, t65, k) + t63[k];
-        t67[k] = jlt_jet_product(t62, t64, k);
-        t68[k] = t67[k] - jlt_jet_product(t61, t65, k);
-        t69[k] = -t21[k];
+        t20[k] = -x3[k];
+        t21[k] = jlt_jet_product(x9, x9, k);
+        t22[k] = (k == 0 ? p[27] : 0) + x0[k];
+        t23[k] = p[9]*t22[k];
+        t24[k] = (k == 0 ? p[6] : 0) + t21[k];
+        t25[k] = jlt_jet_product(t22, t23, k) + t24[k];
+        t26[k] = p[8]*t21[k] + (k == 0 ? 1.0 : 0);
+        t27[k] = jlt_jet_product(x2, x0, k);
+        t28[k] = jlt_jet_product(t25, t26, k);
+        t29[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t28, t29, k);
+        t30[k] = jlt_jet_product(t26, t29, k);
+        t31[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t32[k] = jlt_jet_product(x2, t21, k);
+        t33[k] = p[8]*t27[k];
+        t34[k] = jlt_jet_product(t32, t33, k);
+        t35[k] = t34[k] - p[10]*t21[k];
+        t36[k] = jlt_jet_product(x2, t31, k) + x1[k];
+        t37[k] = jlt_jet_product(x3, t36, k);
+        t38[k] = (k == 0 ? p[12] : 0) + t31[k];
+        t39[k] = jlt_jet_product(x9, x4, k);
+        t40[k] = jlt_jet_product(x3, x0, k);
+        t41[k] = t39[k] + t40[k];
+        t42[k] = p[9]*t39[k] + t40[k];
+        t43[k] = t35[k] - jlt_jet_product(x3, t42, k);
+        t44[k] = jlt_jet_product(t25, t43, k);
+        t45[k] = jlt_jet_product(t29, t44, k);
+        t46[k] = jlt_jet_product(t22, t37, k);
+        t47[k] = jlt_jet_product(x3, t22, k) + t39[k];
+        t48[k] = jlt_jet_product(x2, t39, k);
+        t49[k] = t46[k] - jlt_jet_product(t38, t48, k);
+        t50[k] = p[1]*t47[k];
+        t51[k] = p[11]*t49[k];
+        t52[k] = jlt_jet_product(x3, t50, k);
+        t53[k] = (k == 0 ? p[58] : 0) - x0[k]*p[59];
+        t54[k] = jlt_jet_product(t48, t53, k) + t37[k];
+        t55[k] = jlt_jet_cosine(x5, t55, u55, k);
+        t56[k] = jlt_jet_product(x9, t55, k);
+        t57[k] = jlt_jet_sine(x5, t57, u57, k);
+        t58[k] = jlt_jet_product(x9, t57, k);
+        t59[k] = x9[k]*p[57];
+        t60[k] = jlt_jet_product(t54, t59, k);
+        t61[k] = jlt_jet_product(t30, t60, k);
+        t62[k] = jlt_jet_product(x3, t27, k);
+        t63[k] = t62[k] - jlt_jet_product(t30, t51, k);
+        t64[k] = jlt_jet_product(x9, t27, k);
+        t65[k] = -t64[k];
+        t66[k] = jlt_jet_product(x1, t56, k);
+        t67[k] = jlt_jet_product(t50, t58, k) + t66[k];
+        t68[k] = jlt_jet_product(x1, t58, k);
+        t69[k] = t68[k] - jlt_jet_product(t50, t56, k);
         double *restrict next = coefficients + (k + 1)*11;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t13[k]/(k + 1);
-        next[2] = x2[k + 1] = t35[k]/(k + 1);
-        next[3] = x3[k + 1] = t49[k]/(k + 1);
-        next[4] = x4[k + 1] = t57[k]/(k + 1);
-        next[5] = x5[k + 1] = t58[k]/(k + 1);
-        next[6] = x6[k + 1] = t59[k]/(k + 1);
-        next[7] = x7[k + 1] = t66[k]/(k + 1);
-        next[8] = x8[k + 1] = t68[k]/(k + 1);
-        next[9] = x9[k + 1] = t69[k]/(k + 1);
+        next[0] = x0[k + 1] = t32[k]/(k + 1);
+        next[1] = x1[k + 1] = t52[k]/(k + 1);
+        next[2] = x2[k + 1] = t45[k]/(k + 1);
+        next[3] = x3[k + 1] = t63[k]/(k + 1);
+        next[4] = x4[k + 1] = t61[k]/(k + 1);
+        next[5] = x5[k + 1] = t20[k]/(k + 1);
+        next[6] = x6[k + 1] = t41[k]/(k + 1);
+        next[7] = x7[k + 1] = t67[k]/(k + 1);
+        next[8] = x8[k + 1] = t69[k]/(k + 1);
+        next[9] = x9[k + 1] = t65[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
     }
 }
@@ -1175,19 +1181,19 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39",
+    .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
-    .state_count = 10, .param_count = 6, .prepared_count = 57,
+    .state_count = 10, .param_count = 6, .prepared_count = 60,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 10, { 5, 27, 15, 1, 0, 2, 10, 11 }, { 22, 91, 0, 10, 0, 2, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, I3/(m*R) + e, a part of d(omega_n)/dtau, V = omega_tau*e + v_nu, d(omega_n)/dtau, s*omega_tau*gamma3*((I1 - I3)/I1) - s*omega_tau*(a3*I3/(R*I1)), d(omega3)/dtau, d(spin)/dtau, d(x)/dtau, d(y)/dtau" },
-    .jacobian = { jacobian, 100, { 17, 79, 34, 1, 0, 2, 14, 25 }, { 66, 414, 0, 49, 0, 2, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), omega3*s*1/(D/I1)*(I3/I1) + 1/(D/I1)*(2)*omega_n*gamma3, a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), omega_n - (a3*I3/(R^2*I1))*omega_n*b*1/(Theta/(m*R^2*I1)), e = a3*gamma3 + R, V = omega_tau*e + v_nu, e + I3/(m*R), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), 2*a3*I3^2/(R^2*I1^2) - gamma3*(2*I3*(I1 - I3)/(R*I1^2)), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(s), v_tau = omega_n*b + omega3*s*R, v_nu*S - C*v_tau, S*v_tau + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 18, 86, 37, 1, 0, 2, 10, 28 }, { 81, 486, 0, 59, 0, 2, 14, 12 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, e = a3*gamma3 + R, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu, d(d(omega_n)/dtau)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), d(d(v_nu)/dtau)/d(omega_n), (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, d(omega_n)/dtau, a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), omega_n*b + R*s*omega3, (2*I1)*omega_n*gamma3 + I3*s*omega3, d(spin)/dtau, v_nu*S - (omega_n*b + R*s*omega3)*C, d(d(y)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(s), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*(m*R^2*(I1 - I3))*s*omega_tau - s*omega_tau*omega_n*(m*R*a3*I1), s*s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*(m*R*I1)*s*omega_n, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), S*(omega_n*b + R*s*omega3) + v_nu*C, d(d(x)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3)" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, I3/(m*R) + e, a part of d(omega_n)/dtau, V = omega_tau*e + v_nu, d(omega_n)/dtau, gamma3*omega_tau*s*((I1 - I3)/I1) - omega_tau*s*(a3*I3/(R*I1)), d(omega3)/dtau, d(spin)/dtau, (R*s*omega3 + omega_n*b)*S + v_nu*C, v_nu*S - (R*s*omega3 + omega_n*b)*C" },
+    .jacobian = { jacobian, 100, { 16, 79, 34, 1, 0, 2, 13, 25 }, { 66, 414, 0, 49, 0, 2, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), omega_n - b*1/(Theta/(m*R^2*I1))*omega_n*(a3*I3/(R^2*I1)), e = a3*gamma3 + R, V = omega_tau*e + v_nu, e + I3/(m*R), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), 2*a3*I3^2/(R^2*I1^2) - gamma3*(2*I3*(I1 - I3)/(R*I1^2)), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), s*(a3*I3/(R*I1)) - gamma3*s*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(s), v_tau = omega_n*b + omega3*s*R, d(d(x)/dtau)/d(chi), omega3*s*R + v_tau, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(chi), d(d(y)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 110, { 18, 86, 37, 1, 0, 2, 9, 29 }, { 81, 486, 0, 59, 0, 2, 14, 12 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), d(d(v_nu)/dtau)/d(omega_n), s*omega_tau*(m*a3^2)*s*omega_tau - I1*omega_n*omega_n, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, d(omega_n)/dtau, a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), omega_n*b + R*s*omega3, (2*I1)*omega_n*gamma3 + I3*s*omega3, d(spin)/dtau, v_nu*S - (omega_n*b + R*s*omega3)*C, d(d(y)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(s), d(d(omega_n)/dtau)/d(omega_n), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*(m*R^2*(I1 - I3))*s*omega_tau - s*omega_tau*omega_n*(m*R*a3*I1), s*s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*(m*R*I1)*s*omega_n, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), S*(omega_n*b + R*s*omega3) + v_nu*C, d(d(x)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 0, 8, 9, 1, 0, 0, 8, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(numerator of d(omega3)/dt over Theta)/d(omega3) = (m*R^2*(I1 - I3))*gamma3*omega_tau*s*s - (m*R*a3*I3)*omega_tau*s*s, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(numerator of d(omega3)/dt over Theta)/d(omega3) - (m*I3)*b*V, a part of the divergence" },
     .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 5, 7 }, { 9, 31, 0, 0, 0, 0, 10, 5 },

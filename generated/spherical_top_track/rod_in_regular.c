@@ -3,12 +3,12 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39
+ *  Table:      spherical_top_track, SHA-256 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735
  *  Command:    ttc generate --effort full --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   22   10    1    0    2      7    8   (69)
- *  jacobian            9   47   14    1    0    2      9   14   (181)
+ *  rhs                 3   22   10    1    0    2      7    9   (69)
+ *  jacobian            9   47   14    1    0    2     10   13   (181)
  *  rhs_jacobian        11   54   17    1    0    2     10   15   (233)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     0   12    9    0    0    2      5    6   (41)
@@ -18,10 +18,10 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n),
- *      omega_n*b + omega3*s*R, omega_tau*s*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(omega_tau)/dtau,
- *      e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s),
+ *      omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n,
+ *      a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s),
  *      V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega_n*b + omega3*s*R)*S + v_nu*C,
- *      d(d(x)/dtau)/d(s), d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)
+ *      d(d(x)/dtau)/d(s), d(omega_tau)/dtau, d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -96,54 +96,54 @@ static void prepare(const double *restrict params, double *restrict out)
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = -x[3]; /* -omega_n */
-    out[5] = t0;
-    const double t1 = x[9]*x[9]; /* s*s */
-    const double t2 = JLT_FMA(p[7], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t3 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t4 = x[3]*t3; /* omega_n*omega_tau*gamma3 */
-    out[3] = t4;
-    const double t5 = x[9]*t2; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = x[2]*t1; /* omega_tau*s*s */
-    out[0] = t7;
-    const double t8 = p[7]*t3; /* m*a3^2/I1*omega_tau*gamma3 */
-    const double t9 = t7*t8; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
-    const double t10 = JLT_FNMA(p[8], t1, t9); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s*s */
-    const double t11 = x[9]*x[4]; /* s*omega3 */
-    const double t12 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t13 = x[3]*p[6]; /* omega_n*1/R */
-    const double t14 = JLT_FMA(t12, t13, t11); /* b*omega_n*1/R + s*omega3 */
-    const double t15 = t2*t13; /* D/I1*omega_n*1/R */
-    const double t16 = p[1]*t14; /* R*(b*omega_n*1/R + s*omega3) */
-    const double t17 = x[3]*t16; /* omega_n*R*(b*omega_n*1/R + s*omega3) */
-    out[1] = t17;
-    const double t18 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
-    const double t20 = t15*t19; /* D/I1*omega_n*1/R*V */
-    const double t21 = t6*t20; /* 1/(s*D/I1)*D/I1*omega_n*1/R*V */
-    const double t22 = JLT_FMS(x[4], t3, t21); /* omega3*omega_tau*gamma3 - 1/(s*D/I1)*D/I1*omega_n*1/R*V */
-    out[4] = t22;
-    const double t23 = x[9]*t3; /* s*omega_tau*gamma3 */
-    const double t24 = -t23; /* -s*omega_tau*gamma3 */
-    out[9] = t24;
-    const double t25 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t26 = t11 + t25; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t26;
-    const double t27 = JLT_FNMA(x[3], t25, t10); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s*s - omega_n*omega_n*gamma3 */
-    const double t28 = x[9]*t27; /* s*t27 */
-    const double t29 = t6*t28; /* 1/(s*D/I1)*s*t27 */
-    out[2] = t29;
-    const double t30 = cos(x[5]); /* C = cos(chi) */
-    const double t31 = sin(x[5]); /* S = sin(chi) */
-    const double t32 = x[1]*t30; /* v_nu*C */
-    const double t33 = JLT_FMA(t16, t31, t32); /* R*(b*omega_n*1/R + s*omega3)*S + v_nu*C */
-    const double t34 = x[9]*t33; /* s*(R*(b*omega_n*1/R + s*omega3)*S + v_nu*C) */
-    out[7] = t34;
-    const double t35 = x[1]*t31; /* v_nu*S */
-    const double t36 = JLT_FNMA(t16, t30, t35); /* v_nu*S - R*(b*omega_n*1/R + s*omega3)*C */
-    const double t37 = x[9]*t36; /* s*(v_nu*S - R*(b*omega_n*1/R + s*omega3)*C) */
-    out[8] = t37;
+    const double t0 = x[9]*x[9]; /* s*s */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t1;
+    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t3 = x[3]*p[6]; /* omega_n*1/R */
+    const double t4 = x[9]*x[4]; /* s*omega3 */
+    const double t5 = JLT_FMA(t2, t3, t4); /* b*omega_n*1/R + s*omega3 */
+    const double t6 = p[1]*t5; /* R*(b*omega_n*1/R + s*omega3) */
+    const double t7 = x[3]*t6; /* omega_n*R*(b*omega_n*1/R + s*omega3) */
+    out[1] = t7;
+    const double t8 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t9 = p[7]*t8; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t10 = t1*t9; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t11 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t12 = JLT_FNMA(x[3], t11, t10); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - omega_n*omega_n*gamma3 */
+    const double t13 = JLT_FNMA(t0, p[8], t12); /* t12 - s*s*m*g*a3/I1 */
+    const double t14 = JLT_FMA(t0, p[7], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t15 = x[9]*t14; /* s*D/I1 */
+    const double t16 = 1.0/t15; /* 1/(s*D/I1) */
+    const double t17 = x[9]*t13; /* s*(t12 - s*s*m*g*a3/I1) */
+    const double t18 = t16*t17; /* 1/(s*D/I1)*s*(t12 - s*s*m*g*a3/I1) */
+    out[2] = t18;
+    const double t19 = x[3]*t8; /* omega_n*omega_tau*gamma3 */
+    out[3] = t19;
+    const double t20 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t21 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
+    const double t22 = t3*t14; /* omega_n*1/R*D/I1 */
+    const double t23 = t21*t22; /* V*omega_n*1/R*D/I1 */
+    const double t24 = t16*t23; /* 1/(s*D/I1)*V*omega_n*1/R*D/I1 */
+    const double t25 = JLT_FMS(x[4], t8, t24); /* omega3*omega_tau*gamma3 - 1/(s*D/I1)*V*omega_n*1/R*D/I1 */
+    out[4] = t25;
+    const double t26 = -x[3]; /* -omega_n */
+    out[5] = t26;
+    const double t27 = t4 + t11; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t27;
+    const double t28 = cos(x[5]); /* C = cos(chi) */
+    const double t29 = x[1]*t28; /* v_nu*C */
+    const double t30 = sin(x[5]); /* S = sin(chi) */
+    const double t31 = JLT_FMA(t6, t30, t29); /* R*(b*omega_n*1/R + s*omega3)*S + v_nu*C */
+    const double t32 = x[9]*t31; /* s*(R*(b*omega_n*1/R + s*omega3)*S + v_nu*C) */
+    out[7] = t32;
+    const double t33 = x[1]*t30; /* v_nu*S */
+    const double t34 = JLT_FNMA(t6, t28, t33); /* v_nu*S - R*(b*omega_n*1/R + s*omega3)*C */
+    const double t35 = x[9]*t34; /* s*(v_nu*S - R*(b*omega_n*1/R + s*omega3)*C) */
+    out[8] = t35;
+    const double t36 = x[9]*t8; /* s*omega_tau*gamma3 */
+    const double t37 = -t36; /* -s*omega_tau*gamma3 */
+    out[9] = t37;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -210,117 +210,117 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[97] = 0.0;
     out[98] = 0.0;
     out[64] = x[9];
-    const double t0 = x[9]*x[9]; /* s*s */
-    out[2] = t0;
-    const double t1 = x[9]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[9] = t2;
     out[60] = x[3];
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    out[10] = t4;
     out[63] = x[0];
-    const double t5 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t6 = x[3]*t5; /* omega_n*b */
     out[69] = x[4];
-    const double t7 = x[9]*p[1]; /* s*R */
-    const double t8 = x[4]*t7; /* omega3*s*R */
-    const double t9 = JLT_FMA(2.0, t6, t8); /* 2*omega_n*b + omega3*s*R */
-    out[13] = t9;
-    const double t10 = x[3]*t7; /* omega_n*s*R */
-    out[14] = t10;
-    const double t11 = p[1]*x[3]; /* R*omega_n */
-    const double t12 = x[4]*t11; /* omega3*R*omega_n */
-    out[19] = t12;
-    const double t13 = t1*p[7]; /* s*omega_tau*m*a3^2/I1 */
-    const double t14 = JLT_FMS(t1, t13, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
-    const double t15 = JLT_FMA(t0, p[7], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t16 = x[9]*t15; /* s*D/I1 */
-    const double t17 = 1.0/t16; /* 1/(s*D/I1) */
-    const double t18 = x[9]*t17; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t19 = t14*t18; /* (s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*1/(D/I1) */
-    out[20] = t19;
-    const double t20 = x[9]*x[0]; /* s*gamma3 */
-    const double t21 = p[9]*t20; /* 2*m*a3^2/I1*s*gamma3 */
-    const double t22 = t18*t21; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
-    const double t23 = t1*t22; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
-    out[22] = t23;
-    const double t24 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[32] = t24;
-    const double t25 = (-2.0)*t24; /* (-2)*omega_n*gamma3 */
-    const double t26 = t18*t25; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[23] = t26;
-    const double t27 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t28 = t22*t27; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t29 = x[9]*p[10]; /* s*2*m*g*a3/I1 */
-    const double t30 = JLT_FNMA(t18, t29, t28); /* t28 - 1/(D/I1)*s*2*m*g*a3/I1 */
-    const double t31 = t18*t30; /* 1/(D/I1)*(t28 - 1/(D/I1)*s*2*m*g*a3/I1) */
-    out[29] = t31;
-    const double t32 = x[2]*x[3]; /* omega_tau*omega_n */
-    out[30] = t32;
-    const double t33 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[33] = t33;
-    out[44] = t33;
-    const double t34 = t15*t17; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t35 = x[3]*t34; /* omega_n*1/s */
-    const double t36 = JLT_FNMA(p[11], t35, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t37 = x[2]*t36; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[40] = t37;
-    const double t38 = t35*p[6]; /* omega_n*1/s*1/R */
-    const double t39 = -t38; /* -omega_n*1/s*1/R */
-    out[41] = t39;
-    const double t40 = x[0]*x[4]; /* gamma3*omega3 */
-    const double t41 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t42 = JLT_FNMA(t38, t41, t40); /* gamma3*omega3 - omega_n*1/s*1/R*e */
-    out[42] = t42;
-    const double t43 = JLT_FMA(x[2], t41, x[1]); /* V = omega_tau*e + v_nu */
-    const double t44 = t34*t43; /* 1/s*V */
-    const double t45 = p[12]*t44; /* (-1/R)*1/s*V */
-    out[43] = t45;
-    const double t46 = t38*t44; /* omega_n*1/s*1/R*1/s*V */
-    out[49] = t46;
     out[53] = (-1.0);
-    const double t47 = sin(x[5]); /* S = sin(chi) */
-    const double t48 = t10*t47; /* omega_n*s*R*S */
-    out[70] = t48;
-    const double t49 = cos(x[5]); /* C = cos(chi) */
-    const double t50 = x[9]*t49; /* s*C */
-    out[71] = t50;
-    const double t51 = x[9]*t47; /* s*S */
-    out[81] = t51;
-    const double t52 = t5*t51; /* b*s*S */
-    out[73] = t52;
-    const double t53 = t7*t51; /* s*R*s*S */
-    out[74] = t53;
-    const double t54 = x[1]*t51; /* v_nu*s*S */
-    const double t55 = t6 + t8; /* v_tau = omega_n*b + omega3*s*R */
-    const double t56 = JLT_FMS(t50, t55, t54); /* s*C*v_tau - v_nu*s*S */
-    out[75] = t56;
-    const double t57 = x[1]*t49; /* v_nu*C */
-    const double t58 = t8 + t55; /* omega3*s*R + v_tau */
-    const double t59 = JLT_FMA(t47, t58, t57); /* S*(omega3*s*R + v_tau) + v_nu*C */
-    out[79] = t59;
-    const double t60 = t10*t49; /* omega_n*s*R*C */
-    const double t61 = -t60; /* -omega_n*s*R*C */
-    out[80] = t61;
-    const double t62 = t5*t50; /* b*s*C */
-    const double t63 = -t62; /* -b*s*C */
-    out[83] = t63;
-    const double t64 = t7*t50; /* s*R*s*C */
-    const double t65 = -t64; /* -s*R*s*C */
-    out[84] = t65;
-    const double t66 = x[1]*t50; /* v_nu*s*C */
-    const double t67 = JLT_FMA(t51, t55, t66); /* s*S*v_tau + v_nu*s*C */
-    out[85] = t67;
-    const double t68 = x[1]*t47; /* v_nu*S */
-    const double t69 = JLT_FNMA(t49, t58, t68); /* v_nu*S - C*(omega3*s*R + v_tau) */
-    out[89] = t69;
-    const double t70 = -t1; /* -s*omega_tau */
-    out[90] = t70;
-    const double t71 = -t20; /* -s*gamma3 */
-    out[92] = t71;
-    const double t72 = -t33; /* -omega_tau*gamma3 */
-    out[99] = t72;
+    const double t0 = x[2]*x[3]; /* omega_tau*omega_n */
+    out[30] = t0;
+    const double t1 = x[9]*x[9]; /* s*s */
+    out[2] = t1;
+    const double t2 = JLT_FMA(p[7], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t3 = x[9]*t2; /* s*D/I1 */
+    const double t4 = 1.0/t3; /* 1/(s*D/I1) */
+    const double t5 = t2*t4; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t6 = x[9]*t4; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t7 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t8 = p[1]*t7; /* R*omega_n*omega_n */
+    out[10] = t8;
+    const double t9 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t10 = x[9]*p[1]; /* s*R */
+    const double t11 = x[9]*t6; /* s*1/(D/I1) */
+    const double t12 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t13 = t11*t12; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t14 = x[9]*x[2]; /* s*omega_tau */
+    const double t15 = 2.0*t14; /* 2*s*omega_tau */
+    out[9] = t15;
+    const double t16 = t13*t14; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*s*omega_tau */
+    out[22] = t16;
+    const double t17 = -t14; /* -s*omega_tau */
+    out[90] = t17;
+    const double t18 = x[3]*t9; /* omega_n*b */
+    const double t19 = x[4]*t10; /* omega3*s*R */
+    const double t20 = JLT_FMA(2.0, t18, t19); /* 2*omega_n*b + omega3*s*R */
+    out[13] = t20;
+    const double t21 = t18 + t19; /* v_tau = omega_n*b + omega3*s*R */
+    const double t22 = t19 + t21; /* omega3*s*R + v_tau */
+    const double t23 = JLT_FMA(x[2], x[2], t7); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t24 = t13*t23; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t25 = JLT_FNMA(p[10], t11, t24); /* t24 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t26 = t6*t25; /* 1/(D/I1)*(t24 - 2*m*g*a3/I1*s*1/(D/I1)) */
+    out[29] = t26;
+    const double t27 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t28 = sin(x[5]); /* S = sin(chi) */
+    const double t29 = cos(x[5]); /* C = cos(chi) */
+    const double t30 = x[3]*t10; /* omega_n*s*R */
+    out[14] = t30;
+    const double t31 = t29*t30; /* C*omega_n*s*R */
+    const double t32 = -t31; /* -C*omega_n*s*R */
+    out[80] = t32;
+    const double t33 = p[7]*t14; /* m*a3^2/I1*s*omega_tau */
+    const double t34 = JLT_FMS(t14, t33, t7); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t35 = t6*t34; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[20] = t35;
+    const double t36 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[32] = t36;
+    const double t37 = (-2.0)*t36; /* (-2)*omega_n*gamma3 */
+    const double t38 = t6*t37; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[23] = t38;
+    const double t39 = x[3]*t5; /* omega_n*1/s */
+    const double t40 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t41 = t5*t40; /* 1/s*V */
+    const double t42 = p[12]*t41; /* (-1/R)*1/s*V */
+    out[43] = t42;
+    const double t43 = x[9]*t28; /* s*S */
+    out[81] = t43;
+    const double t44 = t9*t43; /* b*s*S */
+    out[73] = t44;
+    const double t45 = t10*t43; /* s*R*s*S */
+    out[74] = t45;
+    const double t46 = x[9]*t29; /* s*C */
+    out[71] = t46;
+    const double t47 = t9*t46; /* b*s*C */
+    const double t48 = -t47; /* -b*s*C */
+    out[83] = t48;
+    const double t49 = t10*t46; /* s*R*s*C */
+    const double t50 = -t49; /* -s*R*s*C */
+    out[84] = t50;
+    const double t51 = p[1]*x[3]; /* R*omega_n */
+    const double t52 = x[4]*t51; /* omega3*R*omega_n */
+    out[19] = t52;
+    const double t53 = t43*t51; /* s*S*R*omega_n */
+    out[70] = t53;
+    const double t54 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[33] = t54;
+    out[44] = t54;
+    const double t55 = -t54; /* -omega_tau*gamma3 */
+    out[99] = t55;
+    const double t56 = JLT_FNMA(p[11], t39, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t57 = x[2]*t56; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[40] = t57;
+    const double t58 = p[6]*t39; /* 1/R*omega_n*1/s */
+    const double t59 = t41*t58; /* 1/s*V*1/R*omega_n*1/s */
+    out[49] = t59;
+    const double t60 = -t58; /* -1/R*omega_n*1/s */
+    out[41] = t60;
+    const double t61 = x[0]*x[4]; /* gamma3*omega3 */
+    const double t62 = JLT_FNMA(t27, t58, t61); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[42] = t62;
+    const double t63 = x[1]*t43; /* v_nu*s*S */
+    const double t64 = JLT_FMS(t21, t46, t63); /* v_tau*s*C - v_nu*s*S */
+    out[75] = t64;
+    const double t65 = x[1]*t46; /* v_nu*s*C */
+    const double t66 = JLT_FMA(t21, t43, t65); /* v_tau*s*S + v_nu*s*C */
+    out[85] = t66;
+    const double t67 = x[1]*t29; /* v_nu*C */
+    const double t68 = JLT_FMA(t22, t28, t67); /* (omega3*s*R + v_tau)*S + v_nu*C */
+    out[79] = t68;
+    const double t69 = x[1]*t28; /* v_nu*S */
+    const double t70 = JLT_FNMA(t22, t29, t69); /* v_nu*S - (omega3*s*R + v_tau)*C */
+    out[89] = t70;
+    const double t71 = x[9]*x[0]; /* s*gamma3 */
+    const double t72 = -t71; /* -s*gamma3 */
+    out[92] = t72;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -402,120 +402,120 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t5 = 1.0/t4; /* 1/(s*D/I1) */
     const double t6 = t3*t5; /* 1/s = D/I1*1/(s*D/I1) */
     const double t7 = x[9]*t5; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t8 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t9 = x[9]*p[1]; /* s*R */
-    const double t10 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t11 = x[2]*t2; /* omega_tau*s*s */
-    out[0] = t11;
-    const double t12 = x[3]*t8; /* omega_n*b */
-    const double t13 = x[4]*t9; /* omega3*s*R */
-    const double t14 = JLT_FMA(2.0, t12, t13); /* 2*omega_n*b + omega3*s*R */
-    out[23] = t14;
-    const double t15 = t12 + t13; /* omega_n*b + omega3*s*R */
-    const double t16 = x[3]*t15; /* omega_n*(omega_n*b + omega3*s*R) */
-    out[1] = t16;
-    const double t17 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t18 = JLT_FMS(t11, t17, t10); /* omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
-    const double t19 = JLT_FMA(x[2], x[2], t10); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t20 = x[0]*t19; /* gamma3*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t21 = t7*t18; /* 1/(D/I1)*(omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
-    out[30] = t21;
-    const double t22 = x[0]*t18; /* gamma3*(omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
-    const double t23 = JLT_FNMA(p[8], t2, t22); /* gamma3*(omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) - m*g*a3/I1*s*s */
-    const double t24 = t7*t23; /* 1/(D/I1)*t23 */
-    out[2] = t24;
-    const double t25 = sin(x[5]); /* S = sin(chi) */
+    const double t8 = x[9]*x[2]; /* s*omega_tau */
+    const double t9 = x[9]*t8; /* s*s*omega_tau */
+    out[0] = t9;
+    const double t10 = 2.0*t8; /* 2*s*omega_tau */
+    out[19] = t10;
+    const double t11 = -t8; /* -s*omega_tau */
+    out[100] = t11;
+    const double t12 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t13 = x[9]*p[1]; /* s*R */
+    const double t14 = x[3]*t12; /* omega_n*b */
+    const double t15 = x[4]*t13; /* omega3*s*R */
+    const double t16 = JLT_FMA(2.0, t14, t15); /* 2*omega_n*b + omega3*s*R */
+    out[23] = t16;
+    const double t17 = t14 + t15; /* omega_n*b + omega3*s*R */
+    const double t18 = x[3]*t17; /* omega_n*(omega_n*b + omega3*s*R) */
+    out[1] = t18;
+    const double t19 = p[7]*t8; /* m*a3^2/I1*s*omega_tau */
+    const double t20 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t21 = JLT_FMS(t8, t19, t20); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t22 = t7*t21; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[30] = t22;
+    const double t23 = x[0]*t22; /* gamma3*t22 */
+    const double t24 = p[1]*t20; /* R*omega_n*omega_n */
+    out[20] = t24;
+    const double t25 = JLT_FMA(x[2], x[2], t20); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t26 = x[9]*t7; /* s*1/(D/I1) */
-    const double t27 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t28 = x[3]*t6; /* omega_n*1/s */
-    const double t29 = cos(x[5]); /* C = cos(chi) */
-    const double t30 = x[1]*t25; /* v_nu*S */
-    const double t31 = JLT_FNMA(t15, t29, t30); /* v_nu*S - (omega_n*b + omega3*s*R)*C */
-    const double t32 = JLT_FNMA(t13, t29, t31); /* v_nu*S - (omega_n*b + omega3*s*R)*C - omega3*s*R*C */
-    out[99] = t32;
-    const double t33 = x[9]*t31; /* s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
-    out[8] = t33;
-    const double t34 = -t33; /* -s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
-    out[85] = t34;
-    const double t35 = p[9]*t26; /* 2*m*a3^2/I1*s*1/(D/I1) */
-    const double t36 = t20*t35; /* gamma3*(omega_tau*omega_tau + omega_n*omega_n)*2*m*a3^2/I1*s*1/(D/I1) */
-    const double t37 = JLT_FNMA(p[10], t26, t36); /* t36 - 2*m*g*a3/I1*s*1/(D/I1) */
-    const double t38 = t7*t37; /* 1/(D/I1)*(t36 - 2*m*g*a3/I1*s*1/(D/I1)) */
-    out[39] = t38;
-    const double t39 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[43] = t39;
-    out[54] = t39;
-    const double t40 = x[3]*t39; /* omega_n*omega_tau*gamma3 */
-    out[3] = t40;
-    const double t41 = -t39; /* -omega_tau*gamma3 */
-    out[109] = t41;
-    const double t42 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
-    const double t43 = p[6]*t28; /* 1/R*omega_n*1/s */
-    const double t44 = JLT_FNMA(p[11], t28, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t45 = x[2]*t44; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[50] = t45;
-    const double t46 = -t43; /* -1/R*omega_n*1/s */
-    out[51] = t46;
-    const double t47 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[42] = t47;
-    const double t48 = JLT_FMA(x[9], x[4], t47); /* s*omega3 + omega_n*gamma3 */
-    out[6] = t48;
-    const double t49 = (-2.0)*t47; /* (-2)*omega_n*gamma3 */
-    const double t50 = t7*t49; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[33] = t50;
-    const double t51 = x[1]*t29; /* v_nu*C */
-    const double t52 = JLT_FMA(t15, t25, t51); /* (omega_n*b + omega3*s*R)*S + v_nu*C */
-    const double t53 = JLT_FMA(t13, t25, t52); /* omega3*s*R*S + (omega_n*b + omega3*s*R)*S + v_nu*C */
-    out[89] = t53;
-    const double t54 = x[9]*t52; /* s*((omega_n*b + omega3*s*R)*S + v_nu*C) */
-    out[7] = t54;
-    out[95] = t54;
-    const double t55 = x[9]*t29; /* s*C */
-    out[81] = t55;
-    const double t56 = x[9]*t25; /* s*S */
-    out[91] = t56;
-    const double t57 = t8*t56; /* b*s*S */
-    out[83] = t57;
-    const double t58 = t8*t55; /* b*s*C */
-    const double t59 = -t58; /* -b*s*C */
-    out[93] = t59;
-    const double t60 = t9*t56; /* s*R*s*S */
-    out[84] = t60;
-    const double t61 = t9*t55; /* s*R*s*C */
-    const double t62 = -t61; /* -s*R*s*C */
-    out[94] = t62;
-    const double t63 = x[3]*p[1]; /* omega_n*R */
-    const double t64 = t56*t63; /* s*S*omega_n*R */
-    out[80] = t64;
-    const double t65 = t55*t63; /* s*C*omega_n*R */
-    const double t66 = -t65; /* -s*C*omega_n*R */
-    out[90] = t66;
-    const double t67 = x[3]*t63; /* omega_n*omega_n*R */
-    out[20] = t67;
-    const double t68 = x[9]*t63; /* s*omega_n*R */
-    out[24] = t68;
-    const double t69 = x[4]*t63; /* omega3*omega_n*R */
-    out[29] = t69;
-    const double t70 = t42*t43; /* V*1/R*omega_n*1/s */
-    const double t71 = p[12]*t42; /* (-1/R)*V */
-    const double t72 = t6*t71; /* 1/s*(-1/R)*V */
-    out[53] = t72;
-    const double t73 = t6*t70; /* 1/s*V*1/R*omega_n*1/s */
-    out[59] = t73;
-    const double t74 = JLT_FMS(x[4], t39, t70); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
-    out[4] = t74;
-    const double t75 = x[9]*t39; /* s*omega_tau*gamma3 */
-    const double t76 = t35*t75; /* 2*m*a3^2/I1*s*1/(D/I1)*s*omega_tau*gamma3 */
-    out[32] = t76;
-    const double t77 = -t75; /* -s*omega_tau*gamma3 */
-    out[9] = t77;
-    const double t78 = x[2]*x[9]; /* omega_tau*s */
-    const double t79 = 2.0*t78; /* 2*omega_tau*s */
-    out[19] = t79;
-    const double t80 = -t78; /* -omega_tau*s */
-    out[100] = t80;
+    const double t27 = sin(x[5]); /* S = sin(chi) */
+    const double t28 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t29 = t26*t28; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t30 = t25*t29; /* (omega_tau*omega_tau + omega_n*omega_n)*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t31 = t8*t29; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[32] = t31;
+    const double t32 = x[0]*t8; /* gamma3*s*omega_tau */
+    const double t33 = -t32; /* -gamma3*s*omega_tau */
+    out[9] = t33;
+    const double t34 = JLT_FNMA(p[10], t26, t30); /* t30 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t35 = t7*t34; /* 1/(D/I1)*(t30 - 2*m*g*a3/I1*s*1/(D/I1)) */
+    out[39] = t35;
+    const double t36 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t37 = x[3]*t6; /* omega_n*1/s */
+    const double t38 = cos(x[5]); /* C = cos(chi) */
+    const double t39 = x[1]*t27; /* v_nu*S */
+    const double t40 = JLT_FNMA(t17, t38, t39); /* v_nu*S - (omega_n*b + omega3*s*R)*C */
+    const double t41 = JLT_FNMA(t15, t38, t40); /* v_nu*S - (omega_n*b + omega3*s*R)*C - omega3*s*R*C */
+    out[99] = t41;
+    const double t42 = x[9]*t40; /* s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
+    out[8] = t42;
+    const double t43 = -t42; /* -s*(v_nu*S - (omega_n*b + omega3*s*R)*C) */
+    out[85] = t43;
+    const double t44 = JLT_FMA(x[2], t36, x[1]); /* V = omega_tau*e + v_nu */
+    const double t45 = p[6]*t37; /* 1/R*omega_n*1/s */
+    const double t46 = JLT_FNMA(p[11], t37, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t47 = x[2]*t46; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[50] = t47;
+    const double t48 = -t45; /* -1/R*omega_n*1/s */
+    out[51] = t48;
+    const double t49 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[42] = t49;
+    const double t50 = JLT_FMA(x[9], x[4], t49); /* s*omega3 + omega_n*gamma3 */
+    out[6] = t50;
+    const double t51 = (-2.0)*t49; /* (-2)*omega_n*gamma3 */
+    const double t52 = t7*t51; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[33] = t52;
+    const double t53 = x[1]*t38; /* v_nu*C */
+    const double t54 = JLT_FMA(t17, t27, t53); /* (omega_n*b + omega3*s*R)*S + v_nu*C */
+    const double t55 = JLT_FMA(t15, t27, t54); /* omega3*s*R*S + (omega_n*b + omega3*s*R)*S + v_nu*C */
+    out[89] = t55;
+    const double t56 = x[9]*t54; /* s*((omega_n*b + omega3*s*R)*S + v_nu*C) */
+    out[7] = t56;
+    out[95] = t56;
+    const double t57 = x[3]*t13; /* omega_n*s*R */
+    out[24] = t57;
+    const double t58 = t27*t57; /* S*omega_n*s*R */
+    out[80] = t58;
+    const double t59 = x[9]*t27; /* s*S */
+    out[91] = t59;
+    const double t60 = t38*t57; /* C*omega_n*s*R */
+    const double t61 = -t60; /* -C*omega_n*s*R */
+    out[90] = t61;
+    const double t62 = x[9]*t38; /* s*C */
+    out[81] = t62;
+    const double t63 = t12*t59; /* b*s*S */
+    out[83] = t63;
+    const double t64 = t13*t59; /* s*R*s*S */
+    out[84] = t64;
+    const double t65 = t12*t62; /* b*s*C */
+    const double t66 = t13*t62; /* s*R*s*C */
+    const double t67 = -t65; /* -b*s*C */
+    out[93] = t67;
+    const double t68 = -t66; /* -s*R*s*C */
+    out[94] = t68;
+    const double t69 = x[9]*p[8]; /* s*m*g*a3/I1 */
+    const double t70 = JLT_FNMA(t26, t69, t23); /* gamma3*t22 - s*1/(D/I1)*s*m*g*a3/I1 */
+    out[2] = t70;
+    const double t71 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[43] = t71;
+    out[54] = t71;
+    const double t72 = x[3]*t71; /* omega_n*omega_tau*gamma3 */
+    out[3] = t72;
+    const double t73 = -t71; /* -omega_tau*gamma3 */
+    out[109] = t73;
+    const double t74 = t44*t45; /* V*1/R*omega_n*1/s */
+    const double t75 = JLT_FMS(x[4], t71, t74); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
+    out[4] = t75;
+    const double t76 = t6*t74; /* 1/s*V*1/R*omega_n*1/s */
+    out[59] = t76;
+    const double t77 = p[12]*t44; /* (-1/R)*V */
+    const double t78 = t6*t77; /* 1/s*(-1/R)*V */
+    out[53] = t78;
+    const double t79 = x[3]*p[1]; /* omega_n*R */
+    const double t80 = x[4]*t79; /* omega3*omega_n*R */
+    out[29] = t80;
     const double t81 = x[0]*x[4]; /* gamma3*omega3 */
-    const double t82 = JLT_FNMA(t27, t43, t81); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    const double t82 = JLT_FNMA(t36, t45, t81); /* gamma3*omega3 - e*1/R*omega_n*1/s */
     out[52] = t82;
     const double t83 = x[9]*x[0]; /* s*gamma3 */
     const double t84 = -t83; /* -s*gamma3 */
@@ -698,11 +698,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double u43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
     double u44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
+    double u46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
@@ -729,45 +729,45 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t20[k] = jlt_jet_product(x2, t14, k);
         t21[k] = p[7]*t16[k];
         t22[k] = jlt_jet_product(t20, t21, k);
-        t23[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
-        t24[k] = jlt_jet_product(x3, t23, k);
-        t25[k] = jlt_jet_product(x3, x0, k);
-        t26[k] = t22[k] - jlt_jet_product(x3, t25, k);
-        t27[k] = t26[k] - p[8]*t14[k];
-        t28[k] = jlt_jet_product(x9, t27, k);
-        t29[k] = jlt_jet_product(t19, t28, k);
-        t30[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t31[k] = jlt_jet_product(x2, t30, k) + x1[k];
-        t32[k] = x3[k]*p[6];
-        t33[k] = jlt_jet_product(t15, t32, k);
-        t34[k] = jlt_jet_product(t31, t33, k);
-        t35[k] = jlt_jet_product(t19, t34, k);
-        t36[k] = jlt_jet_product(x4, t16, k) - t35[k];
-        t37[k] = jlt_jet_product(x9, t16, k);
-        t38[k] = -t37[k];
-        t39[k] = jlt_jet_product(x9, x4, k);
-        t40[k] = t25[k] + t39[k];
-        t41[k] = p[1]*t39[k] + t24[k];
+        t23[k] = jlt_jet_product(x9, x4, k);
+        t24[k] = jlt_jet_product(x3, x0, k);
+        t25[k] = t22[k] - jlt_jet_product(x3, t24, k);
+        t26[k] = t25[k] - p[8]*t14[k];
+        t27[k] = t23[k] + t24[k];
+        t28[k] = p[1]*t23[k];
+        t29[k] = jlt_jet_product(x9, t26, k);
+        t30[k] = jlt_jet_product(t19, t29, k);
+        t31[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
+        t32[k] = jlt_jet_product(x2, t31, k) + x1[k];
+        t33[k] = x3[k]*p[6];
+        t34[k] = jlt_jet_product(t15, t33, k);
+        t35[k] = jlt_jet_product(t32, t34, k);
+        t36[k] = jlt_jet_product(t19, t35, k);
+        t37[k] = jlt_jet_product(x4, t16, k) - t36[k];
+        t38[k] = jlt_jet_product(x9, t16, k);
+        t39[k] = -t38[k];
+        t40[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
+        t41[k] = jlt_jet_product(x3, t40, k) + t28[k];
         t42[k] = jlt_jet_product(x3, t41, k);
-        t43[k] = jlt_jet_cosine(x5, t43, u43, k);
-        t44[k] = jlt_jet_sine(x5, t44, u44, k);
-        t45[k] = jlt_jet_product(x1, t43, k);
-        t46[k] = jlt_jet_product(t41, t44, k) + t45[k];
-        t47[k] = jlt_jet_product(x9, t46, k);
-        t48[k] = jlt_jet_product(x1, t44, k);
-        t49[k] = t48[k] - jlt_jet_product(t41, t43, k);
-        t50[k] = jlt_jet_product(x9, t49, k);
+        t43[k] = jlt_jet_product(x9, t41, k);
+        t44[k] = jlt_jet_cosine(x5, t44, u44, k);
+        t45[k] = jlt_jet_product(x9, x1, k);
+        t46[k] = jlt_jet_sine(x5, t46, u46, k);
+        t47[k] = jlt_jet_product(t44, t45, k);
+        t48[k] = jlt_jet_product(t43, t46, k) + t47[k];
+        t49[k] = jlt_jet_product(t45, t46, k);
+        t50[k] = t49[k] - jlt_jet_product(t43, t44, k);
         double *restrict next = coefficients + (k + 1)*11;
         next[0] = x0[k + 1] = t20[k]/(k + 1);
         next[1] = x1[k + 1] = t42[k]/(k + 1);
-        next[2] = x2[k + 1] = t29[k]/(k + 1);
+        next[2] = x2[k + 1] = t30[k]/(k + 1);
         next[3] = x3[k + 1] = t17[k]/(k + 1);
-        next[4] = x4[k + 1] = t36[k]/(k + 1);
+        next[4] = x4[k + 1] = t37[k]/(k + 1);
         next[5] = x5[k + 1] = t13[k]/(k + 1);
-        next[6] = x6[k + 1] = t40[k]/(k + 1);
-        next[7] = x7[k + 1] = t47[k]/(k + 1);
+        next[6] = x6[k + 1] = t27[k]/(k + 1);
+        next[7] = x7[k + 1] = t48[k]/(k + 1);
         next[8] = x8[k + 1] = t50[k]/(k + 1);
-        next[9] = x9[k + 1] = t38[k]/(k + 1);
+        next[9] = x9[k + 1] = t39[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
     }
 }
@@ -902,7 +902,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "6846e2a6e2e89b5e5aa4c7b67fe5e7f138d28ea2677fe5f4b40745ae5674af39",
+    .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .prepared_count = 20,
@@ -910,12 +910,12 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 10, { 3, 22, 10, 1, 0, 2, 7, 8 }, { 14, 49, 0, 4, 0, 2, 8, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, b*omega_n*(1/R) + s*omega3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau, d(spin)/dtau, a part of d(omega_tau)/dtau, R*(b*omega_n*(1/R) + s*omega3)*S + v_nu*C, v_nu*S - R*(b*omega_n*(1/R) + s*omega3)*C" },
-    .jacobian = { jacobian, 100, { 9, 47, 14, 1, 0, 2, 9, 14 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), s*omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), omega3 - (a3/R)*omega_n*1/s, e = a3*gamma3 + R, d(d(omega3)/dtau)/d(omega_tau), V = omega_tau*e + v_nu, v_tau = omega_n*b + omega3*s*R, d(d(x)/dtau)/d(chi), omega3*s*R + v_tau, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(chi), d(d(y)/dtau)/d(s)" },
+    .rhs = { rhs, 10, { 3, 22, 10, 1, 0, 2, 7, 9 }, { 14, 49, 0, 4, 0, 2, 8, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, b*omega_n*(1/R) + s*omega3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau, d(spin)/dtau, R*(b*omega_n*(1/R) + s*omega3)*S + v_nu*C, v_nu*S - R*(b*omega_n*(1/R) + s*omega3)*C" },
+    .jacobian = { jacobian, 100, { 9, 47, 14, 1, 0, 2, 10, 13 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), v_tau = omega_n*b + omega3*s*R, omega3*s*R + v_tau, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(d(x)/dtau)/d(chi), d(d(y)/dtau)/d(chi), d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 110, { 11, 54, 17, 1, 0, 2, 10, 15 }, { 36, 177, 0, 18, 0, 2, 11, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + omega3*s*R, omega_tau*s*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega_n*b + omega3*s*R)*S + v_nu*C, d(d(x)/dtau)/d(s), d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, v_nu*S - (omega_n*b + omega3*s*R)*C, d(d(y)/dtau)/d(s), V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega_n*b + omega3*s*R)*S + v_nu*C, d(d(x)/dtau)/d(s), d(omega_tau)/dtau, d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 0, 12, 9, 0, 0, 2, 5, 6 }, { 9, 30, 0, 0, 0, 2, 9, 6 },

@@ -86,6 +86,14 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
 }
 
 /* Levels of integrals that are proved, whatever the parameters. */
+/* A descriptor lists integrals that are so everywhere: not `when` or `modulo` something alone. */
+static bool is_listed(const jlt_descriptor *d, const char *integral)
+{
+    for (unsigned i = 0; i < d->integral_count; i++)
+        if (strcmp(d->integrals[i].name, integral) == 0) return true;
+    return false;
+}
+
 static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;
@@ -96,7 +104,7 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
     if (json_object_size(levels) > JLT_FORMULAS_LEVELS_MAX) return refuse(problem, "levels: more than %d", JLT_FORMULAS_LEVELS_MAX);
     json_object_foreach((json_t *)(uintptr_t)levels, name, value) {
         const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
-        if (claim == NULL || claim->verdict != JLT_PROVED || claim->condition[0] != '\0')
+        if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
             return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
         if (!(json_is_object(value) ? jlt_given_legs_ball(out, value, bits) : jlt_given_legs_number(out, json_string_value(value), bits)))

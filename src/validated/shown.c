@@ -2,15 +2,24 @@
 
 #include "validated/theorem.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+/* Of what is said, so that a replay by another version of Arb, or in another order of operations, is not refused for its last bits. */
+static const double ROOM = 1e-5;
+
+/* With twice the radius. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits)
 {
-    char *text = arb_get_str(ball, (slong)digits, ARB_STR_MORE);
-    char *between = strstr(text, " +/- "), *end = strchr(text, ']');
+    arb_t roomy;
     json_t *out = NULL;
 
+    arb_init(roomy);
+    arb_set(roomy, ball);
+    mag_mul_2exp_si(arb_radref(roomy), arb_radref(roomy), 1);
+    char *text = arb_get_str(roomy, (slong)digits, ARB_STR_MORE), *between = strstr(text, " +/- "), *end = strchr(text, ']');
+    arb_clear(roomy);
     if (strncmp(text, "[+/- ", 5) == 0 && end != NULL) { /* no digit of the middle is right */
         *end = '\0';
         out = json_pack("{s:s,s:s}", "middle", "0", "radius", text + 5);
@@ -31,16 +40,17 @@ json_t *jlt_shown_lower_bound(const arf_t bound)
     arb_t read;
 
     if (arf_is_nan(bound)) return json_string("-inf");
+    value -= ROOM * fabs(value);
     arb_init(read);
     for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are below: at most a unit of the last, 1e-4 of the value */
         snprintf(text, sizeof text, "%.5g", value);
         arb_set_str(read, text, 64);
-        arb_get_lbound_arf(arb_midref(read), read, 64);
+        arb_get_ubound_arf(arb_midref(read), read, 64);
         if (arf_cmp(arb_midref(read), bound) <= 0) {
             out = json_string(text);
             break;
         }
-        value -= 1e-5 * (value < 0 ? -value : value);
+        value -= ROOM * fabs(value);
     }
     arb_clear(read);
     return out;
