@@ -2,10 +2,11 @@
  *
  *  Where lambda^k != 1 for k = 1 .. 4, that is |trace| < 2 and trace is not -1 or 0, the return map on the levels has the normal
  *  form of normal_form.h, with growth 0, as it is reversible: with y_k the image of the first point (symmetry.h), P^-k R is an
- *  involution near that point that takes the map of all legs to its inverse. Where the twist is not 0, the theorem on invariant
- *  curves of reversible analytic maps applies: every neighbourhood of the point on the section contains invariant closed curves
- *  around it with quasi-periodic motion, and what they leave over is a part of its area that goes to 0 with its size. Between
- *  them orbits are caught: the cycle is stable on its levels.
+ *  involution S near that point that takes the map M of all legs to its inverse. Its fixed points are a curve there: with DS = +-1
+ *  the derivative of S M S = M^-1 would make lambda^2 = 1, so that DS has the eigenvalues 1 and -1. Where the twist is not 0, the
+ *  theorem on invariant curves of reversible analytic maps applies: every neighbourhood of the point on the section contains
+ *  invariant closed curves around it with quasi-periodic motion, and what they leave over is a part of its area that goes to 0 with
+ *  its size. Between them orbits are caught: the cycle is stable on its levels.
  *
  *  Source: J. Moser, Stable and Random Motions, 1973; V. I. Arnold, Reversible systems, 1984; M. B. Sevryuk, Reversible Systems,
  *  Lecture Notes in Mathematics 1211, 1986. */

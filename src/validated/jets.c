@@ -129,6 +129,7 @@ static void slope(jlt_jets *self, arb_t out, arb_srcptr a, arb_srcptr b, place n
         for (unsigned j = 0; j <= n.j; j++) {
             const unsigned term = term_of(i, j), first = n.k > 0 ? 1 : 0;
             const unsigned end = term == n.term && without & NOT_LAST ? n.k : n.k + 1;
+            if (n.k == 0 && term == 0) continue; /* its weight is 0, and b is not known yet */
             for (unsigned k = first; k < end; k++)
                 arb_mul_ui(self->slopes + k, a + term * self->length + k, n.k > 0 ? k : i + j, bits);
             if (first < end)
