@@ -1,5 +1,5 @@
-/** A course: one motion, computed in the tier that a plan has chosen, and given as states of the model that was asked about. Where the orbit
- *  leaves what the tier covers, the next larger one that serves goes on, unless the tier was asked for by name.
+/** A course: one motion, computed in the tier that a plan has chosen, and given as states of the model that was asked about. Where
+ *  the orbit leaves what the tier covers, the next larger one that serves goes on, unless the tier was asked for by name.
  *
  *      JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
  *      for (...) JLT_TRY(jlt_course_to(course, t, &row));          // times in one direction, row.end == JLT_END_TIME
@@ -63,8 +63,9 @@ const char *jlt_course_integral(const jlt_course *self, unsigned index);
 /** How many quantities the asked model's table observes. Out: *quantities, shape (count,): their names, units and meanings. */
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities);
 
-/** How many quantities a row has beyond, where the question wants more: states of the first tier's own, then what its table observes. Out:
- *  *quantities, unless NULL: shape (count,); *states, unless NULL: how many are states. NaN stands for one that a later tier does not tell. */
+/** How many quantities a row has beyond, where the question wants more: states of the first tier's own, then what its table
+ *  observes. Out: *quantities, unless NULL: shape (count,); *states, unless NULL: how many are states. A later tier begins at the
+ *  asked model's states alone, which is no continuation of these: from there on they are NaN. */
 unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quantities, unsigned *states);
 
 /** Where one tier gave over to another: how often, and the time, both names, and why the first one ended. */

@@ -47,25 +47,28 @@ static jlt_status choose(jlt_course_more *self, const jlt_descriptor *of, const 
     return JLT_OK;
 }
 
-jlt_status jlt_course_more_follow(jlt_course_more *self, const jlt_leg *leg, const jlt_descriptor *asked, const jlt_units *units)
+jlt_status jlt_course_more_follow(jlt_course_more *self, const jlt_leg *leg, const jlt_descriptor *asked,
+                                  const jlt_units *units)
 {
     const jlt_descriptor *of = leg->view.instance->descriptor;
-    double params[JLT_WAY_VALUES_MAX], *seen;
+    double params[JLT_WAY_VALUES_MAX];
     jlt_observed *observed = NULL;
     jlt_status st;
 
+    if (self->quantities != NULL) {
+        jlt_observed_destroy(self->observed);
+        self->observed = NULL;
+        return JLT_OK;
+    }
     jlt_units_restore(params, leg->params, of->params, of->param_count, units);
     JLT_TRY(jlt_observed_create(&observed, of, params, units));
     st = JLT_ERR_NOMEM;
-    seen = calloc(jlt_observed_count(observed) + 1, sizeof *seen);
-    if (seen == NULL) goto done;
-    free(self->seen);
-    jlt_observed_destroy(self->observed);
-    self->seen = seen;
+    self->seen = calloc(jlt_observed_count(observed) + 1, sizeof *self->seen);
+    if (self->seen == NULL) goto done;
     self->observed = observed;
     observed = NULL; /* ownership moved to self */
     self->units = units;
-    st = self->quantities == NULL ? choose(self, jlt_descriptor_sibling(of, NULL, of->time, NULL), asked) : JLT_OK;
+    st = choose(self, jlt_descriptor_sibling(of, NULL, of->time, NULL), asked);
 done:
     jlt_observed_destroy(observed);
     return st;
@@ -83,13 +86,14 @@ void jlt_course_more_close(jlt_course_more *self)
 void jlt_course_more_fill(jlt_course_more *self, const jlt_leg *leg)
 {
     const jlt_descriptor *of = leg->view.instance->descriptor;
-    const jlt_quantity *told = jlt_observed_quantities(self->observed);
 
+    for (unsigned i = 0; i < self->count; i++) self->values[i] = NAN;
+    if (self->observed == NULL) return;
+    const jlt_quantity *told = jlt_observed_quantities(self->observed);
     jlt_observed_values(self->observed, self->seen, leg->y);
     for (unsigned i = 0; i < self->count; i++) {
         const jlt_quantity *state = find(of->states, of->state_count, self->quantities[i].name);
         const jlt_quantity *quantity = find(told, jlt_observed_count(self->observed), self->quantities[i].name);
-        self->values[i] = NAN;
         if (state != NULL) jlt_units_restore(&self->values[i], &leg->y[state - of->states], state, 1, self->units);
         else if (quantity != NULL) self->values[i] = self->seen[quantity - told];
     }

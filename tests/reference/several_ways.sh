@@ -74,4 +74,36 @@ done
 sed "s/^tier $long/tier x$long/" wide.tt > longer.tt
 ttc check longer.tt > out 2> err && fail "a name of 64 letters is read"
 grep -q 'longer.tt:10:6: error: .*63' err || fail "a name of 64 letters: $(cat err)"
+
+# With --track a larger table tells of its own states and quantities. Where another takes its place, which begins at the asked states
+# alone, telling ends: a phase, or a quantity of the same name, would go on from another value.
+cat > swing.tt <<'T'
+model swing
+state q
+state p
+eq q = p
+eq p = - q
+lift half : into half.tt with q = q, p = p, phi = 0
+lift whole : into whole.tt with q = q, p = p, phi = 0, chi = 1
+T
+cat > half.tt <<'T'
+model half
+state q
+state p
+state phi
+eq q = p
+eq p = - q
+eq phi = 1
+observe twice = 2*q
+reduction onto_half : onto swing.tt with q = q, p = p
+tier half while q + 1/2 > 0 "a phase"
+T
+sed '/^model/s/half/whole/; /^state phi/a state chi
+/^eq phi/a eq chi = 2
+s/2\*q/7*q/; s/onto_half/onto_whole/; s/^tier.*/tier whole "two"/' half.tt > whole.tt
+run 0 simulate ./swing.tt --start q=1,p=0 --until 4 --every 1 --track
+grep -q 'on the tier whole in place of half' err || fail "the tier stays: $(cat err)"
+awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
+         { rows++; if ($1 < 2.05 ? $at["phi"] == "" || $at["twice"] == "" : $at["phi"] $at["twice"] != "") bad = 1 }
+         END { exit !(!bad && rows == 5 && at["phi"] && at["twice"]) }' out || fail "a later tier is told of as if it went on: $(cat out)"
 exit $status
