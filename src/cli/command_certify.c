@@ -66,6 +66,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->kind == NULL) argp_error(state, "say what to certify: " KINDS);
         if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
+        jlt_common_no_table(&o->motion.common, state, "a certificate");
         if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
             argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
         if (strcmp(o->kind, "equilibria") == 0) {
@@ -213,6 +214,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
+    common->no_table = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = find_question(&given, &d, &system, &o);
     if (code != JLT_EXIT_DONE) goto done;

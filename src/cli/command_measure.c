@@ -37,6 +37,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'c': r->csv = true; return 0;
     case ARGP_KEY_END:
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
+        if (!r->csv) jlt_common_no_table(&r->common, state, "a report");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

@@ -105,8 +105,22 @@ static error_t parse_accuracy(int key, char *value, struct argp_state *state)
 
 static const struct argp_child children[] = { { &jlt_plot_argp, 0, NULL, 0 }, { 0 } };
 
-const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, children, NULL, NULL };
+/* Help promises no array of what is never a table. */
+static char *filter(int key, const char *text, void *input)
+{
+    const jlt_common *self = input;
+
+    return key == 'o' && self != NULL && self->no_table ? strdup("Where the results go; default standard output") : (char *)text;
+}
+
+const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, children, filter, NULL };
 const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NULL, NULL, NULL, NULL };
+
+void jlt_common_no_table(const jlt_common *self, const struct argp_state *state, const char *what)
+{
+    if (jlt_stream_is_array(self->output))
+        argp_error(state, "%s is no table: --output %s would be an array, which takes tables alone", what, self->output);
+}
 
 error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *its)
 {

@@ -19,6 +19,7 @@ typedef struct {
     const char *axes;  /* of the picture, as typed; NULL: none were named */
     jlt_look look;     /* of the picture */
     bool lanes;        /* kernels on vectors are wanted */
+    bool no_table;     /* results are never a table */
     const char *sweep; /* what runs, as typed; NULL: nothing does, or the command has a sweep of its own */
     bool at_point;     /* of it: parameters and levels have been set, and rows alone are wanted, on standard output */
     bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
@@ -41,6 +42,9 @@ typedef struct {
 
 /* Child parsers: MODEL, --set, --output, --plot, --keep, and the look of pictures with a jlt_common for input; --tol, --method with a jlt_accuracy. */
 extern const struct argp jlt_common_argp, jlt_accuracy_argp;
+
+/** At ARGP_KEY_END, where results are no table but `what`: refuse to write them as an array. */
+void jlt_common_no_table(const jlt_common *self, const struct argp_state *state, const char *what);
 
 /** At ARGP_KEY_INIT of options that begin with those of their children, which all begin with a jlt_common: 0. */
 error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *children);

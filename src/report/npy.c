@@ -258,6 +258,7 @@ jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
     memmove(self->begun, line, self->begun_size);
     if (self->form.count > 0) st = jlt_npy_flush(self);
 done:
+    if (st == JLT_ERR_ARG) self->place->whole = 0; /* that was no table: nothing of it takes another file's place */
     self->failed = st;
     return st;
 }

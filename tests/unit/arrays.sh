@@ -67,7 +67,24 @@ pair jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0
 pair jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:9
 
 # What is no table is no array, and an array is a file.
-jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 -o none.npy 2> err && fail "a report was written as an array"
+report=(jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1)
+cycle=(jellett certify cycle --set I1=0.591,I3=0.494,a3=0.548 --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959)
+cp rows.npy none.npy
+refused() { # COMMAND...
+    "$@" -o none.npy > out 2> err
+    [ $? -eq 2 ] && grep -q "is no table: --output none.npy" err && cmp -s rows.npy none.npy || fail "$*, as an array: $(cat err)"
+}
+refused "${report[@]}"
+refused "${report[@]}" --json
+refused "${report[@]}" --sweep gamma3=0.2:0.3:2 --json
+refused jellett measure --set I3=0
+refused jellett measure --set I3=0 --json
+refused "${cycle[@]}"
+jellett certify --help | grep -q npy && fail "help promises a certificate as an array"
+pair jellett measure --set I3=0 --csv
+echo 'compute = ( { what = "eigen"; parameters = { a3 = 0; }; at = { v_nu = 0.7; omega3 = 1.1; }; output = "none.npy"; } );' > report.scene
+jellett run report.scene > out 2> err && fail "a scene wrote a report as an array"
+grep -q "a report is no table" err || fail "a scene's report: $(cat err)"
 ln -s /dev/null null.npy
 jellett section --start eta=0.1,gamma3=-0.6 --returns 1 -o null.npy 2> err && fail "an array went to a device"
 grep -q "arrays go to files alone" err || fail "an array for a device: $(cat err)"

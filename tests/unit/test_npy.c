@@ -70,7 +70,7 @@ static void columns_become_texts_when_their_fields_show_it(void **unused)
 
 static void what_is_no_table_is_refused(void **unused)
 {
-    static const char *const bad[] = { "a,b\n1\n", "a,b\n1,2,3\n", "a,a,a\n" };
+    static const char *const good[] = { "a,b\n1,2\n", "a,b\n1,2\n", "# none\n" }, *const bad[] = { "1\n", "1,2,3\n", "a,a,a\n" };
     char path[] = "/tmp/jellett_npy_XXXXXX";
     jlt_npy *array = NULL;
     jlt_file place;
@@ -80,8 +80,10 @@ static void what_is_no_table_is_refused(void **unused)
     for (size_t i = 0; i < 3; i++) {
         assert_ok(jlt_file_begin(&place, path));
         assert_ok(jlt_npy_create(&array, &place));
+        assert_ok(jlt_npy_take(array, good[i], strlen(good[i])));
         assert_int_equal(jlt_npy_take(array, bad[i], strlen(bad[i])), JLT_ERR_ARG);
         assert_int_equal(jlt_npy_take(array, "1,2\n", 4), JLT_ERR_ARG);
+        assert_int_equal(jlt_file_commit_lines(&place), JLT_ERR_EMPTY); /* also the row before: a file that is there stays */
         jlt_npy_destroy(array);
         jlt_file_end(&place);
     }
