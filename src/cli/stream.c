@@ -19,13 +19,14 @@ static jlt_exit cannot_write(const jlt_stream *self, int reason)
 /* What the FILE of an array passes on; the signals are held while rows may be moved. */
 static ssize_t take(void *stream, const char *text, size_t size)
 {
-    const jlt_stream *self = stream;
+    jlt_stream *self = stream;
 
     if (self->array == NULL) return (ssize_t)size; /* given up */
     jlt_interrupt_hold();
     errno = EINVAL;
     const jlt_status st = jlt_npy_take(self->array, text, size);
     if (st == JLT_ERR_NOMEM) errno = ENOMEM;
+    if (st != JLT_OK && self->reason == 0) self->reason = errno;
     jlt_interrupt_release();
     return st == JLT_OK ? (ssize_t)size : 0;
 }
@@ -87,7 +88,7 @@ jlt_exit jlt_stream_close(jlt_stream *self)
 
     errno = 0;
     if (fflush(self->file) != 0 || ferror(self->file) || (self->array != NULL && self->place.whole == 0)) {
-        const int reason = errno != 0 ? errno : EIO;
+        const int reason = self->reason != 0 ? self->reason : errno != 0 ? errno : EIO;
         jlt_interrupt_hold();
         code = save_rows(self, reason);
         clearerr(self->file);

@@ -11,6 +11,7 @@
 typedef struct {
     FILE *file;    /* takes text, whatever becomes of it */
     jlt_npy *array; /* NULL: none */
+    int reason;     /* errno when the array failed first; 0: it did not */
     jlt_file place; /* zeroed for standard output */
     const char *path;
 } jlt_stream;

@@ -91,7 +91,7 @@ grep -q "arrays go to files alone" err || fail "an array for a device: $(cat err
 
 # A full disk, and an interrupt.
 (ulimit -f 16; trap '' XFSZ; jellett section --grid 20x20 --returns 100 -o limited.npy 2> err) && fail "a full disk was not told of"
-grep -q "the whole rows before are saved there" err || fail "a full disk: $(cat err)"
+grep -q "File too large; the whole rows before are saved there" err || fail "a full disk: $(cat err)"
 python3 -c 'from read import *; assert len(read("limited.npy")[1]) > 50' || fail "a full disk left no array"
 jellett section --start eta=0.44,gamma3=-0.62 --returns 100000000 -o stopped.npy 2> err & job=$!
 sleep 1; kill -TERM $job; wait $job
