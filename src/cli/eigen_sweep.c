@@ -23,15 +23,16 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
 
 /* What the processes of a sweep share. They are no threads, which FLINT's numbers and ARPACK's state would be in the way of. */
 typedef struct {
-    size_t next, done;    /* rows, changed atomically */
-    jlt_eigen_row rows[]; /* then what they point to */
+    size_t next;            /* row, changed atomically */
+    unsigned char *is_done; /* shape (points,): which rows are there */
+    jlt_eigen_row rows[];   /* then what they point to, then is_done */
 } shared_rows;
 
 static size_t numbers_of(const jlt_descriptor *d) { return d->param_count + d->state_count; }
 
 static size_t bytes_of(const jlt_eigen_request *r)
 {
-    return sizeof(shared_rows) + r->points * (sizeof(jlt_eigen_row) + numbers_of(r->question.descriptor) * sizeof(double));
+    return sizeof(shared_rows) + r->points * (sizeof(jlt_eigen_row) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
 }
 
 /* Row `k` of the grid, the last axis fastest. */
@@ -41,7 +42,7 @@ static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
     jlt_eigen_row *row = &all->rows[k];
     double values[JLT_EIGEN_AXES_MAX];
 
-    row->descriptor = d;
+    *row = (jlt_eigen_row){ .descriptor = d }; /* it may have been begun by a process that is gone */
     row->params = (double *)(all->rows + r->points) + k * numbers_of(d);
     row->x = row->params + d->param_count;
     memcpy(row->params, r->params, d->param_count * sizeof *row->params);
@@ -49,21 +50,22 @@ static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
     jlt_grid_point(values, r->axes, r->axis_count, k);
     for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? row->x : row->params)[r->targets[i].index] = values[i];
     jlt_equilibrium_compute(&row->found, &r->question, row->params, row->x);
+    __atomic_store_n(&all->is_done[k], 1, __ATOMIC_RELEASE);
 }
 
 static void compute_some(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
 {
-    for (size_t k; *interrupt == 0 && (k = __atomic_fetch_add(&all->next, 1, __ATOMIC_RELAXED)) < r->points;) {
+    for (size_t k; *interrupt == 0 && (k = __atomic_fetch_add(&all->next, 1, __ATOMIC_RELAXED)) < r->points;)
         compute_row(all, r, k);
-        __atomic_add_fetch(&all->done, 1, __ATOMIC_RELEASE);
-    }
 }
 
-/* By as many processes as there are processors, this one among them. */
-static void compute_all(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
+/* By as many processes as there are processors, this one among them, which also does what one that was killed has left. Returns how
+ * many rows are there: all, unless interrupted. */
+static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
 {
     const size_t others = (r->points < jlt_common_processors() ? r->points : jlt_common_processors()) - 1;
     pid_t *made = calloc(others + 1, sizeof *made);
+    size_t done = 0;
 
     for (size_t i = 0; made != NULL && i < others; i++) {
         made[i] = fork();
@@ -79,6 +81,11 @@ static void compute_all(shared_rows *all, const jlt_eigen_request *r, const vola
         while (waitpid(made[i], NULL, 0) < 0 && errno == EINTR) {}
     }
     free(made);
+    for (size_t k = 0; k < r->points; k++) {
+        if (all->is_done[k] == 0 && *interrupt == 0) compute_row(all, r, k);
+        done += all->is_done[k];
+    }
+    return done;
 }
 
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
@@ -96,11 +103,11 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     shared_rows *const all = mmap(NULL, bytes_of(request), PROT_READ | PROT_WRITE, kind, -1, 0);
     if (all == MAP_FAILED) return jlt_command_no_memory();
     const jlt_eigen_row *const rows = all->rows;
-    compute_all(all, request, interrupt);
-    if (all->done < count) {
-        code = JLT_EXIT_NUMERICAL;
-        if (*interrupt == 0) (void)jlt_command_fail(code, "a process that computed rows is gone; nothing is saved");
-        else (void)jlt_command_fail(code, "interrupted; nothing is saved, as only %zu of %zu rows are there", all->done, count);
+    all->is_done = (unsigned char *)all + bytes_of(request) - count;
+    const size_t there = compute_all(all, request, interrupt);
+    if (there < count) {
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved, as only %zu of %zu rows are there", there,
+                                count);
         goto done;
     }
     for (size_t k = 0; k < count; k++)
