@@ -137,7 +137,9 @@ static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
     return column < first_drift(r) ? r->session.descriptor->states[column - 1] : more[column - first_of_more(r)];
 }
 
-/* to_scale: both axes have the same scale, and the same length. */
+static bool has_values(const jlt_simulate_request *r, unsigned column) { return r->extents[column].low <= r->extents[column].high; }
+
+/* to_scale: both axes have the same scale, and the same length. Where a column has no values its axis is left open. */
 static void draw_pair(jlt_plot *plot, const jlt_simulate_request *r, const unsigned columns[2], bool to_scale)
 {
     double length = 0;
@@ -148,7 +150,7 @@ static void draw_pair(jlt_plot *plot, const jlt_simulate_request *r, const unsig
         const jlt_quantity shown = quantity_of(r, columns[k]);
         jlt_extent range = r->extents[columns[k]];
         const double missing = fmax(0, length - (range.high - range.low));
-        range = (jlt_extent){ range.low - missing / 2, range.high + missing / 2 };
+        if (has_values(r, columns[k])) range = (jlt_extent){ range.low - missing / 2, range.high + missing / 2 };
         jlt_look_label(label, shown.name, shown.unit);
         jlt_plot_axis(plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(range), 0);
     }
@@ -156,18 +158,27 @@ static void draw_pair(jlt_plot *plot, const jlt_simulate_request *r, const unsig
     curve_in_plane(plot, columns[0] + 1, columns[1] + 1);
 }
 
-/* What the larger table observes first: two quantities against each other, and the next two. */
+/* What the larger table observes first: two quantities against each other, and the next two, where they have values; else the first
+ * that has some against t; else the states. */
 static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
 {
-    unsigned states;
+    unsigned states, pairs[2], count = 0, k = 0;
     const unsigned observed = jlt_course_tells_more(r->courses[0], NULL, &states) - states, first = first_of_more(r) + states;
 
-    jlt_plot_panels(plot, observed < 4 ? 1 : 2, false);
-    fputs("set size ratio -1\n", plot->stream);
-    for (unsigned k = 0; k + 1 < observed && k < 4; k += 2) draw_pair(plot, r, (unsigned[]){ first + k, first + k + 1 }, true);
+    for (unsigned i = first; i + 1 < first + observed && i < first + 4; i += 2)
+        if (has_values(r, i) && has_values(r, i + 1)) pairs[count++] = i;
+    while (k < observed && !has_values(r, first + k)) k++;
+    if (k == observed) {
+        draw_states(plot, r);
+        return;
+    }
+    jlt_plot_panels(plot, count < 2 ? 1 : 2, false);
+    if (count == 0) draw_pair(plot, r, (unsigned[]){ 0, first + k }, false);
+    else fputs("set size ratio -1\n", plot->stream);
+    for (unsigned i = 0; i < count; i++) draw_pair(plot, r, (unsigned[]){ pairs[i], pairs[i] + 1 }, true);
 }
 
-/* All columns but the drifts may be shown. */
+/* t, states, and what the larger table tells may be shown: neither drifts nor what the asked table observes itself. */
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
 {
     const unsigned drift = first_drift(request), drifts = first_of_more(request) - drift;

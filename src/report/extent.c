@@ -2,7 +2,7 @@
 
 void jlt_extent_add(jlt_extent *self, double value)
 {
-    if (isnan(value)) return;
+    if (!isfinite(value)) return;
     self->low = fmin(self->low, value);
     self->high = fmax(self->high, value);
 }

@@ -6,7 +6,7 @@ gnuplot --version > /dev/null 2>&1 || exit 77
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
-export LC_ALL=C.UTF-8
+export LC_ALL=C.UTF-8 XDG_CACHE_HOME=$scratch/.cache
 status=0
 fail() { echo "$*"; status=1; }
 
@@ -65,6 +65,32 @@ measure --set I3=0 --points 3
 rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:3
 portrait --set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15 --orbits 2 --until 1
 END
+
+# Where a larger table observes but one quantity more that is drawn against t; where it has no values at all, the states are.
+cat > swing.tt << END
+model swing
+state q
+state p
+eq q = p
+eq p = - q
+lift half : into half.tt with q = q, p = p, phi = 0
+END
+cat > half.tt << END
+model half
+state q
+state p
+state phi
+eq q = p
+eq p = - q
+eq phi = 1
+observe many = q^64
+reduction onto_half : onto swing.tt with q = q, p = p
+tier half "a phase"
+END
+for start in "1 1:5" "1e10 1:2"; do
+    jellett simulate ./swing.tt --start q=${start% *},p=0 --times 0,1/2,1 --track --plot p.svg --keep p.gp > rows.csv 2> log &&
+        grep -q "^plot .ROWS using ${start#* } " p.gp || fail "one quantity more, from q = ${start% *}: $(cat log)"
+done
 
 # Texts that would be commands, if they were not quoted, or not quoted enough.
 rm -f ./*
