@@ -28,7 +28,7 @@ typedef struct {
     size_t seed;
     const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
     size_t swept_count;
-    const char **starts; /* where orbits begin: (start_count,), as typed, owned; of a command of one start, NULL first: none is given */
+    const char **starts; /* where orbits begin: (start_count,), as typed, owned; of a command of one, NULL first: none given */
     size_t start_count;
     char start[512];     /* the one by default, which is then the first, and not counted */
     const char *grid;    /* as typed; NULL: */
@@ -61,16 +61,19 @@ bool jlt_motion_framed(const jlt_system *system, unsigned coordinate);
 /** The coordinates that a picture shows: those of --axes, else the first two; of a section of one, that one twice. */
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system);
 
-/** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it. WHOLE: the
- *  section, or where that is not known, and nothing is to be seen, some range. Returns what it is, after --xrange and --yrange. */
+/** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it.
+ *  WHOLE: the section, or where that is not known, and nothing is to be seen, some range. Returns what it is, after --xrange and
+ *  --yrange. */
 #define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
 jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
 /** While options are parsed: the one start of a command that takes no more. */
 void jlt_motion_one_start(jlt_motion_options *options, const char *text);
 
-/** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to begin". */
-jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose, const char *wanted);
+/** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to
+ *  begin". */
+jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
+                                  const char *wanted);
 
 /** Name of the method that orbits are followed with: in lanes it is chosen by the tolerance; "each" where all are asked. */
 const char *jlt_motion_method(const jlt_motion_options *options);
@@ -84,8 +87,9 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 /** Whether an orbit can begin at each of these starts, before anything is written. Says what is wrong. */
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
-/** Axes of a grid over the section: as in `text`, by default angles over their period, and bounded coordinates of a section that tables
- *  describe over the interval of its levels. Of other sections every coordinate has to be named, or be an angle where only counts are typed. */
+/** Axes of a grid over the section: as in `text`, by default angles over their period, and bounded coordinates of a section that
+ *  tables describe over the interval of its levels. Of other sections every coordinate has to be named, or be an angle where only
+ *  counts are typed. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Point number `index` of those of the grid that are meant (the first coordinate runs fastest), or their number. */
@@ -93,7 +97,8 @@ void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_syste
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system);
 
 /** Number `index` of all starts: those as typed, then those of a grid. */
-jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
+jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system,
+                              size_t index);
 
 /** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
@@ -104,7 +109,8 @@ void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *sw
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
-/** The section that tables describe, and that the options ask for; *has: there is one. Says why it is not one of this table any more. */
+/** The section that tables describe, and that the options ask for; *has: there is one. Says why it is not one of this table any
+ *  more. */
 jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_options *options, const jlt_descriptor *asked);
 
 /** Its system, with the parameters and levels of the options. Says what is wrong. */

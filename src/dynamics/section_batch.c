@@ -18,8 +18,7 @@ typedef struct {
     unsigned lost;
     jlt_fate fate;         /* of the end */
     jlt_lane_end lane_end;
-    bool has_lane_end;
-    bool is_slow;          /* the lane's next return was slower than what it may be left to */
+    bool has_lane_end, is_slow; /* is_slow: the lane's next return was slower than what it may be left to */
     bool has_end;          /* it ends after its rows, or was interrupted there */
     bool is_interrupted;
 } course;

@@ -1,8 +1,8 @@
 /** The planner: chooses the smallest model that can answer a question.
  *
- *  A question names a model, its parameters, a start, and whether more is wanted than its table tells, such as attitude and track. The model's tiers (scene/tier.h) are tried
- *  from the smallest up, and the first that serves is taken, with the most special kernel for the parameters: one to which proved
- *  claims lead, whose conditions hold at the parameters and at the start. */
+ *  A question names a model, its parameters, a start, and whether more is wanted than its table tells, such as attitude and track.
+ *  The model's tiers (scene/tier.h) are tried from the smallest up, and the first that serves is taken, with the most special
+ *  kernel for the parameters: one to which proved claims lead, whose conditions hold at the parameters and at the start. */
 #ifndef JLT_SCENE_PLAN_H
 #define JLT_SCENE_PLAN_H
 
@@ -37,12 +37,12 @@ typedef struct {
 /** Why a candidate does not serve, with the claim that is not proved: "...: reduction level: dG/dt = ...". */
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
 
-/** Make the plan. Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that tier, and
- *  its refusal says why); NOMEM. */
+/** Make the plan. Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that
+ *  tier, and its refusal says why); NOMEM. */
 JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);
 
-/** Whether a candidate serves for an orbit of the question from another start, shape (states,), as where an orbit leaves what a smaller
- *  tier covers. Out: by, its tier by the way that leads there from it. */
+/** Whether a candidate serves for an orbit of the question from another start, shape (states,), as where an orbit leaves what a
+ *  smaller tier covers. Out: by, its tier by the way that leads there from it. */
 bool jlt_plan_serves(jlt_tier *by, const jlt_candidate *candidate, const jlt_question *question, const double *start);
 
 /** Name of the chosen tier. */
