@@ -92,10 +92,11 @@ static const command commands[] = {
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
     { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
-      "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, and for invariant densities. "
+      "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, for invariant lines, planes and "
+      "conics, whose cofactor K in P' = K P may be any ratio, and for invariant densities. "
       "What is found is printed as claims of the language, each proved as by ttc prove, with comments that say what was looked at, "
-      "and that there is nothing else of this form: a rank proves that. What the table claims itself is proved first, and products "
-      "with it are not found again. For example:\n\n"
+      "and that there is nothing else of this form: a rank proves that, or the factors of one polynomial. What the table claims "
+      "itself is proved first, and products with it are not found again. For example:\n\n"
       "  ttc discover --when a3=0 codegen/models/spherical_top.tt\n"
       "  ttc discover --degree 6 --seek integrals my.tt\n"
       "  ttc discover --denominator x*y,1+z^2 my.tt" },

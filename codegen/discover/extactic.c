@@ -2,6 +2,8 @@
 
 #include "discover/claim_text.h"
 
+#include <flint/fmpz_mpoly_factor.h>
+
 enum {
     ROWS_MAX = 5,       /* rows of the determinant */
     TERMS_MAX = 4000     /* of an entry */
@@ -10,7 +12,8 @@ enum {
 typedef struct {
     const ttc_flow *flow;
     const fmpz_mpoly_ctx_struct *context;
-    fmpz_mpoly_struct rates[ROWS_MAX];                 /* by quantity: times the common denominator of all */
+    fmpz_mpoly_t common;                               /* denominator of all rates */
+    fmpz_mpoly_struct rates[ROWS_MAX];                 /* by quantity: times the common denominator */
     fmpz_mpoly_struct entries[ROWS_MAX * ROWS_MAX];
     size_t size;
     int degree;
@@ -21,6 +24,7 @@ static fmpz_mpoly_struct *entry(extactic *e, size_t row, size_t column) { return
 static void extactic_init(extactic *e, const ttc_flow *flow)
 {
     *e = (extactic){ .flow = flow, .context = flow->ring->context };
+    fmpz_mpoly_init(e->common, e->context);
     for (size_t i = 0; i < ROWS_MAX; i++) fmpz_mpoly_init(&e->rates[i], e->context);
     for (size_t i = 0; i < ROWS_MAX * ROWS_MAX; i++) fmpz_mpoly_init(&e->entries[i], e->context);
 }
@@ -29,29 +33,30 @@ static void extactic_clear(extactic *e)
 {
     for (size_t i = 0; i < ROWS_MAX; i++) fmpz_mpoly_clear(&e->rates[i], e->context);
     for (size_t i = 0; i < ROWS_MAX * ROWS_MAX; i++) fmpz_mpoly_clear(&e->entries[i], e->context);
+    fmpz_mpoly_clear(e->common, e->context);
 }
 
-/* A change of time, which keeps what is invariant, makes polynomials of the rates. */
-static void set_rates(extactic *e)
+/* A change of time, which keeps what is invariant, makes polynomials of the rates. False: no common denominator was found. */
+static bool set_rates(extactic *e)
 {
     const ttc_flow *flow = e->flow;
-    fmpz_mpoly_t common, part;
-    fmpz_mpoly_init(common, e->context);
+    bool good = true;
+    fmpz_mpoly_t part;
     fmpz_mpoly_init(part, e->context);
-    fmpz_mpoly_one(common, e->context);
-    for (size_t i = 0; i < flow->count; i++) {
+    fmpz_mpoly_one(e->common, e->context);
+    for (size_t i = 0; good && i < flow->count; i++) {
         const fmpz_mpoly_struct *denominator = flow->slopes[flow->variables[i]].denominator;
-        fmpz_mpoly_gcd(part, common, denominator, e->context);
-        fmpz_mpoly_divides(part, denominator, part, e->context);
-        fmpz_mpoly_mul(common, common, part, e->context);
+        good = fmpz_mpoly_gcd(part, e->common, denominator, e->context) != 0
+               && fmpz_mpoly_divides(part, denominator, part, e->context) != 0;
+        fmpz_mpoly_mul(e->common, e->common, part, e->context);
     }
-    for (size_t i = 0; i < flow->count; i++) {
+    for (size_t i = 0; good && i < flow->count; i++) {
         const ttc_ratio *slope = &flow->slopes[flow->variables[i]];
-        fmpz_mpoly_divides(part, common, slope->denominator, e->context);
+        good = fmpz_mpoly_divides(part, e->common, slope->denominator, e->context) != 0;
         fmpz_mpoly_mul(&e->rates[i], part, slope->numerator, e->context);
     }
     fmpz_mpoly_clear(part, e->context);
-    fmpz_mpoly_clear(common, e->context);
+    return good;
 }
 
 /* The monomials of degree 1 to `degree`, at most 2, are the first row before any derivative. */
@@ -140,21 +145,47 @@ static bool eliminate(extactic *e)
     return good;
 }
 
-/* K = P'/P where P does not divide its denominator: then P divides P'. */
-static bool is_invariant(const ttc_flow *flow, ttc_ratio *cofactor, const fmpz_mpoly_t polynomial)
+/* P' = K P where P does not divide the denominator of K: P divides `rate`, P' times the common denominator, more often than the
+ * denominator itself. */
+static bool is_invariant(const extactic *e, const fmpz_mpoly_t polynomial, const fmpz_mpoly_t rate)
 {
-    const fmpz_mpoly_ctx_struct *context = flow->ring->context;
-    bool invariant;
-    ttc_ratio value;
-    fmpz_mpoly_t common;
-    ttc_ratio_init(flow->ring, &value);
-    fmpz_mpoly_init(common, context);
-    ttc_ratio_set_polynomial(flow->ring, &value, polynomial);
-    ttc_flow_logarithmic_rate(flow, cofactor, &value);
-    invariant = fmpz_mpoly_gcd(common, cofactor->denominator, polynomial, context) != 0 && fmpz_mpoly_is_fmpz(common, context) != 0;
-    fmpz_mpoly_clear(common, context);
-    ttc_ratio_clear(flow->ring, &value);
-    return invariant && flow->ring->status == TTC_RING_OK;
+    fmpz_mpoly_t quotient, common;
+    fmpz_mpoly_init(quotient, e->context);
+    fmpz_mpoly_init(common, e->context);
+    fmpz_mpoly_set(common, e->common, e->context);
+    bool invariant = fmpz_mpoly_divides(quotient, rate, polynomial, e->context) != 0;
+    while (invariant && fmpz_mpoly_divides(common, common, polynomial, e->context) != 0)
+        invariant = fmpz_mpoly_divides(quotient, quotient, polynomial, e->context) != 0;
+    fmpz_mpoly_clear(common, e->context);
+    fmpz_mpoly_clear(quotient, e->context);
+    return invariant;
+}
+
+/* Found before with its constant cofactor, but for the sign. */
+static bool is_known(const ttc_discovery *d, const fmpz_mpoly_t polynomial)
+{
+    const fmpz_mpoly_ctx_struct *context = d->flow->ring->context;
+    bool known = false;
+    fmpz_mpoly_t negative;
+    fmpz_mpoly_init(negative, context);
+    fmpz_mpoly_neg(negative, polynomial, context);
+    for (size_t i = 0; i < d->factors.count; i++) {
+        const fmpz_mpoly_struct *other = d->factors.items[i].value.numerator;
+        known |= fmpz_mpoly_equal(other, polynomial, context) != 0 || fmpz_mpoly_equal(other, negative, context) != 0;
+    }
+    fmpz_mpoly_clear(negative, context);
+    return known;
+}
+
+/* A remark of any length. Of degree N or less it would make the determinant zero. */
+static void say_integral(ttc_discovery *d, const fmpz_mpoly_t polynomial)
+{
+    ttc_text text = { 0 };
+    ttc_text_add(&text, "# factors: of a higher degree, and an integral: P = ");
+    ttc_claim_text_add(&text, d->flow, polynomial);
+    ttc_text_add(&text, "\n");
+    d->host.say(d->host.context, ttc_text_string(&text));
+    ttc_text_clear(&text);
 }
 
 static void say(ttc_discovery *d, const fmpz_mpoly_t polynomial, const ttc_ratio *cofactor)
@@ -164,8 +195,10 @@ static void say(ttc_discovery *d, const fmpz_mpoly_t polynomial, const ttc_ratio
     ttc_claim_text_add(&text, d->flow, polynomial);
     ttc_claim_text_add_ratio(&rate, d->flow, cofactor);
     const bool is_sum = fmpz_mpoly_length(polynomial, d->flow->ring->context) > 1;
-    ttc_text_format(&claim, "rate %s : %s = (%s)*%s%s%s%s", name, ttc_text_string(&text), ttc_text_string(&rate), is_sum ? "(" : "",
-                    ttc_text_string(&text), is_sum ? ")" : "", d->when);
+    const bool moves = ttc_flow_moves(d->flow, cofactor);
+    ttc_text_format(&claim, "rate %s : %s = %s%s%s*%s%s%s%s", name, ttc_text_string(&text), moves ? "(" : "",
+                    ttc_text_string(&rate), moves ? ")" : "", is_sum ? "(" : "", ttc_text_string(&text), is_sum ? ")" : "",
+                    d->when);
     claim.failed |= text.failed || rate.failed;
     ttc_discovery_publish(d, ttc_text_string(&claim));
     ttc_text_clear(&rate);
@@ -174,31 +207,65 @@ static void say(ttc_discovery *d, const fmpz_mpoly_t polynomial, const ttc_ratio
     flint_free(name);
 }
 
-/* The invariant ones among the determinant's factors. */
-static size_t collect(ttc_discovery *d, ttc_factors *out, const fmpz_mpoly_t determinant)
+/* A factor of the determinant, into `out` where it is invariant and no integral. NULL, or why it was not looked at. */
+static const char *look_at(ttc_discovery *d, extactic *e, ttc_factors *out, const fmpz_mpoly_t polynomial)
 {
-    ttc_factors *all = flint_calloc(1, sizeof *all);
-    size_t count = 0;
-    ttc_ratio cofactor;
-    ttc_ratio_init(d->flow->ring, &cofactor);
-    ttc_factors_init(all, d->flow);
-    ttc_factors_add_all(all, determinant);
-    for (size_t i = 0; i < all->count; i++) {
-        if (!is_invariant(d->flow, &cofactor, &all->items[i])) continue;
-        ttc_factors_add(out, &all->items[i]);
-        count++;
-        if (ttc_flow_moves(d->flow, &cofactor)) say(d, &all->items[i], &cofactor);
+    ttc_ring *ring = d->flow->ring;
+    fmpz_mpoly_t rate;
+    ttc_ratio value, cofactor;
+    fmpz_mpoly_init(rate, e->context);
+    ttc_ratio_init(ring, &value);
+    ttc_ratio_init(ring, &cofactor);
+    derive(e, rate, polynomial);
+    if (ttc_flow_degree(d->flow, polynomial) > 0 && fmpz_mpoly_is_zero(rate, e->context)) {
+        say_integral(d, polynomial);
+    } else if (ttc_flow_degree(d->flow, polynomial) > 0 && is_invariant(e, polynomial, rate)) {
+        ttc_ratio_set_polynomial(ring, &value, polynomial);
+        ttc_flow_logarithmic_rate(d->flow, &cofactor, &value);
+        ttc_factors_add(out, polynomial);
+        if (ring->status == TTC_RING_OK && !out->is_full && !is_known(d, polynomial)) say(d, polynomial, &cofactor);
     }
-    ttc_factors_clear(all);
-    flint_free(all);
-    ttc_ratio_clear(d->flow->ring, &cofactor);
-    return count;
+    ttc_ratio_clear(ring, &cofactor);
+    ttc_ratio_clear(ring, &value);
+    fmpz_mpoly_clear(rate, e->context);
+    if (ring->status != TTC_RING_OK) return ttc_ring_status_text(ring->status);
+    return out->is_full ? "there are too many of them" : NULL;
+}
+
+/* NULL, or why not all of the determinant's factors were looked at. */
+static const char *collect(ttc_discovery *d, extactic *e, ttc_factors *out, const fmpz_mpoly_t determinant)
+{
+    const char *why = NULL;
+    fmpz_mpoly_factor_t parts;
+    fmpz_mpoly_t base;
+    fmpz_mpoly_factor_init(parts, e->context);
+    fmpz_mpoly_init(base, e->context);
+    if (fmpz_mpoly_factor(parts, determinant, e->context) == 0) why = "the extactic polynomial could not be factored";
+    for (slong i = 0; why == NULL && i < fmpz_mpoly_factor_length(parts, e->context); i++) {
+        fmpz_mpoly_factor_get_base(base, parts, i, e->context);
+        why = look_at(d, e, out, base);
+    }
+    fmpz_mpoly_clear(base, e->context);
+    fmpz_mpoly_factor_clear(parts, e->context);
+    return why;
+}
+
+/* The determinant of the greatest degree, at most 2, that does not grow too long. False: there is none. */
+static bool set_determinant(ttc_discovery *d, extactic *e)
+{
+    bool good = false;
+    if (!set_rates(e)) return false;
+    for (int degree = d->flow->count == 2 && d->degree > 1 ? 2 : 1; !good && degree > 0; degree--) {
+        set_monomials(e, degree);
+        good = set_rows(e) && eliminate(e);
+    }
+    return good;
 }
 
 void ttc_extactic_find(ttc_discovery *d, ttc_factors *out)
 {
     const ttc_flow *flow = d->flow;
-    bool good = false;
+    const char *why = "the extactic polynomial has too many terms";
     extactic e;
     if (flow->ring->generator_count > 0 || flow->count > ROWS_MAX) {
         ttc_discovery_remark(d, "factors with other cofactors: looked for among up to %d quantities, without roots", ROWS_MAX);
@@ -206,22 +273,20 @@ void ttc_extactic_find(ttc_discovery *d, ttc_factors *out)
     }
     d->host.progress(d->host.context, "the extactic polynomial");
     extactic_init(&e, flow);
-    for (int degree = flow->count == 2 && d->degree > 1 ? 2 : 1; !good && degree > 0; degree--) {
-        set_rates(&e);
-        set_monomials(&e, degree);
-        good = set_rows(&e) && eliminate(&e);
-    }
-    const fmpz_mpoly_struct *determinant = entry(&e, e.size - 1, e.size - 1);
-    if (!good)
-        ttc_discovery_remark(d, "factors with other cofactors: not looked for, the extactic polynomial has too many terms");
-    else if (fmpz_mpoly_is_zero(determinant, flow->ring->context))
-        ttc_discovery_remark(d, "factors with other cofactors: some integral is a ratio of two P, deg P <= %d",
-                             e.degree);
+    const fmpz_mpoly_struct *determinant = set_determinant(d, &e) ? entry(&e, e.size - 1, e.size - 1) : NULL;
+    const bool is_zero = determinant != NULL && fmpz_mpoly_is_zero(determinant, e.context) != 0;
+    if (determinant != NULL && !is_zero) why = collect(d, &e, out, determinant);
+    if (is_zero && flow->count > 2)
+        ttc_discovery_remark(d, "factors with other cofactors: some integral is a ratio of two P, of degrees not known");
+    else if (is_zero)
+        ttc_discovery_remark(d, "factors with other cofactors: some integral is a ratio of two P, deg P <= %d", e.degree);
+    else if (why != NULL)
+        ttc_discovery_remark(d, "factors with other cofactors: %snot looked for, %s", out->count > 0 ? "others " : "", why);
     else {
-        const size_t count = collect(d, out, determinant);
-        ttc_discovery_remark(d, "factors: no %sirreducible P with P' = K P, K a function of all, deg P <= %d",
-                             count > 0 ? "other " : "", e.degree);
-        ttc_discovery_remark(d, "         (they divide the extactic polynomial, of degree %d)", ttc_flow_degree(flow, determinant));
+        ttc_discovery_remark(d, "factors: no %sirreducible P with P' = K P, K without P in its denominator, deg P <= %d,",
+                             out->count > 0 ? "other " : "", e.degree);
+        ttc_discovery_remark(d, "         coefficients rational in the parameters (they divide the extactic polynomial, of "
+                                "degree %d)", ttc_flow_degree(flow, determinant));
     }
     extactic_clear(&e);
 }

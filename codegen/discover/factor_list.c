@@ -6,6 +6,7 @@ void ttc_factors_init(ttc_factors *factors, const ttc_flow *flow)
 {
     factors->flow = flow;
     factors->count = 0;
+    factors->is_full = false;
 }
 
 void ttc_factors_clear(ttc_factors *factors)
@@ -17,7 +18,7 @@ void ttc_factors_clear(ttc_factors *factors)
 void ttc_factors_add(ttc_factors *f, const fmpz_mpoly_t polynomial)
 {
     const ttc_flow *flow = f->flow;
-    bool is_new = f->count < TTC_FACTORS_MAX;
+    bool is_new = true;
     ttc_ratio value, rate;
     ttc_ratio_init(flow->ring, &value);
     ttc_ratio_init(flow->ring, &rate);
@@ -25,7 +26,9 @@ void ttc_factors_add(ttc_factors *f, const fmpz_mpoly_t polynomial)
     for (size_t i = 0; i < f->count; i++) is_new &= fmpz_mpoly_equal(&f->items[i], polynomial, flow->ring->context) == 0;
     if (is_new && ttc_flow_moves(flow, &value)) {
         ttc_flow_logarithmic_rate(flow, &rate, &value);
-        if (!fmpz_mpoly_is_zero(rate.numerator, flow->ring->context)) {
+        const bool is_integral = fmpz_mpoly_is_zero(rate.numerator, flow->ring->context) != 0;
+        f->is_full |= !is_integral && f->count == TTC_FACTORS_MAX;
+        if (!is_integral && f->count < TTC_FACTORS_MAX) {
             fmpz_mpoly_init(&f->items[f->count], flow->ring->context);
             fmpz_mpoly_set(&f->items[f->count++], polynomial, flow->ring->context);
         }

@@ -10,6 +10,7 @@ typedef struct {
     const ttc_flow *flow;
     fmpz_mpoly_struct items[TTC_FACTORS_MAX];
     size_t count;
+    bool is_full; /* some were left out, for want of room */
 } ttc_factors;
 
 void ttc_factors_init(ttc_factors *factors, const ttc_flow *flow);

@@ -99,6 +99,52 @@ kinds circle 'rate P1 : x^2 + y^2 = (2*mu*x^2 + 2*mu*y^2 - 2*mu)*(x^2 + y^2)' \
 printf '%s\n' 'model euler' 'title "Euler"' 'param A' 'param B' 'param C' 'state x' 'state y' 'state z' \
     'eq x = + A*y*z' 'eq y = + B*z*x' 'eq z = + C*x*y' > "$scratch/euler.tt"
 kinds euler
+
+# What is said not to be there, at degree 1: lines that are said, and those that are not, behind an exclamation mark.
+extactic() { # STATUS STATES EQUATIONS-AND-LETS LINE...
+    local want=$1 code
+    { printf '%s\n' 'model own' 'title "own"'; printf 'state %s\n' $2; printf '%s\n' "$3"; } > "$scratch/own.tt"
+    shift 3
+    ttc discover --seek factors --degree 1 "$scratch/own.tt" > "$scratch/finds" 2>&1
+    code=$?
+    [ $code -eq "$want" ] || fail "extactic: status $code, not $want: $(cut -c1-200 "$scratch/finds")"
+    for line; do
+        if [ "${line#!}" != "$line" ]; then grep -qF -- "${line#!}" "$scratch/finds" && fail "extactic: said: $line"
+        else grep -qxF -- "$line" "$scratch/finds" || fail "extactic: not said: $line: $(cut -c1-200 "$scratch/finds")"
+        fi
+    done
+}
+rational='#          coefficients rational in the parameters (they divide the extactic polynomial, of degree'
+none="# factors: no irreducible P with P' = K P, K without P in its denominator, deg P <= 1,"
+# A factor of a high degree that is not invariant does not hide x and y (such exponents cannot be read in claims: status 3); an
+# invariant one whose cofactor is beyond the limits of expressions.
+extactic 3 'x y' 'let w = y^55
+let v = x^53
+eq x = x*(1 + w^20)
+eq y = y*(2 + v^20)' 'rate P1 : x = (y^1100 + 1)*x' 'rate P2 : y = (x^1060 + 2)*y' '!no irreducible'
+extactic 3 'x y' 'let w = x^64
+eq x = y + w^33
+eq y = y*(y + w^33)' '# factors with other cofactors: others not looked for, an expression grows beyond what is allowed' '!irreducible'
+# Orbits in planes: y/x and such ratios are no integrals, though one exists.
+extactic 0 'x y z' 'eq x = y^2
+eq y = -x*y
+eq z = (x^2 + y^2)^2 - x*z' '# factors with other cofactors: some integral is a ratio of two P, of degrees not known' '!deg P <= 1,'
+extactic 0 'x y' 'eq x = x
+eq y = y' '# factors with other cofactors: some integral is a ratio of two P, deg P <= 1'
+# Irrational lines of a saddle, whose product is an integral; of a focus, whose product has a constant cofactor.
+extactic 0 'x y' 'eq x = y
+eq y = 2*x' '# factors: of a higher degree, and an integral: P = 2*x^2 - y^2' "$none" "$rational 2)"
+extactic 0 'x y' 'eq x = x - y
+eq y = x + y' 'rate P1 : x^2 + y^2 = 2*(x^2 + y^2)' "${none/no /no other }"
+extactic 3 x "eq x = $(printf '(x-%d)*' {1..129})(x-130)" '!irreducible' \
+    '# factors with other cofactors: others not looked for, there are too many of them'
+# x' = 1/x is 1/x^2 times x, and that of y' = 1/x + y says nothing of x either; but where x' = x y it does.
+extactic 0 x 'eq x = 1/x' "$none" "$rational 0)" '!rate'
+extactic 0 'x y' 'eq x = 1
+eq y = 1/x + y' "$none" '!rate'
+extactic 0 'x y' 'eq x = x*y
+eq y = 1/x + y^2' 'rate P1 : x = (y)*x' "${none/no /no other }"
+
 ttc discover codegen/models/lorenz.tt > "$scratch/lorenz" 2>&1
 grep '^[^#]' "$scratch/lorenz" && fail 'lorenz: finds for parameters in general'
 
