@@ -1,4 +1,5 @@
-/** What a generated kernel is, and the one descriptor through which the world sees it. Edited in codegen/runtime/; ttc writes copies.
+/** What a generated kernel is, and the one descriptor through which the world sees it. Edited in codegen/runtime/; ttc writes
+ *  copies.
  *
  *  Layout: x holds the states in table order (with a lifted root after them, without an eliminated state); p holds
  *  the prepared values, filled once by `prepare` from the parameters in table order (levels of eliminated integrals after
@@ -67,7 +68,8 @@ typedef struct {
 } jlt_kernel;
 
 /* Batches are structures of arrays: entry i of lane j at x[i*stride + j] and out[i*stride + j], lane j < lanes; rows are
- * aligned to 8*lanes bytes. p is the same for all lanes. */
+ * aligned to 8*lanes bytes. Lanes have prepared values of their own: value i of lane j at p[i*lanes + j], so that orbits under
+ * different parameters go side by side; p has shape (prepared, lanes), and is aligned as rows are. */
 typedef void (*jlt_kernel_lanes)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, double *JLT_RESTRICT out,
                                  size_t stride);
 
@@ -80,8 +82,9 @@ typedef struct {
 
 /* All stages of an explicit one-step method, on JLT_BATCH_VECTORS vectors side by side: a row is JLT_BATCH_VECTORS * lanes
  * long. For i = 1 .. count: z = x + h * sum i - 1, slope i = f(z). x and z have shape (states, row), k has (count + 1,
- * states, row) and holds slope 0, h has (row,). z is left at the last one. stages_clock carries t as one more column after
- * the states, in x, k and z alike: its slope is dt/dtau, 1 in the model's own time; z has it for the last stage alone. */
+ * states, row) and holds slope 0, h has (row,), p (JLT_BATCH_VECTORS, prepared, lanes): a vector's behind the other's. z is left
+ * at the last one. stages_clock carries t as one more column after the states, in x, k and z alike: its slope is dt/dtau, 1 in the
+ * model's own time; z has it for the last stage alone. */
 enum { JLT_BATCH_VECTORS = 2 };
 typedef void (*jlt_kernel_stages)(const double *JLT_RESTRICT x, double *JLT_RESTRICT k, const jlt_stage_sum *JLT_RESTRICT sums,
                                   unsigned count, const double *JLT_RESTRICT h, const double *JLT_RESTRICT p,
@@ -102,6 +105,7 @@ typedef void (*jlt_kernel_lanes_jet)(const double *JLT_RESTRICT x, const double 
 typedef struct {
     const char *isa; /* "baseline", "avx2" (with FMA) or "avx512": what the processor must have */
     unsigned lanes;
+    unsigned prepared; /* values of p, for each lane; 0: there are none, or p is what whoever made these kernels passes through */
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
         measure_divergences, time_factor, eliminated, observe_values, valid_values, domain_values,
         domain_gradients; /* NULL where the scalar kernel is */
@@ -213,7 +217,8 @@ typedef struct {
     jlt_kernel_function beside_values, ending_values; /* x, values -> (beside,), (ending,) */
     unsigned start_count;
     const jlt_section_point *starts;
-    jlt_kernel_function turn; /* q, values -> (1,): an orbit that begins where it is < 0 and ends where it is > 0 has turned; or NULL */
+    jlt_kernel_function turn; /* q, values -> (1,): an orbit that begins where it is < 0 and ends where it is > 0 has turned; or
+                                 NULL */
     const char *turn_meaning; /* what starts are called where it is < 0 */
 } jlt_section_chart;
 
@@ -285,7 +290,8 @@ typedef struct jlt_descriptor {
     const jlt_region *domains;      /* parameters and lifted roots; with ends of intervals that are no numbers; on all fields */
     jlt_kernel domain_values;       /* shape (domains,); the field means nothing where one is not > 0 */
     jlt_kernel domain_gradients;    /* shape (domains, states) */
-    unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no more; */
+    unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no
+                                       more; */
     const jlt_reversor *reversors;  /* on fields with a time or an elimination there are none */
     unsigned pole_count;            /* these four on the general field with all its states, in any of its times */
     const jlt_pole *poles;
@@ -300,8 +306,8 @@ typedef struct jlt_descriptor {
     jlt_kernel_function lifted; /* states in the model's own time, params -> (states,): the same with its lifted roots;
                                    NULL where the field's time lifts none; on all fields */
     unsigned lifted_count;      /* of those roots */
-    jlt_kernel_function root_relations, root_relation_gradients; /* x, params -> (lifted,), (lifted, states): root^2 - radicand, 0 on
-                                   orbits, and its gradient */
+    jlt_kernel_function root_relations, root_relation_gradients; /* x, params -> (lifted,), (lifted, states): root^2 - radicand, 0
+                                   on orbits, and its gradient */
     unsigned eliminated_state, level_integral; /* with an elimination: which of the general field's states goes, and by which of its
                                    integrals, whose level is the last parameter */
     jlt_kernel_jet jet;

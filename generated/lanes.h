@@ -1,4 +1,5 @@
-/** Vectors of JLT_LANES doubles, for code that is compiled once for each instruction set. Edited in codegen/runtime/; ttc writes copies.
+/** Vectors of JLT_LANES doubles, for code that is compiled once for each instruction set. Edited in codegen/runtime/; ttc writes
+ *  copies.
  *
  *  The includer defines JLT_LANES as 2, 4 or 8 first. Arithmetic is the compilers' own on vector types, lane by lane as in
  *  scalar code; only the fused multiply-add and the square root need the instruction set's own names. Without FMA in the
@@ -22,6 +23,14 @@ typedef int64_t jlt_lane_mask __attribute__((vector_size(8 * JLT_LANES))); /* -1
 static inline jlt_lanes jlt_lanes_of(double value) { return value - (jlt_lanes){ 0 }; }
 
 static inline jlt_lanes jlt_lanes_load(const double *from) { return *(const jlt_lanes *)(const void *)from; }
+
+/* The same pointer, which the compiler takes for another one: what is read through it in a loop is read there, where it would
+ * otherwise be read before, and wait on the stack. */
+static inline const double *jlt_lanes_fresh(const double *from)
+{
+    __asm__ volatile("" : "+r"(from));
+    return from;
+}
 
 static inline void jlt_lanes_store(double *to, jlt_lanes value) { *(jlt_lanes *)(void *)to = value; }
 

@@ -117,4 +117,4 @@ const jlt_descriptor *const jlt_registry[] = {
 
 const unsigned jlt_registry_count = 55;
 
-const unsigned jlt_registry_entry_size = sizeof(jlt_descriptor);
+const unsigned jlt_registry_entry_size = sizeof(jlt_descriptor) + sizeof(jlt_kernel_batch);

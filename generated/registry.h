@@ -6,6 +6,6 @@
 
 extern const jlt_descriptor *const jlt_registry[];
 extern const unsigned jlt_registry_count;
-extern const unsigned jlt_registry_entry_size; /* of a descriptor, by which versions are told apart */
+extern const unsigned jlt_registry_entry_size; /* of a descriptor and of batched kernels, by which versions are told apart */
 
 #endif

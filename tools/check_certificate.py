@@ -4,11 +4,11 @@
     tools/check_certificate.py [--table FILE.tt] CERTIFICATE.json
 
 The table is read by a parser of its own, differentiated symbolically, and integrated by Taylor's method in interval arithmetic on
-integers (tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's box,
-and what it encloses must meet what the certificate says. Taken on trust: that the table's integrals and reversor are what it claims,
-which `ttc prove` shows. Of symmetric cycles the type is proved, not the rotation number. Served are cycles in tables without functions
-but roots, with numbers for parameters and levels, one level at most, and two coordinates: a leg takes some ten seconds; and families of
-equilibria in such tables, over boxes.
+integers (tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's
+box, and what it encloses must meet what the certificate says; the words of its theorem are not read. Taken on trust: that the
+table's integrals, families and traces are what it claims, which `ttc prove` shows. Served are cycles in tables without functions
+but roots, with numbers for parameters and levels, one level at most, and two coordinates: a leg takes some ten seconds, with a
+twist a minute; and families of equilibria in such tables, over boxes.
 Exit status: 0 proved, 1 refused, 2 usage, 3 not a certificate that can be replayed here.
 """
 import hashlib
@@ -25,6 +25,7 @@ from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, 
 from replay.flow import Flow, Refused, must
 from replay.series import CLOCK, Program
 from replay.table import Table, Unserved, parity
+from replay.twist import cosine, normal_form, pi, return_map
 
 
 def inverse_of(A):
@@ -49,9 +50,12 @@ def replay(certificate, table):
     given, shown, states = certificate["given"], certificate["shown"], table.states
     if any(isinstance(v, dict) for part in ("parameters", "levels") for v in given[part].values()):
         raise Unserved("parameters or levels are intervals")
-    if certificate["kind"] not in ("cycle", "obstruction", "sink", "symmetric"):
+    if certificate["kind"] not in ("cycle", "obstruction", "sink", "symmetric", "elliptic"):
         raise Unserved("it is of kind " + certificate["kind"])
     must(sorted(given["parameters"]) == sorted(table.params), "its parameters are not the table's")
+    for name, sign in table.signs.items():
+        value = Fraction(given["parameters"][name])
+        must({">": value > 0, ">=": value >= 0, "!=": value != 0}[sign], name + " is outside the table's domain")
     flow = Flow(table, {name: read_ball(value) for name, value in given["parameters"].items()})
     column, level = states.index(given["section"]["state"]), ball(Fraction(given["section"]["value"]))
     others = [i for i in range(len(states)) if i != column]
@@ -143,7 +147,7 @@ def replay(certificate, table):
         must(abs(by[0]) > by[1], "the integral does not determine the state left out")
         return [quotient((-slopes[0][others.index(q)][0], slopes[0][others.index(q)][1]), by) for q in kept]
 
-    R, expansion, least = unit(2), exact(0), None
+    R, expansion, least, more = unit(2), exact(0), None, ""
     for i, (state, D, _, more, low, _) in enumerate(arrivals):
         there = (i + 1) % len(legs) * width
         if left:
@@ -164,10 +168,9 @@ def replay(certificate, table):
         must(said <= 0 or low > 0, "the condition " + name + " is not shown to hold")
     if certificate["kind"] == "obstruction":
         must(abs(determinant[0] - ONE) > determinant[1], "its determinant may be 1")
-    if certificate["kind"] == "symmetric":
+    if certificate["kind"] in ("symmetric", "elliptic"):
         flipped = set(shown["symmetry"]["reversor"])
-        claimed = set(re.findall(r"(\w+) *-> *-(?=\w)", table.reversor or ""))
-        must(flipped == claimed and claimed, "the table claims another reversor, or none")
+        must(flipped and table.reverses(flipped), "the table claims another reversor, or none")
         must(states[column] in flipped and Fraction(given["section"]["value"]) == 0, "the section is not its own image")
         for name in integrals:
             even = parity(table.graph, table.integrals[name], flipped)
@@ -178,10 +181,33 @@ def replay(certificate, table):
         kind = shown["symmetry"]["type"]
         must({"elliptic": size(trace) < 2 * ONE, "hyperbolic": trace[0] - trace[1] > 2 * ONE,
               "inverse hyperbolic": trace[0] + trace[1] < -2 * ONE, "not settled": True}[kind], "it is not " + kind)
+        if kind == "elliptic":
+            rotation = read_ball(shown["symmetry"]["rotation"])
+            must(rotation[1] < rotation[0] < (ONE >> 1) - rotation[1], "the rotation number is not between 0 and 1/2")
+            must(meet(product(exact(2), cosine(product(exact(2), product(pi(), rotation)))), trace),
+                 "the rotation number is another one")
+    if certificate["kind"] == "elliptic":
+        must(size(trace) < 2 * ONE, "it is not elliptic")
+        must(all(abs(trace[0] - n * ONE) > trace[1] for n in (0, -1)), "a multiplier may be a root of unity of order 3 or 4")
+        points = [place(orbit[i * width:(i + 1) * width]) for i in range(len(legs))]
+        slopes = [dict(zip(others, gradients(orbit[i * width:(i + 1) * width])[1][0])) if left else {} for i in range(len(legs))]
+        M = return_map(flow, points, instants, [a[2] for a in arrivals], column, kept,
+                       [table.integrals[name] for name in integrals], slopes)
+        must(meet(plus(M[0][1], M[1][2]), trace), "two enclosures of the trace exclude each other")
+        growth, twist = normal_form(M, trace)
+        said = shown["twist"]
+        must(said["coordinate"] == states[kept[0]], "the twist is that by the amplitude of another state")
+        must(meet(growth, (0, 0)) and meet(growth, read_ball(said["growth"])), "the map is not shown to be reversible")
+        must(abs(twist[0]) > twist[1], "the twist may be 0")
+        must(meet(twist, read_ball(said["coefficient"])), "the twist is another one")
+        more = ", twist %s +- %.2g" % (decimal(twist[0]), twist[1] / ONE)
     if certificate["kind"] == "sink":
         must(size(determinant) < ONE and size(trace) < ONE + determinant[0] - determinant[1], "it is not shown to attract")
-        must(table.reversor is not None, "the table claims no reversor without a condition")
-    return trace, determinant, least
+        must(any(table.reverses(set(re.findall(r"(\w+) *->", rest))) for rest in table.reversors),
+             "the table claims no reversor that changes signs")
+    return ("det %s +- %.2g, trace %s +- %.2g%s, conditions above %s"
+            % (decimal(determinant[0]), determinant[1] / ONE, decimal(trace[0]), trace[1] / ONE, more,
+               [float(decimal(a, 5)) for a in least]))
 
 
 def decimal(a, digits=15):
@@ -211,16 +237,14 @@ def main(arguments):
             bounds, boxes = family.replay(certificate, Table(table.decode()))
             print("%s: proved by a second program: trace from %.5g to %.5g, %d boxes" % (path, *bounds, boxes))
             return 0
-        trace, determinant, least = replay(certificate, Table(table.decode()))
+        proved = replay(certificate, Table(table.decode()))
     except Refused as problem:
         print("%s: refused: %s" % (path, problem), file=sys.stderr)
         return 1
     except (Unserved, OSError, KeyError, ValueError, TypeError, AttributeError) as problem:
         print("%s: %s: cannot be replayed here" % (path, problem), file=sys.stderr)
         return 3
-    print("%s: proved by a second program: det %s +- %.2g, trace %s +- %.2g, conditions above %s"
-          % (path, decimal(determinant[0]), determinant[1] / ONE, decimal(trace[0]), trace[1] / ONE,
-             [float(decimal(a, 5)) for a in least]))
+    print("%s: %s proved by a second program: %s" % (path, certificate["kind"], proved))
     return 0
 
 

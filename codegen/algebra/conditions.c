@@ -1,5 +1,7 @@
 #include "algebra/conditions.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 
 void ttc_conditions_init(ttc_conditions *c, ttc_valuation *valuation)
@@ -12,7 +14,7 @@ void ttc_conditions_clear(ttc_conditions *c)
     for (size_t i = 0; i < c->count; i++) fmpz_mpoly_clear(c->items[i].polynomial, c->ring->context);
     free(c->items);
     c->items = NULL;
-    c->count = c->capacity = 0;
+    c->count = 0;
 }
 
 static const ttc_generator *generator_of(const ttc_ring *ring, slong variable)
@@ -119,16 +121,10 @@ static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relatio
         known->is_denominator &= is_denominator;
         return;
     }
-    if (c->count == c->capacity) {
-        size_t capacity = 2 * c->capacity + 16;
-        ttc_condition *items = realloc(c->items, capacity * sizeof *items);
-        if (items == NULL) {
-            c->failed = true;
-            return;
-        }
-        c->items = items;
-        c->capacity = capacity;
-    }
+    ttc_condition *items = ttc_array_more(c->items, c->count, sizeof *items);
+    c->failed |= items == NULL;
+    if (items == NULL) return;
+    c->items = items;
     ttc_condition *item = &c->items[c->count++];
     item->relation = relation;
     item->of_quotient = of_quotient;

@@ -21,7 +21,7 @@ typedef struct {
     ttc_valuation *valuation; /* borrowed */
     ttc_ring *ring;
     ttc_condition *items;
-    size_t count, capacity;
+    size_t count;
     bool contradictory; /* no point, evidently */
     bool failed;        /* memory is out; the list is of no use */
 } ttc_conditions;

@@ -230,8 +230,8 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
 
 static void release(void *solver) { Z3_del_context(solver); }
 
-/* One for all questions about a ring, and for no other: what it answers hangs on nothing but these. It stays with the ring, since to make
- * one takes longer than most answers. */
+/* One for all questions about a ring, and for no other: what it answers hangs on nothing but these. It stays with the ring, since
+ * to make one takes longer than most answers. */
 static Z3_context context_of(ttc_ring *ring)
 {
     if (ring->solver == NULL) {

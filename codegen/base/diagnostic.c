@@ -1,5 +1,7 @@
 #include "base/diagnostic.h"
 
+#include "base/array.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +18,7 @@ typedef struct {
 
 struct ttc_diagnostics {
     record *records;
-    size_t count, capacity;
+    size_t count;
     size_t kept_of_source;
     size_t errors, io_errors, warnings, dropped;
     size_t source;
@@ -105,12 +107,9 @@ static bool stands_before(const record *a, const record *b)
 
 static bool reserve(ttc_diagnostics *diagnostics)
 {
-    if (diagnostics->count < diagnostics->capacity) return true;
-    size_t capacity = 2 * diagnostics->capacity + 8;
-    record *records = realloc(diagnostics->records, capacity * sizeof *records);
+    record *records = ttc_array_more(diagnostics->records, diagnostics->count, sizeof *records);
     if (records == NULL) return false;
     diagnostics->records = records;
-    diagnostics->capacity = capacity;
     return true;
 }
 

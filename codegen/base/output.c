@@ -1,5 +1,7 @@
 #include "base/output.h"
 
+#include "base/array.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -27,14 +29,10 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path)
             output->taken = output->files[i].path;
             return NULL;
         }
-    if (output->count == output->capacity) {
-        size_t capacity = output->capacity == 0 ? 16 : 2 * output->capacity;
-        ttc_output_file *files = realloc(output->files, capacity * sizeof *files);
-        output->failed |= files == NULL;
-        if (files == NULL) return NULL;
-        output->files = files;
-        output->capacity = capacity;
-    }
+    ttc_output_file *files = ttc_array_more(output->files, output->count, sizeof *files);
+    output->failed |= files == NULL;
+    if (files == NULL) return NULL;
+    output->files = files;
     size_t length = strlen(path) + 1;
     ttc_output_file *file = output->files + output->count;
     *file = (ttc_output_file){ .path = malloc(length) };

@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
     ttc_output_file *files;
-    size_t count, capacity;
+    size_t count;
     bool failed;
     const char *taken; /* a path that was asked for twice, borrowed from the set; NULL: none */
 } ttc_output;

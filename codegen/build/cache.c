@@ -47,8 +47,10 @@ bool ttc_cache_open(ttc_cache *cache, ttc_text *message)
     if (lstat(cache->folder, &found) != 0) goto failed;
     free(base);
     if (S_ISDIR(found.st_mode) && is_private(&found)) return true;
-    ttc_text_format(message, "the cache %s is not yours alone, so that nothing is loaded from it (expected a folder of your own that "
-                    "no group and nobody else may write to: chmod go-w, or another XDG_CACHE_HOME)", cache->folder);
+    ttc_text_format(message,
+                    "the cache %s is not yours alone, so that nothing is loaded from it (expected a folder of your own that "
+                    "no group and nobody else may write to: chmod go-w, or another XDG_CACHE_HOME)",
+                    cache->folder);
     return false;
 failed:
     ttc_text_format(message, "cannot make the cache %s/jellett: %s", base, strerror(errno));

@@ -1,7 +1,7 @@
 /** The cache of compiled tables: shared objects under keys that say all they depend on.
  *
- *  $XDG_CACHE_HOME/jellett, else $HOME/.cache/jellett. What is loaded from there runs as the user: so the folder and the files belong to the user,
- *  and nobody else may write to them. */
+ *  $XDG_CACHE_HOME/jellett, else $HOME/.cache/jellett. What is loaded from there runs as the user: so the folder and the files
+ *  belong to the user, and nobody else may write to them. */
 #ifndef TTC_CACHE_H
 #define TTC_CACHE_H
 

@@ -45,8 +45,8 @@ static const char *const link_flags[] = { "-shared", "-Wl,-Bsymbolic" };
 
 enum { FLAG_COUNT = sizeof flags / sizeof *flags, LINK_FLAG_COUNT = sizeof link_flags / sizeof *link_flags };
 
-/* The library that this program has Arb from. Objects name it, so that programs can load them that have no Arb of their own, or keep
- * it to themselves. NULL: Arb is a part of this program. */
+/* The library that this program has Arb from. Objects name it, so that programs can load them that have no Arb of their own, or
+ * keep it to themselves. NULL: Arb is a part of this program. */
 static const char *arb_library(void)
 {
     void *function = dlsym(RTLD_DEFAULT, "arb_mul");

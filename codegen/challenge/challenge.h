@@ -1,5 +1,5 @@
-/** Checks the prover's verdicts at random points of the domain, in ball arithmetic. Of the prover's code it uses the expression graph and
- *  nothing more: derivatives are dual balls, conditions are met point by point.
+/** Checks the prover's verdicts at random points of the domain, in ball arithmetic. Of the prover's code it uses the expression
+ *  graph and nothing more: derivatives are dual balls, conditions are met point by point.
  *
  *  A claim that is proved must hold at every point that is tried. One that is refuted must fail at one of them, where the
  *  claim is an identity on an open set; where it speaks of zero levels or of signs, failures may be too thin to be met, and

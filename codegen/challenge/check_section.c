@@ -1,5 +1,6 @@
 /* A section and its coordinates, at one state of the section: where the way back leads is a point of the chart, whose lift lies in
- * the section, the domain and the levels, and leads back to it; and the lift is the state itself where both are crossed the same way. */
+ * the section, the domain and the levels, and leads back to it; and the lift is the state itself where both are crossed the same
+ * way. */
 #include "challenge/check.h"
 #include "prove/section_chart.h"
 
@@ -49,7 +50,8 @@ static void check_lift(section_check *s)
                    "off its level by its lift:", integral->name);
     }
     for (size_t i = 0; i < model->symbol_count; i++) {
-        const ttc_id lift = model->symbols[i].kind == TTC_ROOT ? ttc_chart_lift(s->check->target, model->symbols[i].name) : TTC_NONE;
+        const ttc_id lift = model->symbols[i].kind == TTC_ROOT ? ttc_chart_lift(s->check->target, model->symbols[i].name)
+                                                               : TTC_NONE;
         if (lift != TTC_NONE)
             ttc_check_same(s->check, ttc_probe_at(s->check->target_probe, lift),
                            ttc_probe_at(s->lifted, model->symbols[i].node),

@@ -20,8 +20,7 @@ static void tell_no_memory(int *status)
     ttc_command_raise(status, TTC_EXIT_MEMORY);
 }
 
-/* A message may be cut within a character, and a path may be of any bytes; JSON takes neither. */
-static json_t *string_of(const char *bytes)
+json_t *ttc_command_string(const char *bytes)
 {
     json_t *string = json_string(bytes);
     if (string != NULL) return string;
@@ -38,15 +37,15 @@ void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics)
     for (size_t i = 0; i < ttc_diagnostics_size(diagnostics); i++) {
         ttc_diagnostic d = ttc_diagnostics_at(diagnostics, i);
         json_array_append_new(array, json_pack("{s:s, s:o, s:i, s:i, s:o}", "severity",
-                                               d.severity == TTC_WARNING ? "warning" : "error", "file", string_of(d.file),
+                                               d.severity == TTC_WARNING ? "warning" : "error", "file", ttc_command_string(d.file),
                                                "line", (int)d.line, "column", (int)d.column, "message",
-                                               string_of(d.message)));
+                                               ttc_command_string(d.message)));
     }
 }
 
 json_t *ttc_command_failure(const char *path, json_t *problems)
 {
-    return json_pack("{s:o, s:b, s:o}", "file", string_of(path), "ok", 0, "problems", problems);
+    return json_pack("{s:o, s:b, s:o}", "file", ttc_command_string(path), "ok", 0, "problems", problems);
 }
 
 ttc_model *ttc_command_read(const char *path, int *status, json_t *problems)
@@ -103,16 +102,20 @@ bool ttc_command_passes_over(const ttc_model *model, const ttc_options *options)
     return model->lift.file != NULL && options->file_count > 1;
 }
 
-bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options, int *status, json_t *problems)
+bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options, int *status,
+                           json_t *problems)
 {
     if (model->lift.file != NULL) {
-        ttc_command_complain(model, model->lift.place, problems, "the coordinates of a section have no kernels of their own (expected "
-                             "%s, with whose kernels theirs are written)", model->lift.file);
+        ttc_command_complain(model, model->lift.place, problems,
+                             "the coordinates of a section have no kernels of their own (expected "
+                             "%s, with whose kernels theirs are written)",
+                             model->lift.file);
         ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
         return false;
     }
     if (ttc_catalogue_create(catalogue, model, options->extent, options->effort)) return true;
-    ttc_command_complain(model, catalogue->failed_at, problems, "the kernels asked for here cannot be made: %s", catalogue->failure);
+    ttc_command_complain(model, catalogue->failed_at, problems, "the kernels asked for here cannot be made: %s",
+                         catalogue->failure);
     ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
     return false;
 }

@@ -74,6 +74,9 @@ __attribute__((format(printf, 3, 4)))
 #endif
 void ttc_command_warn(const ttc_model *model, ttc_place place, const char *format, ...);
 
+/* A message may be cut within a character, and a path may be of any bytes; JSON takes neither: others than ASCII are then '?'. */
+json_t *ttc_command_string(const char *bytes);
+
 /* Errors and warnings as objects with severity, file, line, column, message, added to an array. */
 void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics);
 
@@ -81,12 +84,14 @@ void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics)
 json_t *ttc_command_failure(const char *path, json_t *problems);
 
 /** Make the catalogue of a table, and tell why fields cannot be made. False: *status is raised, and there is no catalogue. */
-bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options, int *status, json_t *problems);
+bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options, int *status,
+                           json_t *problems);
 
 /* A table of coordinates, whose kernels are written with those of the model that it belongs to, among several tables. */
 bool ttc_command_passes_over(const ttc_model *model, const ttc_options *options);
 
-/** Prove a table in a process of its own, within bounds, six times as wide with --effort full; proofs leave no trace in kernels. NULL: memory is out, which is told. */
+/** Prove a table in a process of its own, within bounds, six times as wide with --effort full; proofs leave no trace in kernels.
+ *  NULL: memory is out, which is told. */
 ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, const ttc_options *options, int *status);
 
 #endif

@@ -1,10 +1,13 @@
 /* ttc discover: integrals, factors and densities that a table does not claim, found and proved. */
 #include "base/text.h"
 #include "command/command.h"
+#include "command/command_discover_json.h"
 #include "command/command_guard.h"
 #include "discover/discover.h"
 
 #include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -16,6 +19,7 @@ enum { LIST_MAX = 16, PROGRESS_WIDTH = 78 };
 typedef struct {
     const ttc_options *options;
     ttc_model *model;          /* of the table's text, the conditions as its last variant, and denominators as lets */
+    const char *path, *sha256; /* of the table on file */
     const char *table;         /* the text of the table alone */
     char *when;                /* " when ..." or "" */
     char *denominators[LIST_MAX];
@@ -25,6 +29,7 @@ typedef struct {
     bool shows_progress;
     time_t shown;
     char reason[300];
+    json_t *problems, *found;  /* of --json: of the table; what is found in it. NULL: text is written */
     int status;
 } work;
 
@@ -43,11 +48,31 @@ static void show_progress(void *context, const char *text)
 }
 
 /* What was found stands, whatever ends the program afterwards. */
-static void say(void *context, const char *text)
+static void write_line(const work *w, const char *text)
 {
-    clear_progress(context);
+    clear_progress(w);
     fputs(text, stdout);
     fflush(stdout);
+}
+
+static void say(void *context, const char *text)
+{
+    const work *w = context;
+    if (w->found != NULL) ttc_command_discover_add_claim(w->found, text);
+    else write_line(w, text);
+}
+
+static void remark(void *context, const char *text)
+{
+    const work *w = context;
+    if (w->found != NULL) ttc_command_discover_add_remark(w->found, text);
+    else write_line(w, text);
+}
+
+static void settle(void *context, const ttc_discovery_settled *settled)
+{
+    const work *w = context;
+    if (w->found != NULL) ttc_command_discover_add_settled(w->found, settled);
 }
 
 static char *joined(const char *a, const char *b, const char *c)
@@ -74,6 +99,7 @@ static void complain(void *context, const char *claims)
     const work *w = context;
     clear_progress(w);
     fprintf(stderr, "ttc discover: found, but not proved (%s):\n%s", w->reason, claims);
+    if (w->found != NULL) ttc_command_discover_add_unproved(w->found, claims, w->reason);
 }
 
 static bool prove(void *context, const char *claims, bool *is_smooth)
@@ -129,28 +155,39 @@ static void free_parts(char **parts, size_t count)
     for (size_t i = 0; i < count; i++) free(parts[i]);
 }
 
-static int refuse(const char *format, const char *what)
+/* On stderr, and where JSON is written among the problems; those of the command line have no place in the table. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+static int refuse(const work *w, int status, const char *format, ...)
 {
-    fprintf(stderr, "ttc discover: ");
-    fprintf(stderr, format, what);
-    fprintf(stderr, "\n");
-    return TTC_EXIT_USAGE;
+    char message[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    clear_progress(w);
+    fprintf(stderr, "ttc discover: %s\n", message);
+    if (w->problems != NULL) ttc_command_discover_add_problem(w->problems, w->path, message);
+    return status;
 }
 
 /* Each part is PARAM = EXPR. */
-static int check_conditions(const ttc_model *table, char **parts, size_t count)
+static int check_conditions(const work *w, const ttc_model *table, char **parts, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         char name[64] = "";
         const size_t length = strcspn(parts[i], " =");
         uint32_t symbol;
-        if (strchr(parts[i], '=') == NULL) return refuse("--when '%s' sets nothing (expected PARAM=EXPR)", parts[i]);
+        if (strchr(parts[i], '=') == NULL)
+            return refuse(w, TTC_EXIT_USAGE, "--when '%s' sets nothing (expected PARAM=EXPR)", parts[i]);
         if (length < sizeof name) memcpy(name, parts[i], length);
         if (ttc_model_find_symbol(table, name, &symbol) && table->symbols[symbol].kind == TTC_PARAM) continue;
-        fprintf(stderr, "ttc discover: --when '%s': %s has no parameter '%.*s' (expected one of", parts[i], table->name,
-                (int)length, parts[i]);
-        for (size_t k = 0; k < table->param_count; k++) fprintf(stderr, " %s", table->symbols[table->params[k]].name);
-        fprintf(stderr, ")\n");
+        ttc_text names = { 0 };
+        for (size_t k = 0; k < table->param_count; k++) ttc_text_format(&names, " %s", table->symbols[table->params[k]].name);
+        refuse(w, TTC_EXIT_BAD_TABLE, "--when '%s': %s has no parameter '%.*s' (expected one of%s)", parts[i], table->name,
+               (int)length, parts[i], ttc_text_string(&names));
+        ttc_text_clear(&names);
         return TTC_EXIT_BAD_TABLE;
     }
     return TTC_EXIT_DONE;
@@ -166,8 +203,8 @@ static int extend(work *w, const ttc_model *table)
     ttc_text_format(&text, "%s\n", table->text);
     if (options->when != NULL) {
         const bool good = strpbrk(options->when, "\r\n#") == NULL && split(parts, &count, options->when);
-        int status = good ? check_conditions(table, parts, count) : refuse("--when '%s' is no list (expected PARAM=EXPR,...)",
-                                                                           options->when);
+        int status = good ? check_conditions(w, table, parts, count)
+                          : refuse(w, TTC_EXIT_USAGE, "--when '%s' is no list (expected PARAM=EXPR,...)", options->when);
         free_parts(parts, count);
         if (status != TTC_EXIT_DONE) return status;
         ttc_text_format(&text, "variant when_ : %s\n", options->when);
@@ -175,7 +212,7 @@ static int extend(work *w, const ttc_model *table)
     if (options->denominators != NULL) {
         if (strpbrk(options->denominators, "\r\n#") != NULL || !split(w->denominators, &w->denominator_count,
                                                                       options->denominators))
-            return refuse("--denominator '%s' is no list (expected EXPR,...)", options->denominators);
+            return refuse(w, TTC_EXIT_USAGE, "--denominator '%s' is no list (expected EXPR,...)", options->denominators);
         for (size_t i = 0; i < w->denominator_count; i++) ttc_text_format(&text, "let denominator_%zu = %s\n", i + 1,
                                                                           w->denominators[i]);
     }
@@ -183,6 +220,7 @@ static int extend(work *w, const ttc_model *table)
     if (!text.failed && diagnostics != NULL) w->model = ttc_model_parse(ttc_text_string(&text), text.length, table->file,
                                                                         diagnostics);
     if (w->model == NULL && diagnostics != NULL) ttc_diagnostics_print(diagnostics, stderr);
+    if (w->model == NULL && diagnostics != NULL && w->problems != NULL) ttc_command_add_problems(w->problems, diagnostics);
     ttc_diagnostics_destroy(diagnostics);
     ttc_text_clear(&text);
     return w->model == NULL ? TTC_EXIT_BAD_TABLE : TTC_EXIT_DONE;
@@ -235,6 +273,7 @@ static bool learn(work *w, ttc_discovery *d)
         else if (claim->kind != TTC_CLAIM_INTEGRAL) continue;
         else if (!ttc_discovery_know_integral(d, claim->name, claim->expression)) continue;
         ttc_text_format(&known, "%s%s", known.length > 0 ? ", " : "", claim->name);
+        if (w->found != NULL) json_array_append_new(json_object_get(w->found, "known"), json_string(claim->name));
     }
     if (known.length > 0) ttc_discovery_remark(d, "claimed by the table, proved: %s", ttc_text_string(&known));
     ttc_text_clear(&known);
@@ -251,8 +290,7 @@ static void divide(work *w, ttc_discovery *d, size_t i)
     if (d->flow->ring->status == TTC_RING_OK && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context)) {
         ttc_discover_integrals(d, &denominator, w->denominators[i]);
     } else {
-        fprintf(stderr, "ttc discover: --denominator '%s' is zero, or no ratio\n", w->denominators[i]);
-        w->status = TTC_EXIT_BAD_TABLE;
+        w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' is zero, or no ratio", w->denominators[i]);
     }
     ttc_ratio_clear(d->flow->ring, &denominator);
 }
@@ -275,22 +313,21 @@ static void seek(work *w)
     const ttc_options *options = w->options;
     const char *why = NULL;
     size_t columns = 0;
-    const ttc_discovery_host host = { w, prove, complain, say, show_progress };
+    const ttc_discovery_host host = { w, prove, complain, say, remark, settle, show_progress };
     ttc_discovery *d = ttc_discovery_create(w->model, w->conditions, w->when, options->degree, (size_t)options->memory << 30,
                                             host, &why);
     if (d == NULL) {
-        fprintf(stderr, "ttc discover: %s%s: %s\n", w->model->name, w->when, why);
-        w->status = TTC_EXIT_BAD_TABLE;
+        w->status = refuse(w, TTC_EXIT_BAD_TABLE, "%s%s: %s", w->model->name, w->when, why);
         return;
     }
     if (!ttc_discovery_fits(d, &columns)) {
-        fprintf(stderr,
-                "ttc discover: degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a smaller "
-                "--degree, or allow for more by --memory)\n",
-                options->degree, columns, d->too_large / (1 << 30), options->memory);
-        w->status = TTC_EXIT_MEMORY;
+        w->status = refuse(w, TTC_EXIT_MEMORY,
+                           "degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a smaller --degree, "
+                           "or allow for more by --memory)",
+                           options->degree, columns, d->too_large / (1 << 30), options->memory);
     } else {
-        ttc_discovery_introduce(d);
+        if (w->problems != NULL) w->found = ttc_command_discover_json(d, w->path, w->sha256, options->when);
+        else ttc_discovery_introduce(d);
         if (learn(w, d)) look(w, d);
         else w->status = TTC_EXIT_MEMORY;
     }
@@ -300,33 +337,53 @@ static void seek(work *w)
                 d->unproved == 1 ? "was" : "were", d->unproved == 1 ? "a function" : "functions");
         w->status = TTC_EXIT_BAD_TABLE;
     }
+    if (w->found != NULL) json_object_set_new(w->found, "unlifted", json_integer((json_int_t)d->unproved));
     ttc_discovery_destroy(d);
+}
+
+/* One table. Returns what is to be written of it in JSON, NULL where text is. */
+static json_t *discover(const char *path, const ttc_options *options, int *status)
+{
+    work w = { .options = options, .shows_progress = isatty(STDERR_FILENO) != 0, .path = path,
+               .problems = options->json ? json_array() : NULL };
+    ttc_model *table = ttc_command_read(path, &w.status, w.problems);
+    if (table != NULL) {
+        w.table = table->text;
+        w.sha256 = table->sha256;
+        w.when = options->when == NULL ? strdup("") : joined(" when ", options->when, "");
+        if (w.when == NULL) w.status = TTC_EXIT_MEMORY;
+        else if (table->equation_count == 0) {
+            ttc_command_complain(table, table->lift.place, w.problems,
+                                 "a table of coordinates has no equations (expected the table of a motion)");
+            w.status = TTC_EXIT_BAD_TABLE;
+        } else w.status = extend(&w, table);
+    }
+    if (table != NULL && w.status == TTC_EXIT_DONE) {
+        bind(&w);
+        seek(&w);
+    }
+    ttc_command_raise(status, w.status);
+    free_parts(w.denominators, w.denominator_count);
+    free(w.when);
+    ttc_model_destroy(w.model);
+    ttc_model_destroy(table);
+    if (w.found == NULL && w.problems != NULL) return ttc_command_failure(path, w.problems);
+    if (w.found != NULL) json_object_set_new(w.found, "problems", w.problems);
+    return w.found;
 }
 
 int ttc_command_discover(const ttc_options *options)
 {
     int status = TTC_EXIT_DONE;
+    json_t *results = options->json ? json_array() : NULL;
     for (size_t i = 0; i < options->file_count; i++) {
-        work w = { .options = options, .shows_progress = isatty(STDERR_FILENO) != 0 };
-        ttc_model *table = ttc_command_read(options->files[i], &status, NULL);
-        if (table == NULL) continue;
-        w.table = table->text;
-        w.when = options->when == NULL ? strdup("") : joined(" when ", options->when, "");
-        if (w.when == NULL) w.status = TTC_EXIT_MEMORY;
-        else if (table->equation_count == 0) {
-            ttc_command_complain(table, table->lift.place, NULL,
-                                 "a table of coordinates has no equations (expected the table of a motion)");
-            w.status = TTC_EXIT_BAD_TABLE;
-        } else w.status = extend(&w, table);
-        if (w.status == TTC_EXIT_DONE) {
-            bind(&w);
-            seek(&w);
-        }
-        ttc_command_raise(&status, w.status);
-        free_parts(w.denominators, w.denominator_count);
-        free(w.when);
-        ttc_model_destroy(w.model);
-        ttc_model_destroy(table);
+        json_t *result = discover(options->files[i], options, &status);
+        if (result != NULL) json_array_append_new(results, result);
+    }
+    if (results != NULL) {
+        json_dumpf(results, stdout, JSON_INDENT(2));
+        putchar('\n');
+        json_decref(results);
     }
     return status;
 }

@@ -136,7 +136,8 @@ static void complain(const model_files *f, const ttc_kernels *failed)
     const ttc_claim *claim = failed == NULL ? NULL : failed->failed_claim;
     ttc_place place = f->catalogue->count > 0 ? ttc_catalogue_place(f->catalogue->fields, model) : (ttc_place){ 1, 1 };
     for (size_t i = 0; i < f->catalogue->count; i++)
-        if (failed != NULL && f->catalogue->fields[i].kernels == failed) place = ttc_catalogue_place(f->catalogue->fields + i, model);
+        if (failed != NULL && f->catalogue->fields[i].kernels == failed)
+            place = ttc_catalogue_place(f->catalogue->fields + i, model);
     const char *reason = error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out";
     if (f->output->taken != NULL)
         ttc_command_complain(model, place, NULL, "'%s' would be written twice (expected tables, and variants, times and "
@@ -212,7 +213,8 @@ static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report
 }
 
 /* The claims that kernels of the catalogue rest on without a proof, marked in its fields. False: they are refused. */
-static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report, const ttc_options *options, int *status, ttc_text *all)
+static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report, const ttc_options *options, int *status,
+                          ttc_text *all)
 {
     if (!tell_unproved(catalogue, report, !options->unproved, all) || !ttc_catalogue_mark_unproved(catalogue, report)) {
         fprintf(stderr, "ttc: out of memory\n");
@@ -273,7 +275,8 @@ static int write_files(const ttc_output *output, const char *folder)
         fprintf(stderr, "ttc: cannot make the folder %s: %s (the one above it must exist)\n", folder, strerror(error));
     else
         fprintf(stderr, "ttc: cannot write %s below %s: %s; %s\n", where, folder, strerror(error),
-                restored ? "nothing was changed" : "and some files could not be put back: what they were is in files that end in .old");
+                restored ? "nothing was changed"
+                         : "and some files could not be put back: what they were is in files that end in .old");
     return TTC_EXIT_IO;
 }
 

@@ -157,7 +157,8 @@ static int prove(const ttc_model *model, const ttc_options *options, json_t *rep
     ttc_catalogue catalogue = { 0 };
     int status = TTC_EXIT_DONE;
     json_t *problems = json_array();
-    bool has_catalogue = options->kernels && model->lift.file == NULL && ttc_command_catalogue(&catalogue, model, options, &status, problems);
+    bool has_catalogue = options->kernels && model->lift.file == NULL
+                         && ttc_command_catalogue(&catalogue, model, options, &status, problems);
     ttc_proof_report *report = ttc_command_prove_guarded(model, options, &status);
     if (report != NULL && has_catalogue && !(ttc_prove_kernels(&catalogue, report) && ttc_prove_functions(&catalogue, report))) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);

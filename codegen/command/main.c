@@ -34,8 +34,9 @@ static const struct argp_option prove_options[] = {
     END_OF_OPTIONS
 };
 static const struct argp_option show_options[] = {
-    { "format", OPTION_FORMAT, "text|latex|dot", 0, "As in the table (the default), for LaTeX, or the graph of the shared expressions, for "
-                                                    "Graphviz", 0 },
+    { "format", OPTION_FORMAT, "text|latex|dot", 0,
+      "As in the table (the default), for LaTeX, or the graph of the shared expressions, for "
+      "Graphviz", 0 },
     END_OF_OPTIONS
 };
 
@@ -48,11 +49,13 @@ static const struct argp_option generate_options[] = {
     END_OF_OPTIONS
 };
 static const struct argp_option build_options[] = {
-    { "lanes", OPTION_LANES, "2|4|8", 0, "Kernels on vectors of so many numbers as well, which follow many orbits at once; 4 is for "
-                                         "processors with AVX2, 8 with AVX-512", 0 },
+    { "lanes", OPTION_LANES, "2|4|8", 0,
+      "Kernels on vectors of so many numbers as well, which follow many orbits at once; 4 is for "
+      "processors with AVX2, 8 with AVX-512", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option discover_options[] = {
+    JSON_OPTION,
     { "degree", OPTION_DEGREE, "D", 0, "Polynomials up to this degree in states, roots and functions; default 4", 0 },
     { "when", OPTION_WHEN, "PARAM=EXPR,...", 0, "Set parameters first, as the clause 'when' of a claim does", 0 },
     { "denominator", OPTION_DENOMINATOR, "EXPR,...", 0,
@@ -92,14 +95,15 @@ static const command commands[] = {
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
     { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
-      "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, for invariant lines, planes and "
-      "conics, whose cofactor K in P' = K P may be any ratio, and for invariant densities. "
+      "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, for invariant lines, planes "
+      "and conics, whose cofactor K in P' = K P may be any ratio, and for invariant densities. "
       "What is found is printed as claims of the language, each proved as by ttc prove, with comments that say what was looked at, "
       "and that there is nothing else of this form: a rank proves that, or the factors of one polynomial. What the table claims "
       "itself is proved first, and products with it are not found again. For example:\n\n"
       "  ttc discover --when a3=0 codegen/models/spherical_top.tt\n"
       "  ttc discover --degree 6 --seek integrals my.tt\n"
-      "  ttc discover --denominator x*y,1+z^2 my.tt" },
+      "  ttc discover --denominator x*y,1+z^2 my.tt\n"
+      "  ttc discover --json my.tt | jq -r '.[].claims[].text'" },
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };

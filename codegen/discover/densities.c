@@ -96,9 +96,12 @@ void ttc_discover_densities(ttc_discovery *d)
         }
     }
     d->left_out |= reached < d->degree;
-    if (d->densities.count == 0 && d->unproved == unproved)
+    if (d->densities.count == 0 && d->unproved == unproved && reached >= 0) {
         ttc_discovery_remark(d, "densities: no P, 1/P, sqrt(P), 1/sqrt(P), deg P <= %d (%zu monomials, full rank)", reached,
                              monomials);
+        d->host.settle(d->host.context,
+                       &(ttc_discovery_settled){ "densities", "P^(1/k), k = 1, -1, 2, -2", reached, true, monomials, monomials });
+    }
     fmpq_clear(power);
     ttc_ratio_clear(ring, &rate);
     ttc_modular_ratio_clear(&twist);

@@ -20,9 +20,12 @@ ttc_discovery *ttc_discovery_create(const ttc_model *model, const ttc_bindings *
     d->leading = flint_calloc(flow->ring->variable_count, sizeof *d->leading);
     ttc_sign_changes_find(&d->changes, flow);
     ttc_grading_find(&d->grading, flow);
-    ttc_flow_draw_parameters(flow, d->parameters, -1, &d->source);
-    ttc_flow_draw_parameters(flow, d->leading, d->grading.parameter, &d->source);
-    return d;
+    if (ttc_flow_draw_parameters(flow, d->parameters, -1, &d->source)
+        && ttc_flow_draw_parameters(flow, d->leading, d->grading.parameter, &d->source))
+        return d;
+    *why = "no values of the parameters were found in a prime field";
+    ttc_discovery_destroy(d);
+    return NULL;
 }
 
 void ttc_discovery_destroy(ttc_discovery *d)
@@ -141,5 +144,5 @@ void ttc_discovery_remark(ttc_discovery *d, const char *format, ...)
     vsnprintf(text + length, sizeof text - (size_t)length - 1, format, arguments);
     va_end(arguments);
     strcat(text, "\n");
-    d->host.say(d->host.context, text);
+    d->host.remark(d->host.context, text);
 }

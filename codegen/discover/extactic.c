@@ -184,7 +184,7 @@ static void say_integral(ttc_discovery *d, const fmpz_mpoly_t polynomial)
     ttc_text_add(&text, "# factors: of a higher degree, and an integral: P = ");
     ttc_claim_text_add(&text, d->flow, polynomial);
     ttc_text_add(&text, "\n");
-    d->host.say(d->host.context, ttc_text_string(&text));
+    d->host.remark(d->host.context, ttc_text_string(&text));
     ttc_text_clear(&text);
 }
 
@@ -288,5 +288,6 @@ void ttc_extactic_find(ttc_discovery *d, ttc_factors *out)
         ttc_discovery_remark(d, "         coefficients rational in the parameters (they divide the extactic polynomial, of "
                                 "degree %d)", ttc_flow_degree(flow, determinant));
     }
+    d->host.settle(d->host.context, &(ttc_discovery_settled){ "factors", "P' = K P", e.degree, why == NULL, 0, 0 });
     extactic_clear(&e);
 }

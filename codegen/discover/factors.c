@@ -8,24 +8,42 @@
 
 enum {
     COLUMNS_MAX = 800, /* of a matrix whose characteristic polynomial is taken */
-    OTHER_PARAMETERS = 40
+    OTHER_FIELDS = 40
 };
 
-/* Integrals and factors together: a product with an integral is no new factor. The items stay those of `d`. */
-static ttc_knowns products_of(const ttc_discovery *d)
+/* unsaid: integrals that were not asked for, but bound how many cofactors are 0. */
+typedef struct {
+    ttc_discovery *d;
+    ttc_knowns unsaid;
+} factors;
+
+/* Integrals and factors together: a product with an integral is no new factor. The items stay whose they are. */
+static ttc_knowns products_of(const factors *f)
 {
-    ttc_knowns all = { .items = flint_calloc(d->integrals.count + d->factors.count + 1, sizeof *all.items) };
-    for (size_t i = 0; i < d->integrals.count; i++) all.items[all.count++] = d->integrals.items[i];
-    for (size_t i = 0; i < d->factors.count; i++) all.items[all.count++] = d->factors.items[i];
+    const ttc_knowns *parts[] = { &f->d->integrals, &f->unsaid, &f->d->factors };
+    ttc_knowns all = { .count = 0 };
+    all.items = flint_calloc(parts[0]->count + parts[1]->count + parts[2]->count + 1, sizeof *all.items);
+    for (size_t p = 0; p < 3; p++)
+        for (size_t i = 0; i < parts[p]->count; i++) all.items[all.count++] = parts[p]->items[i];
     return all;
 }
 
-/* context: what is known, a ttc_knowns as above, which the find joins. */
+/* What is known, and where the find joins it. */
+typedef struct {
+    factors *f;
+    ttc_knowns products;
+} taker;
+
+static void join(taker *t)
+{
+    flint_free(t->products.items);
+    t->products = products_of(t->f);
+}
+
 static bool take(ttc_discovery *d, void *context, const ttc_solution_exact *solution, int degree)
 {
     ttc_text claim = { 0 }, polynomial = { 0 }, cofactor = { 0 };
     char *name = ttc_discovery_name(d, "P");
-    ttc_knowns *products = context;
     ttc_claim_text_add(&polynomial, d->flow, solution->polynomial.numerator);
     ttc_claim_text_add_ratio(&cofactor, d->flow, &solution->cofactor);
     ttc_text_format(&claim, "rate %s : %s = %s*(%s)%s", name, ttc_text_string(&polynomial), ttc_text_string(&cofactor),
@@ -34,11 +52,31 @@ static bool take(ttc_discovery *d, void *context, const ttc_solution_exact *solu
     const bool proved = ttc_discovery_publish(d, ttc_text_string(&claim));
     if (proved) {
         ttc_knowns_add(&d->factors, d->flow, name, &solution->polynomial, &solution->cofactor, degree);
-        flint_free(products->items);
-        *products = products_of(d);
+        join(context);
     }
     ttc_text_clear(&cofactor);
     ttc_text_clear(&polynomial);
+    ttc_text_clear(&claim);
+    flint_free(name);
+    return proved;
+}
+
+/* An integral, for what it says of cofactors alone. */
+static bool take_unsaid(ttc_discovery *d, void *context, const ttc_solution_exact *solution, int degree)
+{
+    taker *t = context;
+    ttc_text claim = { 0 };
+    const size_t named = d->named;
+    char *name = ttc_discovery_name(d, "F");
+    d->named = named; /* nobody hears of it */
+    ttc_text_format(&claim, "integral %s = ", name);
+    ttc_claim_text_add(&claim, d->flow, solution->polynomial.numerator);
+    ttc_text_add(&claim, d->when);
+    const bool proved = !claim.failed && ttc_discovery_try(d, ttc_text_string(&claim), NULL);
+    if (proved) {
+        ttc_knowns_add(&t->f->unsaid, d->flow, name, &solution->polynomial, NULL, degree);
+        join(t);
+    }
     ttc_text_clear(&claim);
     flint_free(name);
     return proved;
@@ -50,77 +88,102 @@ static int ascending(const void *left, const void *right)
     return a < b ? -1 : a > b;
 }
 
-/* All cofactors that some block of this degree may have. */
-static size_t cofactors_of(ulong **out, ttc_discovery *d, const ttc_ansatz *ansatz)
+/* All cofactors that some block of this degree may have, but 0. False: of some block they are not known. */
+static bool cofactors_of(ulong **out, size_t *kept, ttc_discovery *d, const ttc_ansatz *ansatz)
 {
-    size_t count = 0, kept = 0;
+    size_t count = 0;
+    bool good = true;
+    *kept = 0;
     *out = flint_calloc(ansatz->total + 1, sizeof **out);
-    for (size_t b = 0; b < ansatz->block_count; b++)
-        count += ttc_solution_cofactors(*out + count, d->flow, &ansatz->blocks[b], d->parameters, &d->source);
+    for (size_t b = 0; b < ansatz->block_count; b++) {
+        size_t more = 0;
+        good &= ttc_solution_cofactors(*out + count, &more, d->flow, &ansatz->blocks[b], d->parameters, &d->source);
+        count += more;
+    }
     qsort(*out, count, sizeof **out, ascending);
     for (size_t i = 0; i < count; i++)
-        if (i == 0 || (*out)[i] != (*out)[i - 1]) (*out)[kept++] = (*out)[i];
-    return kept;
+        if (i == 0 || (*out)[i] != (*out)[i - 1]) (*out)[(*kept)++] = (*out)[i];
+    return good;
 }
 
-/* Whether products of what is known have all cofactors that show at the parameters in use. Where there are none, cofactors are
- * numbers, and those beyond 30 bits are passed over. */
-static bool is_explained(ttc_discovery *d, const ttc_ansatz *ansatz, int degree)
+static ttc_question question_of(int degree, ulong cofactor, const ttc_knowns *products)
 {
+    return (ttc_question){ .degree = degree, .shift = cofactor, .has_cofactor = true, .keeps_signs = true, .products = products };
+}
+
+/* Whether products of what is known have all cofactors that show in the field in use, at its parameters; 0 as well, which is the
+ * image of a cofactor that happens to vanish there. */
+static bool is_explained(const factors *f, const ttc_ansatz *ansatz, int degree)
+{
+    ttc_discovery *d = f->d;
     ulong *cofactors = NULL;
-    bool explained = true;
-    fmpq_t number;
-    fmpq_init(number);
-    ttc_knowns products = products_of(d);
-    const size_t count = cofactors_of(&cofactors, d, ansatz);
-    for (size_t i = 0; i < count && explained; i++) {
-        const ttc_question question = { .degree = degree, .shift = cofactors[i], .has_cofactor = true, .keeps_signs = true,
-                                        .products = &products };
-        if (d->flow->parameter_count == 0 && !ttc_modular_rational(number, cofactors[i], d->flow->mod)) continue;
+    size_t count;
+    ttc_knowns products = products_of(f);
+    bool explained = cofactors_of(&cofactors, &count, d, ansatz);
+    for (size_t i = 0; i <= count && explained; i++) {
+        const ttc_question question = question_of(degree, i < count ? cofactors[i] : 0, &products);
         explained = ttc_search(d, &question, NULL, NULL).answered;
     }
     flint_free(products.items);
     flint_free(cofactors);
-    fmpq_clear(number);
     return explained;
 }
 
-/* A cofactor that is rational in the parameters shows at all of them, an irrational one where it happens to be in the field:
- * parameters at which none shows but those of products prove that there is no other. */
-static bool is_complete(ttc_discovery *d, const ttc_ansatz *ansatz, int degree)
+static bool take_prime(const factors *f, ulong prime)
 {
-    bool complete = is_explained(d, ansatz, degree);
+    ttc_discovery *d = f->d;
+    const bool found = ttc_flow_take_prime(d->flow, prime);
+    ttc_knowns unsaid = f->unsaid;
+    ttc_knowns_reduce(&d->integrals, d->flow);
+    ttc_knowns_reduce(&d->factors, d->flow);
+    ttc_knowns_reduce(&unsaid, d->flow);
+    return found;
+}
+
+/* A cofactor that is rational in the parameters shows in all fields, at all of them; an irrational one where it happens to be in
+ * the field: a field in which none shows but those of products proves that there is no other. */
+static bool is_complete(const factors *f, const ttc_ansatz *ansatz, int degree)
+{
+    ttc_discovery *d = f->d;
+    const ulong prime = d->flow->mod.n;
+    bool complete = is_explained(f, ansatz, degree);
     ulong *kept = d->parameters;
     d->parameters = flint_calloc(d->flow->ring->variable_count, sizeof *d->parameters);
-    for (int i = 0; i < OTHER_PARAMETERS && !complete && d->flow->parameter_count > 0; i++) {
-        ttc_flow_draw_parameters(d->flow, d->parameters, -1, &d->source);
-        complete = is_explained(d, ansatz, degree);
-    }
+    for (int i = 0; i < OTHER_FIELDS && !complete; i++)
+        complete = take_prime(f, d->flow->mod.n - 1) && ttc_flow_draw_parameters(d->flow, d->parameters, -1, &d->source)
+                   && is_explained(f, ansatz, degree);
+    take_prime(f, prime);
     flint_free(d->parameters);
     d->parameters = kept;
     return complete;
 }
 
 /* False: the degree takes too large a matrix. */
-static bool search_degree(ttc_discovery *d, int degree, bool *complete)
+static bool search_degree(factors *f, int degree, bool *complete)
 {
+    ttc_discovery *d = f->d;
     ttc_ansatz ansatz;
     ulong *cofactors = NULL;
+    size_t found;
+    taker t = { .f = f };
     const size_t changes = d->changes.count - d->changes.last_is_backwards;
     double total, largest;
     ttc_ansatz_measure(&total, &largest, d->flow, degree, &d->changes, changes, NULL);
     if (largest > COLUMNS_MAX) return false;
     ttc_ansatz_create(&ansatz, d->flow, degree, &d->changes, changes, NULL);
     d->host.progress(d->host.context, "cofactors that are numbers");
-    const size_t count = cofactors_of(&cofactors, d, &ansatz);
-    for (size_t i = 0; i < count; i++) {
-        ttc_knowns products = products_of(d);
-        const ttc_question question = { .degree = degree, .shift = cofactors[i], .has_cofactor = true, .keeps_signs = true,
-                                        .products = &products };
-        ttc_search(d, &question, take, &products);
-        flint_free(products.items);
+    join(&t);
+    cofactors_of(&cofactors, &found, d, &ansatz);
+    for (size_t i = 0; i < found; i++) {
+        const ttc_question question = question_of(degree, cofactors[i], &t.products);
+        ttc_search(d, &question, take, &t);
     }
-    *complete = is_complete(d, &ansatz, degree);
+    const ttc_question integrals = { .degree = degree, .keeps_signs = true, .products = &t.products };
+    const size_t unproved = d->unproved;
+    ttc_search(d, &integrals, take_unsaid, &t);
+    d->unproved = unproved;
+    *complete = is_complete(f, &ansatz, degree);
+    flint_free(t.products.items);
     flint_free(cofactors);
     ttc_ansatz_clear(&ansatz);
     return true;
@@ -128,19 +191,24 @@ static bool search_degree(ttc_discovery *d, int degree, bool *complete)
 
 void ttc_discover_factors(ttc_discovery *d, const ttc_id *given, size_t given_count)
 {
+    factors f = { .d = d };
     int reached = 0;
     bool complete = false; /* of the last degree, which has all those below */
-    while (reached < d->degree && search_degree(d, reached + 1, &complete)) reached++;
+    while (reached < d->degree && search_degree(&f, reached + 1, &complete)) reached++;
+    const bool any = d->factors.count > 0;
     if (complete)
-        ttc_discovery_remark(d, "factors: no %sP with P' = c P, c != 0 rational in the parameters, deg P <= %d%s",
-                             d->factors.count > 0 ? "other " : "", reached, d->factors.count > 0 ? ", but products of these" : "");
+        ttc_discovery_remark(d, "factors: no %sP with P' = c P, c != 0 rational in the parameters, deg P <= %d%s%s",
+                             any ? "other " : "", reached, any ? ", but sums of products of these" : "",
+                             any && d->integrals.count + f.unsaid.count > 0 ? " and of integrals" : "");
     else
         ttc_discovery_remark(d, "factors: %sP with P' = c P, c != 0 rational in the parameters, deg P <= %d, may exist",
                              d->factors.count > 0 ? "more " : "", reached);
+    d->host.settle(d->host.context, &(ttc_discovery_settled){ "factors", "P' = c P", reached, complete, 0, 0 });
     ttc_factors *invariant = flint_calloc(1, sizeof *invariant);
     ttc_factors_init(invariant, d->flow);
     ttc_extactic_find(d, invariant);
     ttc_relations_find(d, invariant, given, given_count);
     ttc_factors_clear(invariant);
     flint_free(invariant);
+    ttc_knowns_clear(&f.unsaid, d->flow);
 }

@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-enum { ATTEMPTS = 4096 };
+enum { ATTEMPTS = 4096, PRIMES_MAX = 256 };
 
 static bool is_generator(const ttc_ring *ring, slong variable)
 {
@@ -125,7 +125,6 @@ static void set_slopes(ttc_flow *flow)
 ttc_flow *ttc_flow_create(const ttc_model *model, const ttc_bindings *conditions, const char **why)
 {
     ttc_flow *flow = flint_calloc(1, sizeof *flow);
-    nmod_init(&flow->mod, TTC_PRIME);
     flow->model = model;
     flow->is_graded = true;
     flow->valuation = ttc_valuation_create(model, 0);
@@ -151,10 +150,8 @@ ttc_flow *ttc_flow_create(const ttc_model *model, const ttc_bindings *conditions
     if (flow->ring->status != TTC_RING_OK) goto failed;
     *why = "a root becomes rational, with a sign that depends on where one looks (expected conditions that leave it a root)";
     if (flow->ring->choice_count > 0) goto failed;
-    for (size_t i = 0; i < flow->count; i++)
-        ttc_modular_ratio_set(&flow->rates[i], flow->ring, &flow->slopes[flow->variables[i]], flow->mod);
-    for (size_t i = 0; i < flow->ring->generator_count; i++)
-        ttc_modular_ratio_set(&flow->squares[i], flow->ring, &flow->ring->generators[i].square, flow->mod);
+    *why = "no point was found in a prime field (expected fewer roots of numbers)";
+    if (!ttc_flow_take_prime(flow, TTC_PRIME)) goto failed;
     return flow;
 failed:
     ttc_flow_destroy(flow);
@@ -197,13 +194,14 @@ static bool take_roots(const ttc_flow *flow, ulong *values, bool moving, uint64_
     return true;
 }
 
-void ttc_flow_draw_parameters(const ttc_flow *flow, ulong *values, slong zero, uint64_t *source)
+bool ttc_flow_draw_parameters(const ttc_flow *flow, ulong *values, slong zero, uint64_t *source)
 {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
         for (size_t i = 0; i < flow->parameter_count; i++)
             values[flow->parameters[i]] = flow->parameters[i] == zero ? 0 : ttc_modular_draw(source, flow->mod);
-        if (take_roots(flow, values, false, source)) return;
+        if (take_roots(flow, values, false, source)) return true;
     }
+    return false;
 }
 
 bool ttc_flow_draw(const ttc_flow *flow, ulong *values, ulong *logarithmic, uint64_t *source)
@@ -220,6 +218,32 @@ bool ttc_flow_draw(const ttc_flow *flow, ulong *values, ulong *logarithmic, uint
         if (good) return true;
     }
     return false;
+}
+
+static void reduce(ttc_flow *flow, ulong prime)
+{
+    nmod_init(&flow->mod, prime);
+    for (size_t i = 0; i < flow->count; i++)
+        ttc_modular_ratio_set(&flow->rates[i], flow->ring, &flow->slopes[flow->variables[i]], flow->mod);
+    for (size_t i = 0; i < flow->ring->generator_count; i++)
+        ttc_modular_ratio_set(&flow->squares[i], flow->ring, &flow->ring->generators[i].square, flow->mod);
+}
+
+bool ttc_flow_take_prime(ttc_flow *flow, ulong prime)
+{
+    bool found = false;
+    uint64_t source = 1;
+    ulong *values = flint_calloc(flow->ring->variable_count, sizeof *values);
+    ulong *logarithmic = flint_calloc(flow->count + 1, sizeof *logarithmic);
+    for (int tried = 0; tried < PRIMES_MAX && !found; prime--) {
+        if (!n_is_prime(prime)) continue;
+        tried++;
+        reduce(flow, prime);
+        found = ttc_flow_draw_parameters(flow, values, -1, &source) && ttc_flow_draw(flow, values, logarithmic, &source);
+    }
+    flint_free(logarithmic);
+    flint_free(values);
+    return found;
 }
 
 void ttc_flow_logarithmic_rate(const ttc_flow *flow, ttc_ratio *out, const ttc_ratio *a)

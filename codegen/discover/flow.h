@@ -14,7 +14,7 @@ typedef struct {
     const ttc_model *model;
     ttc_valuation *valuation;
     ttc_ring *ring;
-    nmod_t mod;
+    nmod_t mod;          /* of the largest prime, TTC_PRIME or below, at which points were found */
     size_t count;        /* quantities, roots last */
     slong *variables;    /* by quantity: its variable in the ring */
     int *degrees;        /* by quantity: 1; for a root such that the radicand has at most twice its degree */
@@ -32,9 +32,13 @@ typedef struct {
 ttc_flow *ttc_flow_create(const ttc_model *model, const ttc_bindings *conditions, const char **why);
 void ttc_flow_destroy(ttc_flow *flow); /* legal on NULL */
 
+/** Take the largest prime field, of `prime` or a prime below, in which there are points: roots of numbers are in some fields only.
+ *  False: it was not found. Values drawn before, and modular images of other ratios, are of no use then: see ttc_knowns_reduce. */
+bool ttc_flow_take_prime(ttc_flow *flow, ulong prime);
+
 /** Values of parameters, and of roots of them, into values, shape (ring->variable_count,). zero: a parameter's variable to
- *  be 0, or -1. */
-void ttc_flow_draw_parameters(const ttc_flow *flow, ulong *values, slong zero, uint64_t *source);
+ *  be 0, or -1. False: roots of them were not found; of one that is not 0 in a field that was taken they are. */
+bool ttc_flow_draw_parameters(const ttc_flow *flow, ulong *values, slong zero, uint64_t *source);
 
 /** In/out: values, shape (variable_count,), with those of parameters; quantities are drawn. Out: logarithmic rates by quantity,
  *  shape (count,). False: no point was found, as a root is of no square mod p, or a denominator zero, wherever one looks. */

@@ -60,6 +60,9 @@ static void conclude(ttc_discovery *d, const ttc_answer *answer, int reached, co
         ttc_discovery_remark(d, "integrals: no %s %s, deg P <= %d (%zu monomials, rank %zu)", d->integrals.count > 0
                              ? "other" : "integral",
                              ttc_text_string(&form), reached, answer->monomials, rank);
+    if (reached >= 0)
+        d->host.settle(d->host.context, &(ttc_discovery_settled){ "integrals", ttc_text_string(&form), reached, open <= 0,
+                                                                   answer->monomials, rank });
     if (reached >= 0 && open <= 0 && d->integrals.count > 0)
         ttc_discovery_remark(d, "           than %s and sums of %s products", ttc_text_string(&names), d->integrals.count > 1
                              ? "their" : "its");

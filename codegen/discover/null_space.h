@@ -8,7 +8,8 @@
  *  Q(parameters), or over the complex numbers at parameters that reduce to these, have dimension count - r at most; and the same
  *  for all real parameters beyond the zeros of one polynomial, which is not zero. Bad luck with points or the prime makes
  *  the rank smaller than it is, never larger: the bound is a proof, whatever was drawn. That the dimension is not less is shown by
- *  solutions, each proved over Q(parameters). */
+ *  solutions, each proved over Q(parameters). Where the field lacks a root of one of the table's numbers there is no such
+ *  homomorphism: discover/flow.h takes a prime that has them. */
 #ifndef TTC_NULL_SPACE_H
 #define TTC_NULL_SPACE_H
 

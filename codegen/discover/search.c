@@ -87,7 +87,7 @@ static void choose_products(ttc_products *which, const ttc_discovery *d, const t
         } else if (divides) {
             ttc_ratio_multiply(d->flow->ring, &numerator, &known->value, question->divisor);
             which->single[k] = ttc_flow_degree(d->flow, numerator.denominator) == 0;
-            which->degrees[k] = ttc_flow_degree(d->flow, numerator.numerator) - degree;
+            if (which->single[k]) which->degrees[k] = ttc_flow_degree(d->flow, numerator.numerator) - degree;
         }
     }
     ttc_ratio_clear(d->flow->ring, &numerator);
@@ -242,7 +242,8 @@ ttc_answer ttc_search(ttc_discovery *d, const ttc_question *question, ttc_search
         answer.monomials = ansatz.total;
         answer.bound = bound_of(d, question, &ansatz, false, &bounds);
         if (answer.bound >= 0) answer.explained = explained_by(d, question, answer.bound);
-        answer.answered = answer.bound >= 0 && answer.explained >= 0 && (take != NULL || answer.bound == answer.explained);
+        answer.answered = answer.explained >= 0 && answer.explained <= answer.bound
+                          && (take != NULL || answer.bound == answer.explained);
         if (answer.answered && answer.bound > answer.explained) {
             take_all(d, question, &ansatz, bounds, &answer, take, context);
             answer.explained = explained_by(d, question, answer.bound);

@@ -5,6 +5,14 @@
 #include "discover/solution.h"
 #include "discover/span.h"
 
+/* How far was looked for P of one form, in numbers; remarks say the same in words. */
+typedef struct {
+    const char *seek, *form; /* "integrals", "factors" or "densities"; such as "P/(x)" or "P' = c P" */
+    int degree;              /* of P, at most */
+    bool complete;           /* what is known, and sums of products of it as remarks say, is all */
+    size_t monomials, rank;  /* of the matrix that proves this; 0: another argument does */
+} ttc_discovery_settled;
+
 /* Asked by a discovery of who runs it. Each takes `context`. */
 typedef struct {
     void *context;
@@ -13,8 +21,10 @@ typedef struct {
     bool (*prove)(void *context, const char *claims, bool *is_smooth);
     /* The last claims were found, but are not proved. */
     void (*complain)(void *context, const char *claims);
-    /* A line, or several, of the result. */
+    /* A claim of the result, which is proved, in a line or several; a remark on it, in lines of comment. */
     void (*say)(void *context, const char *text);
+    void (*remark)(void *context, const char *text);
+    void (*settle)(void *context, const ttc_discovery_settled *settled);
     /* What is being worked at. */
     void (*progress)(void *context, const char *text);
 } ttc_discovery_host;

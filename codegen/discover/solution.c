@@ -82,16 +82,18 @@ void ttc_solution_sparse(nmod_mat_t out, const nmod_mat_t null, uint64_t *source
     flint_free(order);
 }
 
-size_t ttc_solution_cofactors(ulong *out, const ttc_flow *flow, const ttc_ansatz_block *block, ulong *parameters, uint64_t *source)
+bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, const ttc_ansatz_block *block, ulong *parameters,
+                            uint64_t *source)
 {
-    const slong count = (slong)block->count;
-    size_t found = 0;
+    const slong size = (slong)block->count;
     nmod_mat_t values, rates, cut;
-    nmod_mat_init(values, count, count, flow->mod.n);
-    nmod_mat_init(rates, count, count, flow->mod.n);
-    nmod_mat_init(cut, count, count, flow->mod.n);
-    if (ttc_null_space_rows(values, rates, flow, block, (ttc_twist){ NULL, 0 }, parameters, source)
-        && nmod_mat_solve(cut, values, rates) != 0) {
+    *count = 0;
+    nmod_mat_init(values, size, size, flow->mod.n);
+    nmod_mat_init(rates, size, size, flow->mod.n);
+    nmod_mat_init(cut, size, size, flow->mod.n);
+    const bool good = ttc_null_space_rows(values, rates, flow, block, (ttc_twist){ NULL, 0 }, parameters, source)
+                      && nmod_mat_solve(cut, values, rates) != 0;
+    if (good) {
         nmod_poly_t polynomial;
         nmod_poly_factor_t roots;
         nmod_poly_init(polynomial, flow->mod.n);
@@ -100,7 +102,7 @@ size_t ttc_solution_cofactors(ulong *out, const ttc_flow *flow, const ttc_ansatz
         nmod_poly_roots(roots, polynomial, 0);
         for (slong i = 0; i < roots->num; i++) {
             const ulong root = nmod_neg(nmod_poly_get_coeff_ui(roots->p + i, 0), flow->mod);
-            if (root != 0) out[found++] = root;
+            if (root != 0) out[(*count)++] = root;
         }
         nmod_poly_factor_clear(roots);
         nmod_poly_clear(polynomial);
@@ -108,7 +110,7 @@ size_t ttc_solution_cofactors(ulong *out, const ttc_flow *flow, const ttc_ansatz
     nmod_mat_clear(cut);
     nmod_mat_clear(rates);
     nmod_mat_clear(values);
-    return found;
+    return good;
 }
 
 /* The polynomial at any parameters: its monomials alone are kept. */
@@ -144,8 +146,8 @@ static bool sample(void *context, ulong *out, ulong *parameters)
         return coefficients_at(f, out, parameters, f->cofactor);
     }
     ulong *shifts = flint_calloc(f->block.count + 1, sizeof *shifts);
-    size_t matches = 0;
-    const size_t count = ttc_solution_cofactors(shifts, f->flow, &f->block, parameters, f->source);
+    size_t matches = 0, count = 0;
+    ttc_solution_cofactors(shifts, &count, f->flow, &f->block, parameters, f->source);
     for (size_t i = 0; i < count && matches < 2; i++) {
         if (!coefficients_at(f, out, parameters, shifts[i])) continue;
         out[f->block.count] = shifts[i];

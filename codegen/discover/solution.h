@@ -22,7 +22,9 @@ bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_
 void ttc_solution_clear(ttc_solution_exact *solution, const ttc_flow *flow);
 
 /** Numbers of the field, other than 0, that may be the cofactor of a polynomial of the block, at these parameters: eigenvalues of
- *  the rates, cut off at the block's degree. out: shape (block->count,). Returns how many. Cost: about count^3 operations. */
-size_t ttc_solution_cofactors(ulong *out, const ttc_flow *flow, const ttc_ansatz_block *block, ulong *parameters, uint64_t *source);
+ *  the rates, cut off at the block's degree. out: shape (block->count,); count: how many. False: no points were found, and nothing
+ *  is known of cofactors. Cost: about count^3 operations. */
+bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, const ttc_ansatz_block *block, ulong *parameters,
+                            uint64_t *source);
 
 #endif

@@ -29,6 +29,20 @@ void ttc_knowns_clear(ttc_knowns *knowns, const ttc_flow *flow)
     *knowns = (ttc_knowns){ .count = 0 };
 }
 
+void ttc_knowns_reduce(ttc_knowns *knowns, const ttc_flow *flow)
+{
+    ttc_ratio rate;
+    ttc_ratio_init(flow->ring, &rate);
+    for (size_t i = 0; i < knowns->count; i++) {
+        ttc_known *known = &knowns->items[i];
+        ttc_modular_ratio_set(&known->modular, flow->ring, &known->value, flow->mod);
+        if (known->cofactor.denominator.count == 0) continue;
+        ttc_flow_logarithmic_rate(flow, &rate, &known->value);
+        ttc_modular_ratio_set(&known->cofactor, flow->ring, &rate, flow->mod);
+    }
+    ttc_ratio_clear(flow->ring, &rate);
+}
+
 void ttc_span_init(ttc_span *span, size_t width, nmod_t mod) { *span = (ttc_span){ .mod = mod, .width = width }; }
 
 void ttc_span_clear(ttc_span *span)

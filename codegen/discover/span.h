@@ -21,6 +21,8 @@ typedef struct {
 void ttc_knowns_add(ttc_knowns *knowns, const ttc_flow *flow, const char *name, const ttc_ratio *value, const ttc_ratio *cofactor,
                     int degree);
 void ttc_knowns_clear(ttc_knowns *knowns, const ttc_flow *flow);
+/* Their images in the field that the flow has taken. */
+void ttc_knowns_reduce(ttc_knowns *knowns, const ttc_flow *flow);
 
 /* Vectors of values, in echelon form: what is in their span is told. */
 typedef struct {

@@ -8,11 +8,13 @@
 #include "fields/formula.h"
 #include "prove/prove.h"
 
-/** How programs are spelled: the type of temporaries, inputs (input INDEX input_end), what makes a scalar parameter or
- *  constant one of that type, functions, outputs (output INDEX output_middle VALUE output_end), and whether each temporary
- *  carries its formula. */
+/** How programs are spelled: the type of temporaries, inputs (input INDEX input_end), parameters (parameter ARRAY
+ *  parameter_middle INDEX parameter_end), what makes a constant one of that type, functions, outputs (output INDEX
+ *  output_middle VALUE output_end), and whether each temporary carries its formula. */
 typedef struct {
-    const char *type, *input, *input_end, *broadcast, *broadcast_end;
+    const char *type, *input, *input_end;
+    const char *parameter, *parameter_middle, *parameter_end;
+    const char *broadcast, *broadcast_end;
     const char *root, *cosine, *sine, *exp, *log;
     const char *output, *output_middle, *output_end;
     bool formulas;
@@ -39,7 +41,8 @@ void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program
 void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
                        const ttc_prepared *prepared);
 
-/* The function that computes expressions in the field's symbols from raw parameters, followed by an empty line. False when memory is out. */
+/* The function that computes expressions in the field's symbols from raw parameters, followed by an empty line. False when memory
+ * is out. */
 bool ttc_emit_outputs(ttc_text *text, const char *name, ttc_field *field, const ttc_id *ids, size_t count);
 
 /* The same with a numbered name, such as section0_lift from "section", 0 and "lift". */
@@ -72,8 +75,8 @@ void ttc_emit_ball_name(ttc_text *text, const ttc_field *field);
 /* The kernels of one descriptor on vectors of lanes, to be compiled once for each instruction set. */
 void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
 
-/* Of these `stages_varied`: Runge-Kutta stages of the variational equations. It uses the inline kernels `linear` (field and Jacobian)
- * and `clock` above it. */
+/* Of these `stages_varied`: Runge-Kutta stages of the variational equations. It uses the inline kernels `linear` (field and
+ * Jacobian) and `clock` above it. */
 void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels);
 
 /* The function `jet`: Taylor coefficients of the solution, scalar and on lanes. Its recurrences are in runtime/kernel_jet.h. */
@@ -96,8 +99,8 @@ void ttc_emit_reversor_member(ttc_text *text, const ttc_field *field);
 void ttc_emit_quantities(ttc_text *text, const char *name, const ttc_model *model, const uint32_t *symbols, size_t count,
                          const bool *is_angle);
 
-/* Lifted roots of a field: kernels of their relations; the descriptor's members on them, and on an eliminated state. False when memory is
- * out. */
+/* Lifted roots of a field: kernels of their relations; the descriptor's members on them, and on an eliminated state. False when
+ * memory is out. */
 bool ttc_emit_roots(ttc_text *text, ttc_field *field);
 void ttc_emit_root_member(ttc_text *text, const ttc_field *field);
 

@@ -194,6 +194,7 @@ bool ttc_emit_ball(ttc_text *text, const ttc_catalogue *catalogue)
     ttc_text_add(text, " */\n");
     ttc_text_add(text, "#include \"kernel_ball.h\"\n\n");
     for (size_t i = 0; ok && i < catalogue->count; i++)
-        if (catalogue->fields[i].kernels != NULL && catalogue->fields[i].variant == NULL) ok = add_field(text, catalogue->fields[i].kernels);
+        if (catalogue->fields[i].kernels != NULL && catalogue->fields[i].variant == NULL)
+            ok = add_field(text, catalogue->fields[i].kernels);
     return ok && !text->failed;
 }

@@ -12,7 +12,8 @@ typedef enum { BINDS_SUM, BINDS_PRODUCT, BINDS_ATOM } binding;
 enum { FORMULA_LIMIT = 60 }; /* longer operands appear in formulas by the name of their temporary */
 
 const ttc_dialect ttc_dialect_scalar = {
-    .type = "double", .input = "x[", .input_end = "]", .broadcast = "", .broadcast_end = "",
+    .type = "double", .input = "x[", .input_end = "]",
+    .parameter = "", .parameter_middle = "[", .parameter_end = "]", .broadcast = "", .broadcast_end = "",
     .root = "sqrt(", .cosine = "cos(", .sine = "sin(", .exp = "exp(", .log = "log(",
     .output = "out[", .output_middle = "] = ", .output_end = "", .formulas = true,
 };
@@ -37,7 +38,8 @@ static void add_operand(body *b, ttc_value value)
     if (i->op == TTC_OP_INPUT) {
         ttc_text_format(b->text, "%s%u%s", b->dialect->input, i->index, b->dialect->input_end);
     } else if (i->op == TTC_OP_PARAMETER) {
-        ttc_text_format(b->text, "%s%s[%u]%s", open, b->parameters, i->index, close);
+        ttc_text_format(b->text, "%s%s%s%u%s", b->dialect->parameter, b->parameters, b->dialect->parameter_middle, i->index,
+                        b->dialect->parameter_end);
     } else if (i->op == TTC_OP_CONSTANT) {
         ttc_text_add(b->text, open);
         ttc_emit_constant(b->text, i->constant);
@@ -205,7 +207,9 @@ void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program
                    const ttc_prepared *prepared, const char *parameters, size_t offset)
 {
     size_t n = ttc_program_size(program), count = 0, outputs = ttc_program_output_count(program);
-    body b = { .text = text, .dialect = dialect, .program = program, .field = field, .prepared = prepared, .parameters = parameters };
+    body b = {
+        .text = text, .dialect = dialect, .program = program, .field = field, .prepared = prepared, .parameters = parameters
+    };
     b.numbers = calloc(n + 1, sizeof *b.numbers);
     b.formulas = calloc(n + 1, sizeof *b.formulas);
     b.bindings = calloc(n + 1, sizeof *b.bindings);

@@ -237,7 +237,8 @@ static void name_sums(survey *s)
     for (size_t v = 0; v < n; v++) {
         const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);
         if (s->losses[v] == TTC_CANCELS && whole_of(s, (ttc_value)v) == v) name_place(s, (ttc_value)v);
-        if (i->op == TTC_OP_PARAMETER && ttc_expression_cancels(s->kernels->field, ttc_prepared_at(&s->kernels->prepared, i->index)))
+        if (i->op == TTC_OP_PARAMETER
+            && ttc_expression_cancels(s->kernels->field, ttc_prepared_at(&s->kernels->prepared, i->index)))
             name_place(s, (ttc_value)v);
     }
 }
@@ -255,7 +256,8 @@ static void name_arguments(survey *s)
         }
         add_operation(s, s->text, ttc_program_at(s->program, (ttc_value)v));
     }
-    if (s->found > 0) ttc_text_add(s->text, " of a rounded argument: digits are lost near its zeros, or where an exponent is large");
+    if (s->found > 0)
+        ttc_text_add(s->text, " of a rounded argument: digits are lost near its zeros, or where an exponent is large");
 }
 
 void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind)

@@ -68,7 +68,8 @@ static void add_accuracy(ttc_text *text, ttc_kernels *k)
     ttc_text losses = { 0 };
     ttc_emit_losses(&losses, k, TTC_KERNEL_RHS_JACOBIAN);
     ttc_text_add(text, " *\n *  Accuracy\n");
-    if (losses.length == 0) ttc_text_add(text, " *    no denominator or radicand of the field vanishes in the domain, and no terms cancel\n");
+    if (losses.length == 0)
+        ttc_text_add(text, " *    no denominator or radicand of the field vanishes in the domain, and no terms cancel\n");
     for (char *line = losses.bytes, *end = line; line != NULL; line = end == NULL ? NULL : end + strlen(TTC_LOSS_SEPARATOR)) {
         end = strstr(line, TTC_LOSS_SEPARATOR);
         if (end != NULL) *end = '\0';
@@ -117,8 +118,10 @@ static void add_header(ttc_text *text, ttc_kernels *k)
     add_accuracy(text, k);
     const ttc_kernel *both = k->kernels + TTC_KERNEL_RHS_JACOBIAN;
     if (ttc_program_count(both->optimized).divide < ttc_program_count(both->naive).divide)
-        ttc_text_add(text, " *    one division serves all denominators: their product may leave the range of double precision where none of\n"
-                           " *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN\n");
+        ttc_text_add(
+            text,
+            " *    one division serves all denominators: their product may leave the range of double precision where none of\n"
+            " *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN\n");
     ttc_text_add(text, " */\n");
 }
 
@@ -276,7 +279,8 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     const ttc_field *field = k->field;
     size_t sections = 0, ways = 0;
     add_header(text, k);
-    ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
+    ttc_text_add(text,
+                 "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
     ttc_emit_model_names(text, field->model);
     ttc_text_format(text, "extern const jlt_descriptor jlt_kernels_%s_", field->model->name);
     ttc_emit_stem(text, field);

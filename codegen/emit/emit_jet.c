@@ -1,6 +1,6 @@
 /* Taylor coefficients of the solution, order by order, from the program of the field: each operation becomes the recurrence of
  * its series (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., 2008, ch. 13).
- * What depends on parameters alone stays a number. A coefficient is one double, or a vector of lanes. */
+ * What depends on parameters alone stays a number. A coefficient is one double, or a vector of lanes, and so is a number. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 typedef struct {
     ttc_text *text;
     const ttc_program *program;
-    bool lanes;   /* coefficients are vectors */
+    bool lanes;   /* coefficients and numbers are vectors */
     bool *series; /* by value: depends on states */
 } jet;
 
@@ -16,21 +16,32 @@ static void add_name(jet *j, ttc_value value)
 {
     const ttc_instruction *i = ttc_program_at(j->program, value);
     if (i->op == TTC_OP_INPUT) ttc_text_format(j->text, "x%u", i->index);
-    else if (i->op == TTC_OP_PARAMETER) ttc_text_format(j->text, "p[%u]", i->index);
+    else if (i->op == TTC_OP_PARAMETER) ttc_text_format(j->text, j->lanes ? "jlt_lanes_load(p + %u*JLT_LANES)" : "p[%u]", i->index);
     else if (i->op == TTC_OP_CONSTANT) ttc_emit_constant(j->text, i->constant);
     else if (i->op == TTC_OP_PI) ttc_text_add(j->text, TTC_PI_DOUBLE);
     else ttc_text_format(j->text, "t%u", value);
 }
 
+/* The same as a number: on lanes a constant becomes a vector. */
+static void add_as_number(jet *j, ttc_value value)
+{
+    const ttc_op op = ttc_program_at(j->program, value)->op;
+    const bool is_constant = j->lanes && (op == TTC_OP_CONSTANT || op == TTC_OP_PI);
+
+    ttc_text_add(j->text, is_constant ? "jlt_lanes_of(" : "");
+    add_name(j, value);
+    ttc_text_add(j->text, is_constant ? ")" : "");
+}
+
 /* A number as a series: it has only the coefficient of order 0. */
 static void open_number(jet *j)
 {
-    ttc_text_add(j->text, j->lanes ? "jlt_lanes_of(k == 0 ? " : "(k == 0 ? ");
+    ttc_text_add(j->text, "(k == 0 ? ");
 }
 
 static void close_number(jet *j)
 {
-    ttc_text_add(j->text, " : 0)");
+    ttc_text_add(j->text, j->lanes ? " : jlt_lanes_of(0))" : " : 0)");
 }
 
 /* Coefficient k of an operand. */
@@ -41,7 +52,7 @@ static void add_coefficient(jet *j, ttc_value value)
         ttc_text_add(j->text, "[k]");
     } else {
         open_number(j);
-        add_name(j, value);
+        add_as_number(j, value);
         close_number(j);
     }
 }
@@ -58,9 +69,9 @@ static void add_product(jet *j, ttc_value a, ttc_value b)
     }
     const bool number = !j->series[a] && !j->series[b];
     if (number) open_number(j);
-    add_name(j, a);
+    add_as_number(j, a);
     ttc_text_add(j->text, j->series[a] ? "[k]*" : "*");
-    add_name(j, b);
+    add_as_number(j, b);
     if (j->series[b]) ttc_text_add(j->text, "[k]");
     if (number) close_number(j);
 }
@@ -144,9 +155,22 @@ static void add_recurrence(jet *j, ttc_value value, const ttc_instruction *i)
 
 static void add_number_product(jet *j, const ttc_instruction *i)
 {
-    add_name(j, i->a);
+    add_as_number(j, i->a);
     ttc_text_add(j->text, "*");
-    add_name(j, i->b);
+    add_as_number(j, i->b);
+}
+
+/* The function of one number. */
+static const char *number_function(const jet *j, ttc_op op)
+{
+    static const char *const on_lanes[] = { [TTC_OP_ROOT] = "jlt_lanes_root",
+                                            [TTC_OP_COSINE] = "jlt_lanes_cosine",
+                                            [TTC_OP_SINE] = "jlt_lanes_sine",
+                                            [TTC_OP_EXP] = "jlt_lanes_exp",
+                                            [TTC_OP_LOG] = "jlt_lanes_log" };
+
+    if (op == TTC_OP_NEGATE) return "-";
+    return j->lanes ? on_lanes[op] : ttc_emit_function_name(op);
 }
 
 /* The numbers: what depends on parameters alone. */
@@ -156,7 +180,7 @@ static void add_number(jet *j, ttc_value value, const ttc_instruction *i)
         [TTC_OP_ADD] = " + ", [TTC_OP_SUBTRACT] = " - ", [TTC_OP_MULTIPLY] = "*", [TTC_OP_DIVIDE] = "/",
         [TTC_OP_FMA] = " + ", [TTC_OP_FMS] = " - ",      [TTC_OP_FNMA] = " - ",
     };
-    ttc_text_format(j->text, "    const double t%u = ", value);
+    ttc_text_format(j->text, "    const %s t%u = ", j->lanes ? "jlt_lanes" : "double", value);
     switch (i->op) {
     case TTC_OP_NEGATE:
     case TTC_OP_ROOT:
@@ -164,12 +188,12 @@ static void add_number(jet *j, ttc_value value, const ttc_instruction *i)
     case TTC_OP_SINE:
     case TTC_OP_EXP:
     case TTC_OP_LOG:
-        ttc_text_format(j->text, "%s(", i->op == TTC_OP_NEGATE ? "-" : ttc_emit_function_name(i->op));
-        add_name(j, i->a);
+        ttc_text_format(j->text, "%s(", number_function(j, i->op));
+        add_as_number(j, i->a);
         ttc_text_add(j->text, ")");
         break;
     case TTC_OP_FNMA:
-        add_name(j, i->c);
+        add_as_number(j, i->c);
         ttc_text_add(j->text, " - ");
         add_number_product(j, i);
         break;
@@ -177,12 +201,12 @@ static void add_number(jet *j, ttc_value value, const ttc_instruction *i)
     case TTC_OP_FMS:
         add_number_product(j, i);
         ttc_text_add(j->text, signs[i->op]);
-        add_name(j, i->c);
+        add_as_number(j, i->c);
         break;
     default:
-        add_name(j, i->a);
+        add_as_number(j, i->a);
         ttc_text_add(j->text, signs[i->op]);
-        add_name(j, i->b);
+        add_as_number(j, i->b);
         break;
     }
     ttc_text_add(j->text, ";\n");

@@ -7,7 +7,9 @@ const char *const ttc_isa_files[TTC_ISA_COUNT] = { "baseline.c", "avx2.c", "avx5
 static const unsigned isa_lanes[TTC_ISA_COUNT] = { 2, 4, 8 };
 
 static const ttc_dialect dialect = {
-    .type = "jlt_lanes", .input = "x", .input_end = "", .broadcast = "jlt_lanes_of(", .broadcast_end = ")",
+    .type = "jlt_lanes", .input = "x", .input_end = "",
+    .parameter = "jlt_lanes_load(", .parameter_middle = " + ", .parameter_end = "*JLT_LANES)",
+    .broadcast = "jlt_lanes_of(", .broadcast_end = ")",
     .root = "jlt_lanes_root(", .cosine = "jlt_lanes_cosine(", .sine = "jlt_lanes_sine(",
     .exp = "jlt_lanes_exp(", .log = "jlt_lanes_log(",
     .output = "jlt_lanes_store(out + ", .output_middle = "*stride, ", .output_end = ")", .formulas = false,
@@ -60,7 +62,8 @@ static void add_loading(ttc_text *text, const ttc_field *field, const char *name
 {
     ttc_text_add(text, "\nstatic void ");
     ttc_emit_stem(text, field);
-    ttc_text_format(text, "_%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ", name);
+    ttc_text_format(text, "_%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ",
+                    name);
     ttc_emit_stem(text, field);
     ttc_text_format(text, "_%s(", inlined);
     for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "jlt_lanes_load(x + %zu*stride), ", i);
@@ -97,19 +100,21 @@ static void add_arguments(ttc_text *text, const ttc_field *field, const char *na
     for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "%c%zu, ", letter, i);
 }
 
-/* columns: states, and one more where the clock is carried, whose slope is dt/dtau. */
-static void add_slope_of_sum(ttc_text *text, const ttc_field *field, size_t columns, const side *s)
+/* columns: states, and one more where the clock is carried, whose slope is dt/dtau. Vectors have prepared values of their own, one
+ * vector's behind the other's. */
+static void add_slope_of_sum(ttc_text *text, const ttc_kernels *kernels, size_t columns, const side *s)
 {
-    const size_t n = field->state_count;
+    const ttc_field *field = kernels->field;
+    const size_t n = field->state_count, prepared = ttc_prepared_size(&kernels->prepared);
     ttc_text_format(text, "        const jlt_lanes %ch = jlt_lanes_load(h + %s);\n", s->letter, s->at);
     for (size_t i = 0; i < n; i++)
-        ttc_text_format(text, "        %c%zu = jlt_lanes_fma(%ch, %c%zu, jlt_lanes_load(x + %zu*row + %s));\n", s->letter, i, s->letter,
-                        s->letter, i, i, s->at);
+        ttc_text_format(text, "        %c%zu = jlt_lanes_fma(%ch, %c%zu, jlt_lanes_load(x + %zu*row + %s));\n", s->letter, i,
+                        s->letter, s->letter, i, i, s->at);
     add_arguments(text, field, "field", s->letter);
-    ttc_text_format(text, "p, k + %zu*i*row + %s, row);\n", columns, s->at);
+    ttc_text_format(text, "own + %zu*%s, k + %zu*i*row + %s, row);\n", prepared, s->at, columns, s->at);
     if (columns > n && field->time != NULL) {
         add_arguments(text, field, "clock", s->letter);
-        ttc_text_format(text, "p, k + (%zu*i + %zu)*row + %s, row);\n", columns, n, s->at);
+        ttc_text_format(text, "own + %zu*%s, k + (%zu*i + %zu)*row + %s, row);\n", prepared, s->at, columns, n, s->at);
     } else if (columns > n) {
         ttc_text_format(text, "        jlt_lanes_store(k + (%zu*i + %zu)*row + %s, jlt_lanes_of(1));\n", columns, n, s->at);
     }
@@ -120,11 +125,12 @@ static void add_slope_of_sum(ttc_text *text, const ttc_field *field, size_t colu
 }
 
 /* The loop over stages, for vectors whose sums are taken together. */
-static void add_stage_loop(ttc_text *text, const ttc_field *field, size_t columns, const side *sides, size_t count)
+static void add_stage_loop(ttc_text *text, const ttc_kernels *kernels, size_t columns, const side *sides, size_t count)
 {
-    const size_t n = field->state_count;
+    const size_t n = kernels->field->state_count;
     ttc_text_format(text, "    for (unsigned i = 1; i <= count; i++) {\n"
                           "        const jlt_stage_sum *sum = sums + i - 1;\n"
+                          "        const double *restrict own = jlt_lanes_fresh(p);\n"
                           "        const double *slope = k + %zu*sum->slope[0]*row;\n"
                           "        const jlt_lanes first = jlt_lanes_of(sum->weight[0]);\n", columns);
     for (size_t s = 0; s < count; s++) add_first_slope(text, n, sides + s);
@@ -133,7 +139,7 @@ static void add_stage_loop(ttc_text *text, const ttc_field *field, size_t column
                           "            slope = k + %zu*sum->slope[l]*row;\n", columns);
     for (size_t s = 0; s < count; s++) add_next_slope(text, n, sides + s);
     ttc_text_add(text, "        }\n");
-    for (size_t s = 0; s < count; s++) add_slope_of_sum(text, field, columns, sides + s);
+    for (size_t s = 0; s < count; s++) add_slope_of_sum(text, kernels, columns, sides + s);
     ttc_text_add(text, "    }\n");
 }
 
@@ -161,10 +167,10 @@ static void add_stages(ttc_text *text, const ttc_kernels *kernels, bool clock)
                           "    unsigned count, const double *restrict h, const double *restrict p, double *restrict z)\n{\n"
                           "    enum { row = JLT_BATCH_VECTORS*JLT_LANES };\n", clock ? "_clock" : "");
     if (field->state_count <= SIDE_BY_SIDE_MAX) {
-        add_stage_loop(text, field, columns, together, 2);
+        add_stage_loop(text, kernels, columns, together, 2);
     } else {
         ttc_text_add(text, "    for (unsigned at = 0; at < row; at += JLT_LANES)\n");
-        add_stage_loop(text, field, columns, single, 1);
+        add_stage_loop(text, kernels, columns, single, 1);
     }
     if (clock) add_clock_end(text, field->state_count);
     ttc_text_add(text, "}\n");
@@ -177,7 +183,8 @@ static void add_table(ttc_text *text, const ttc_kernels *kernels)
     ttc_emit_stem(&stem, field);
     ttc_text_format(&name, "JLT_BATCH_NAME(jlt_batch_%s_%s)", field->model->name, ttc_text_string(&stem));
     ttc_text_format(text, "\nextern const jlt_kernel_batch %s;\nconst jlt_kernel_batch %s = {\n"
-                          "    .isa = JLT_BATCH_ISA,\n    .lanes = JLT_LANES,\n", ttc_text_string(&name), ttc_text_string(&name));
+                          "    .isa = JLT_BATCH_ISA,\n    .lanes = JLT_LANES,\n    .prepared = %zu,\n", ttc_text_string(&name),
+                    ttc_text_string(&name), ttc_prepared_size(&kernels->prepared));
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
         if (kernels->kernels[kind].count > 0)
             ttc_text_format(text, "    .%s = %s_%s,\n", ttc_kernel_name((ttc_kernel_kind)kind), ttc_text_string(&stem),
@@ -201,7 +208,8 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels)
     add_loading(text, kernels->field, "rhs", "field");
     add_loading(text, kernels->field, "rhs_jacobian", "linear");
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
-        if (kind != TTC_KERNEL_RHS && kind != TTC_KERNEL_RHS_JACOBIAN && kernels->kernels[kind].count > 0) add_kernel(text, kernels, (ttc_kernel_kind)kind);
+        if (kind != TTC_KERNEL_RHS && kind != TTC_KERNEL_RHS_JACOBIAN && kernels->kernels[kind].count > 0)
+            add_kernel(text, kernels, (ttc_kernel_kind)kind);
     add_stages(text, kernels, false);
     add_stages(text, kernels, true);
     ttc_emit_stages_varied(text, kernels);

@@ -28,7 +28,8 @@ static void add_sums(ttc_text *text, size_t n, const columns *c, size_t count, c
                           "%sjlt_lanes weight = jlt_lanes_of(sum->weight[0]);\n", indent, indent);
     for (size_t s = 0; s < count; s++)
         for (size_t i = 0; i < n; i++)
-            ttc_text_format(text, "%sjlt_lanes %c%zu = weight*jlt_lanes_load(slope + (%s + %zu)*row);\n", indent, c[s].letter, i, c[s].base, i);
+            ttc_text_format(text, "%sjlt_lanes %c%zu = weight*jlt_lanes_load(slope + (%s + %zu)*row);\n", indent, c[s].letter, i,
+                            c[s].base, i);
     ttc_text_format(text, "%sfor (unsigned l = 1; l < sum->count; l++) {\n"
                           "%s    slope = k + (columns*sum->slope[l])*row + at;\n"
                           "%s    weight = jlt_lanes_of(sum->weight[l]);\n", indent, indent, indent);
@@ -39,8 +40,8 @@ static void add_sums(ttc_text *text, size_t n, const columns *c, size_t count, c
     ttc_text_format(text, "%s}\n", indent);
     for (size_t s = 0; s < count; s++)
         for (size_t i = 0; i < n; i++)
-            ttc_text_format(text, "%s%c%zu = jlt_lanes_fma(step, %c%zu, jlt_lanes_load(x + (%s + %zu)*row + at));\n", indent, c[s].letter,
-                            i, c[s].letter, i, c[s].base, i);
+            ttc_text_format(text, "%s%c%zu = jlt_lanes_fma(step, %c%zu, jlt_lanes_load(x + (%s + %zu)*row + at));\n", indent,
+                            c[s].letter, i, c[s].letter, i, c[s].base, i);
     ttc_text_format(text, "%sif (i == count) {\n", indent);
     for (size_t s = 0; s < count; s++)
         for (size_t i = 0; i < n; i++)
@@ -48,13 +49,14 @@ static void add_sums(ttc_text *text, size_t n, const columns *c, size_t count, c
     ttc_text_format(text, "%s}\n", indent);
 }
 
+/* With the prepared values of the vector of lanes. */
 static void add_call(ttc_text *text, const ttc_field *field, const char *name, const char *out)
 {
     ttc_text_add(text, "            ");
     ttc_emit_stem(text, field);
     ttc_text_format(text, "_%s(", name);
     for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "a%zu, ", i);
-    ttc_text_format(text, "p, %s);\n", out);
+    ttc_text_format(text, "own, %s);\n", out);
 }
 
 /* Slopes of the states and of the integrals, from field and Jacobian in `linear`. */
@@ -124,14 +126,17 @@ static void begin_stages(ttc_text *text, const ttc_field *field, const char *nam
 }
 
 /* The loops over vectors of lanes and stages. */
-static void begin_loops(ttc_text *text, size_t n)
+static void begin_loops(ttc_text *text, const ttc_kernels *kernels)
 {
+    const size_t n = kernels->field->state_count;
     ttc_text_format(text, "    for (unsigned at = 0; at < row; at += JLT_LANES) {\n"
                           "        const jlt_lanes step = jlt_lanes_load(h + at);\n"
                           "        for (unsigned i = 1; i <= count; i++) {\n"
+                          "            const double *restrict own = jlt_lanes_fresh(p + %zu*at);\n"
                           "            const jlt_stage_sum *sum = sums + i - 1;\n"
                           "            double *out = k + columns*i*row + at;\n"
-                          "            _Alignas(8*JLT_LANES) double linear[%zu*JLT_LANES];\n", n * (n + 1));
+                          "            _Alignas(8*JLT_LANES) double linear[%zu*JLT_LANES];\n",
+                    ttc_prepared_size(&kernels->prepared), n * (n + 1));
 }
 
 static void end_stages(ttc_text *text)
@@ -152,7 +157,7 @@ static void add_pair(ttc_text *text, const ttc_kernels *kernels)
     snprintf(second, sizeof second, "%zu", 2 * n);
     begin_stages(text, kernels->field, "stages_pair", "");
     ttc_text_format(text, "    const size_t columns = %zu;\n", 3 * n + 2);
-    begin_loops(text, n);
+    begin_loops(text, kernels);
     add_sums(text, n, all, 3, "            ");
     add_call(text, kernels->field, "linear", "linear, JLT_LANES");
     add_slopes(text, kernels);
@@ -173,13 +178,13 @@ void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels)
         ttc_text_add(text, "_stages_pair(x, k, sums, count, h, p, z);\n        return;\n    }\n");
     }
     ttc_text_format(text, "    const size_t columns = %zu*(1 + (size_t)tangents) + 2;\n", n);
-    begin_loops(text, n);
+    begin_loops(text, kernels);
     ttc_text_format(text, "            _Alignas(8*JLT_LANES) double state[%zu*JLT_LANES];\n            {\n", n);
     add_sums(text, n, states, 1, "            ");
     for (size_t i = 0; i < n; i++) ttc_text_format(text, "            jlt_lanes_store(state + %zu*JLT_LANES, a%zu);\n", i, i);
     ttc_text_add(text, "            ");
     ttc_emit_stem(text, kernels->field);
-    ttc_text_add(text, "_rhs_jacobian(state, p, linear, JLT_LANES);\n");
+    ttc_text_add(text, "_rhs_jacobian(state, own, linear, JLT_LANES);\n");
     add_slopes(text, kernels);
     ttc_text_format(text, "            }\n            for (unsigned v = 1; v <= tangents; v++) {\n"
                           "                const size_t first = %zu*(size_t)v;\n", n);

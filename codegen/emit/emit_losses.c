@@ -108,7 +108,8 @@ void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind)
         ttc_text_add(&losses, "takes ");
         ttc_emit_formula(&losses, field->graph, id, ttc_emit_symbol_name, field);
         ttc_text_add(&losses, " = sqrt(");
-        ttc_emit_formula(&losses, field->graph, field->symbols[ttc_symbol_of(field->graph, id)].definition, ttc_emit_symbol_name, field);
+        ttc_emit_formula(&losses, field->graph, field->symbols[ttc_symbol_of(field->graph, id)].definition, ttc_emit_symbol_name,
+                         field);
         ttc_text_add(&losses, "): rounding errors of the states grow without bound where it vanishes");
     }
     ttc_emit_cancellations(&losses, kernels, kind);

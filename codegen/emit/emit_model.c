@@ -97,8 +97,10 @@ void ttc_emit_model_names(ttc_text *text, const ttc_model *model)
 void ttc_emit_model(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report)
 {
     const ttc_model *model = catalogue->model;
-    ttc_text_format(text, "/* %s: its table byte for byte (SHA-256 %s), what is proved of it, its descriptors. Written by ttc %s; do "
-                          "not edit. */\n#include \"kernel_abi.h\"\n\n", model->name, model->sha256, JLT_VERSION);
+    ttc_text_format(text,
+                    "/* %s: its table byte for byte (SHA-256 %s), what is proved of it, its descriptors. Written by ttc %s; do "
+                    "not edit. */\n#include \"kernel_abi.h\"\n\n",
+                    model->name, model->sha256, JLT_VERSION);
     ttc_emit_model_names(text, model);
     ttc_text_add(text, "\n");
     ttc_text_format(text, "const char jlt_table_%s", model->name);

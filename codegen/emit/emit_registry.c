@@ -95,7 +95,7 @@ void ttc_emit_registry(ttc_text *text, const char *manifest)
 {
     ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"registry.h\"\n\n");
     add_list(text, manifest);
-    ttc_text_add(text, "\nconst unsigned jlt_registry_entry_size = sizeof(jlt_descriptor);\n");
+    ttc_text_add(text, "\nconst unsigned jlt_registry_entry_size = sizeof(jlt_descriptor) + sizeof(jlt_kernel_batch);\n");
 }
 
 static const char *name_or_dash(const char *name) { return name == NULL ? "-" : name; }

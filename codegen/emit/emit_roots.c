@@ -1,5 +1,5 @@
-/* Lifted roots of a field: root^2 - radicand, which orbits keep at zero, and its gradient; and, where a state is eliminated, which one, and by
- * which integral. */
+/* Lifted roots of a field: root^2 - radicand, which orbits keep at zero, and its gradient; and, where a state is eliminated, which
+ * one, and by which integral. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -35,14 +35,17 @@ static void add_elimination(ttc_text *text, const ttc_field *field)
     size_t state = 0, integral = 0;
     while (model->states[state] != field->elimination->state) state++;
     for (size_t i = 0; i < field->elimination->integral; i++)
-        integral += model->claims[i].kind == TTC_CLAIM_INTEGRAL && model->claims[i].when.count == 0 && model->claims[i].modulo_count == 0;
+        integral += model->claims[i].kind == TTC_CLAIM_INTEGRAL && model->claims[i].when.count == 0
+                    && model->claims[i].modulo_count == 0;
     ttc_text_format(text, "    .eliminated_state = %zu, .level_integral = %zu,\n", state, integral);
 }
 
 void ttc_emit_root_member(ttc_text *text, const ttc_field *field)
 {
     if (ttc_field_lifted_count(field) > 0)
-        ttc_text_format(text, "    .lifted_count = %zu, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,\n",
-                        ttc_field_lifted_count(field));
+        ttc_text_format(
+            text,
+            "    .lifted_count = %zu, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,\n",
+            ttc_field_lifted_count(field));
     if (field->elimination != NULL) add_elimination(text, field);
 }

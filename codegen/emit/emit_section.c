@@ -163,8 +163,8 @@ static void add_starts(section_emitter *e)
 static void add_list(ttc_text *table, const section_emitter *e, const char *what, size_t count)
 {
     if (count > 0)
-        ttc_text_format(table, "      .%s_count = %zu, .%s = section%zu_%s, .%s_values = section%zu_%s_values,\n", what, count, what,
-                        e->number, what, what, e->number, what);
+        ttc_text_format(table, "      .%s_count = %zu, .%s = section%zu_%s, .%s_values = section%zu_%s_values,\n", what, count,
+                        what, e->number, what, what, e->number, what);
 }
 
 static void add_entry(ttc_text *table, const section_emitter *e)
@@ -172,12 +172,14 @@ static void add_entry(ttc_text *table, const section_emitter *e)
     const ttc_model *chart = e->chart;
     const ttc_field *field = e->kernels->field;
     const size_t k = e->number;
-    ttc_text_format(table, "    { .name = \"%s\", .chart = \"%s\",\n      .sha256 = \"%s\",\n      .table = jlt_chart_%s_%s,\n"
-                           "      .claim = %u, .column = %u, .level = ",
-                    e->claim->name, chart->name, chart->sha256, e->kernels->field->model->name, e->claim->name, (unsigned)e->section->claim,
-                    (unsigned)field->symbols[e->claim->when.items[0].symbol].position);
+    ttc_text_format(table,
+                    "    { .name = \"%s\", .chart = \"%s\",\n      .sha256 = \"%s\",\n      .table = jlt_chart_%s_%s,\n"
+                    "      .claim = %u, .column = %u, .level = ",
+                    e->claim->name, chart->name, chart->sha256, e->kernels->field->model->name, e->claim->name,
+                    (unsigned)e->section->claim, (unsigned)field->symbols[e->claim->when.items[0].symbol].position);
     ttc_emit_constant(table, ttc_coefficient(field->graph, e->claim->when.items[0].expression));
-    ttc_text_format(table, ",\n      .coordinate_count = %zu, .coordinates = section%zu_coordinates, .is_angle = section%zu_is_angle,\n",
+    ttc_text_format(table,
+                    ",\n      .coordinate_count = %zu, .coordinates = section%zu_coordinates, .is_angle = section%zu_is_angle,\n",
                     chart->state_count, k, k);
     if (e->section->image.level_count > 0)
         ttc_text_format(table, "      .level_count = %zu, .levels = section%zu_levels, .integrals = section%zu_integrals,\n",
@@ -201,7 +203,8 @@ static bool prepare(section_emitter *e)
 {
     const ttc_model *model = e->kernels->field->model, *chart = e->chart;
     const size_t n = e->kernels->field->state_count, levels = e->section->image.level_count, q = chart->state_count;
-    size_t outputs = n * (q + levels + 2 * q) + chart->region_count + e->section->beside_count + e->section->ending_count + 2 * q + 1;
+    size_t outputs = n * (q + levels + 2 * q) + chart->region_count + e->section->beside_count + e->section->ending_count + 2 * q
+                     + 1;
     uint32_t *places = calloc(chart->param_count + 1, sizeof *places);
     e->slope_count = q + levels;
     e->slopes = calloc(e->slope_count + 1, sizeof *e->slopes);
@@ -228,7 +231,8 @@ static bool emit_section(section_emitter *e)
     if (!prepare(e)) return false;
     ttc_text_format(e->text, "/* Section %s: %s = ", e->claim->name,
                     e->kernels->field->symbols[e->claim->when.items[0].symbol].name);
-    ttc_emit_formula(e->text, e->kernels->field->graph, e->claim->when.items[0].expression, ttc_emit_symbol_name, e->kernels->field);
+    ttc_emit_formula(e->text, e->kernels->field->graph, e->claim->when.items[0].expression, ttc_emit_symbol_name,
+                     e->kernels->field);
     ttc_text_format(e->text, ", in coordinates of the table %s, SHA-256\n * %s. */\n", e->chart->name, e->chart->sha256);
     const bool ok = emit_lift(e) && emit_lift_slopes(e) && emit_region(e) && emit_back(e) &&
                     emit_shown(e, "beside", section->beside, section->beside_count) &&

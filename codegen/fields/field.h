@@ -64,8 +64,8 @@ typedef enum {
     TTC_FIELD_NO_MEMORY
 } ttc_field_status;
 
-/** Make the field of a variant, a time and an elimination; each may be NULL. On success *out is owned by the caller; otherwise *out is
- *  NULL, and the graph keeps the error unless it is a division by zero. The model, whose graph grows, must outlive the field. */
+/** Make the field of a variant, a time and an elimination; each may be NULL. On success *out is owned by the caller; otherwise *out
+ *  is NULL, and the graph keeps the error unless it is a division by zero. The model, whose graph grows, must outlive the field. */
 ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const ttc_variant *variant,
                                   const ttc_time *time, const ttc_elimination *elimination);
 void ttc_field_destroy(ttc_field *field); /* legal on NULL */

@@ -31,8 +31,8 @@ ttc_id ttc_common_factor(ttc_graph *graph, const ttc_id *terms, size_t count);
  *  are `chosen`, until nothing is left to do. TTC_NONE: more terms than the limit, or memory. */
 ttc_id ttc_multiply_out(ttc_scratch *scratch, ttc_id id, unsigned height, ttc_id chosen);
 
-/* The k-th sum or unit among the factors of an expression's terms; one that occurs several times is counted each time. TTC_NONE: there
- * are k or fewer. */
+/* The k-th sum or unit among the factors of an expression's terms; one that occurs several times is counted each time. TTC_NONE:
+ * there are k or fewer. */
 ttc_id ttc_compound_factor(ttc_scratch *scratch, ttc_id id, size_t k);
 
 #endif

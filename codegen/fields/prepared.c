@@ -1,5 +1,7 @@
 #include "fields/prepared.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 
 void ttc_prepared_clear(ttc_prepared *prepared)
@@ -34,16 +36,10 @@ uint32_t ttc_prepared_index(ttc_prepared *prepared, ttc_id expression)
 {
     uint32_t index = find(prepared, expression);
     if (index != UINT32_MAX) return index;
-    if (prepared->count == prepared->capacity) {
-        size_t capacity = prepared->capacity == 0 ? 16 : 2 * prepared->capacity;
-        ttc_id *entries = realloc(prepared->entries, capacity * sizeof *entries);
-        if (entries == NULL) {
-            prepared->failed = true;
-            return 0;
-        }
-        prepared->entries = entries;
-        prepared->capacity = capacity;
-    }
+    ttc_id *entries = ttc_array_more(prepared->entries, prepared->count, sizeof *entries);
+    prepared->failed |= entries == NULL;
+    if (entries == NULL) return 0;
+    prepared->entries = entries;
     prepared->entries[prepared->count++] = expression;
     return (uint32_t)(prepared->field->param_count + prepared->count - 1);
 }

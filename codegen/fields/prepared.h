@@ -8,7 +8,7 @@
 typedef struct {
     ttc_field *field;
     ttc_id *entries; /* entry k stands at param_count + k */
-    size_t count, capacity;
+    size_t count;
     bool failed;
 } ttc_prepared;
 

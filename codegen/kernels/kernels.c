@@ -157,7 +157,8 @@ static bool add_observed_kernels(ttc_kernels *k)
     ttc_field *field = k->field;
     const ttc_model *model = field->model;
     if (field->variant != NULL || field->elimination != NULL) return true;
-    if (!reserve(k, TTC_KERNEL_OBSERVE_VALUES, model->observed_count) || !reserve(k, TTC_KERNEL_VALID_VALUES, model->validity_count))
+    if (!reserve(k, TTC_KERNEL_OBSERVE_VALUES, model->observed_count)
+        || !reserve(k, TTC_KERNEL_VALID_VALUES, model->validity_count))
         return false;
     for (size_t i = 0; i < model->observed_count; i++)
         append(k, TTC_KERNEL_OBSERVE_VALUES, ttc_field_specialise(field, model->symbols[model->observed[i]].node));
@@ -197,7 +198,8 @@ static bool build_jet(ttc_kernels *k, ttc_effort effort)
 {
     ttc_id *outputs = ttc_kernels_jet_outputs(k);
     if (outputs == NULL) return false;
-    k->jet = ttc_optimize(k->field, outputs, NULL, k->field->state_count + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->prepared);
+    k->jet = ttc_optimize(k->field, outputs, NULL, k->field->state_count + (k->field->time != NULL), TTC_FOR_JETS, effort,
+                          &k->prepared);
     free(outputs);
     return k->jet != NULL;
 }

@@ -52,7 +52,8 @@ static bool in_claims(finder *f)
 {
     for (size_t i = 0; i < f->model->claim_count; i++) {
         const ttc_claim *claim = f->model->claims + i;
-        if (found(f, claim->expression, claim->place) || in_bindings(f, &claim->bindings) || in_bindings(f, &claim->when)) return true;
+        if (found(f, claim->expression, claim->place) || in_bindings(f, &claim->bindings) || in_bindings(f, &claim->when))
+            return true;
         for (size_t k = 0; k < claim->entry_count; k++)
             if (found(f, claim->entries[k], claim->place)) return true;
     }

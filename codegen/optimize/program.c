@@ -1,5 +1,7 @@
 #include "optimize/program.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +11,7 @@ struct ttc_program {
     ttc_value *buckets; /* open addressing, TTC_NO_VALUE: empty; size a power of two above twice the count */
     size_t bucket_count;
     ttc_value *outputs;
-    size_t output_count, output_capacity;
+    size_t output_count;
     bool failed, keeps_duplicates;
 };
 
@@ -338,16 +340,10 @@ void ttc_program_output(ttc_program *program, ttc_value value)
         program->failed = true;
         return;
     }
-    if (program->output_count == program->output_capacity) {
-        size_t capacity = program->output_capacity == 0 ? 16 : 2 * program->output_capacity;
-        ttc_value *outputs = realloc(program->outputs, capacity * sizeof *outputs);
-        if (outputs == NULL) {
-            program->failed = true;
-            return;
-        }
-        program->outputs = outputs;
-        program->output_capacity = capacity;
-    }
+    ttc_value *outputs = ttc_array_more(program->outputs, program->output_count, sizeof *outputs);
+    program->failed |= outputs == NULL;
+    if (outputs == NULL) return;
+    program->outputs = outputs;
     program->outputs[program->output_count++] = value;
 }
 

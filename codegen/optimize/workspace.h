@@ -92,7 +92,8 @@ void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out)
  *  with some others alone, and a step takes all that is worth the same. Returns the work done, in comparisons. */
 uint64_t ttc_workspace_extract(ttc_workspace *workspace, uint64_t seed, uint64_t pair_limit);
 
-/* Write units that are used once back into their user, drop variables that are not used, and choose signs so that few negations are left. */
+/* Write units that are used once back into their user, drop variables that are not used, and choose signs so that few negations are
+ * left. */
 void ttc_workspace_tidy(ttc_workspace *workspace);
 
 /* Put a unit back where it is used. False when a cube would be too long; nothing is changed then. */

@@ -130,7 +130,8 @@ bool ttc_workspace_divide_by_radicands(ttc_workspace *workspace)
     bool changed = false;
     for (uint32_t v = 0; v < count && !workspace->failed; v++) {
         uint32_t root = workspace->variables[v].operand;
-        if (workspace->variables[v].kind != TTC_VARIABLE_RECIPROCAL || workspace->variables[root].kind != TTC_VARIABLE_ROOT) continue;
+        if (workspace->variables[v].kind != TTC_VARIABLE_RECIPROCAL || workspace->variables[root].kind != TTC_VARIABLE_ROOT)
+            continue;
         name_radicand(workspace, root);
         ttc_cube cube = ttc_cube_one(workspace);
         ttc_cube_multiply(&cube, root);

@@ -169,7 +169,8 @@ static void split_squares(converter *c, uint32_t unit)
     if (p->count != 2 || p->cubes[0].sign == p->cubes[1].sign) return;
     unsigned positive = p->cubes[0].sign > 0 ? 0 : 1;
     ttc_cube plus = p->cubes[positive], minus = p->cubes[1 - positive], product = take_common(c, &plus, &minus);
-    bool is_plain = product.count == 0 && product.scale == c->workspace->one && ttc_kind_of(c->field->graph, plus.scale) == TTC_NUMBER
+    bool is_plain = product.count == 0 && product.scale == c->workspace->one
+                    && ttc_kind_of(c->field->graph, plus.scale) == TTC_NUMBER
                     && ttc_kind_of(c->field->graph, minus.scale) == TTC_NUMBER;
     if (product.count + 2 > TTC_CUBE_LIMIT || !square_root(c, &a, &plus) || !square_root(c, &b, &minus)) return;
     c->field->form_count += !is_plain;

@@ -6,8 +6,8 @@
 #include "optimize/program.h"
 #include "optimize/workspace.h"
 
-/** Make the program. Products are multiplied in the order in which their factors are ready, sums are added likewise, so that chains are
- *  short. Scales go to the prepared values. NULL: memory. */
+/** Make the program. Products are multiplied in the order in which their factors are ready, sums are added likewise, so that chains
+ *  are short. Scales go to the prepared values. NULL: memory. */
 ttc_program *ttc_workspace_lower(const ttc_workspace *workspace, ttc_prepared *prepared);
 
 /** A new program in which a product that is used once, in a sum, is one operation with it, and a

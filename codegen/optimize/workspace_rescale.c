@@ -159,7 +159,8 @@ void ttc_workspace_rescale(ttc_workspace *workspace)
     workspace->failed |= users == NULL || !list_users(workspace, &lists);
     for (bool changed_any = true; changed_any && !workspace->failed;) {
         changed_any = false;
-        for (uint32_t v = 0; v < workspace->count && !workspace->failed; v++) changed_any |= rescale_unit(workspace, v, users, &lists);
+        for (uint32_t v = 0; v < workspace->count && !workspace->failed; v++)
+            changed_any |= rescale_unit(workspace, v, users, &lists);
     }
     free(users);
     free(lists.first);

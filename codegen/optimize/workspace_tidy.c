@@ -220,7 +220,8 @@ static void renumber(ttc_workspace *workspace)
                 *factor = number[*factor];
             }
     }
-    for (uint32_t i = 0; i < workspace->output_count && !workspace->failed; i++) workspace->outputs[i] = number[workspace->outputs[i]];
+    for (uint32_t i = 0; i < workspace->output_count && !workspace->failed; i++)
+        workspace->outputs[i] = number[workspace->outputs[i]];
     free(uses);
     free(number);
 }

@@ -1,5 +1,7 @@
 #include "prove/domain.h"
 
+#include "base/array.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,23 +9,17 @@
 /* Every expression that the claim speaks of. */
 typedef struct {
     ttc_id *ids;
-    size_t count, capacity;
+    size_t count;
     bool failed;
 } id_list;
 
 static void add_id(id_list *list, ttc_id id)
 {
     if (id == TTC_NONE) return;
-    if (list->count == list->capacity) {
-        size_t capacity = 2 * list->capacity + 64;
-        ttc_id *ids = realloc(list->ids, capacity * sizeof *ids);
-        if (ids == NULL) {
-            list->failed = true;
-            return;
-        }
-        list->ids = ids;
-        list->capacity = capacity;
-    }
+    ttc_id *ids = ttc_array_more(list->ids, list->count, sizeof *ids);
+    list->failed |= ids == NULL;
+    if (ids == NULL) return;
+    list->ids = ids;
     list->ids[list->count++] = id;
 }
 
@@ -60,7 +56,7 @@ unsigned char *ttc_domain_support(const ttc_task *task)
 {
     const ttc_model *model = task->model;
     const ttc_claim *family = ttc_task_family(task);
-    id_list list = { NULL, 0, 0, false };
+    id_list list = { NULL, 0, false };
     for (size_t i = 0; i < model->equation_count; i++) add_id(&list, model->equations[i].sum);
     for (size_t i = 0; i < model->symbol_count; i++) {
         if (model->symbols[i].kind != TTC_STATE) continue;

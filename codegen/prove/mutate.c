@@ -1,5 +1,6 @@
 #include "prove/mutate.h"
 
+#include "base/array.h"
 #include "read/token.h"
 
 #include <stdlib.h>
@@ -9,7 +10,6 @@ typedef struct {
     const ttc_model *model;
     ttc_token *tokens;
     ttc_mutation_report *report;
-    size_t capacity;
 } mutation;
 
 static bool is_mark(const ttc_token *token, char mark) { return token->kind == TTC_TOKEN_MARK && *token->text == mark; }
@@ -20,17 +20,14 @@ static bool add_mutants(mutation *m, size_t first, size_t last)
 {
     const ttc_token *tokens = m->tokens;
     const char *start = tokens[first].text, *end = tokens[last].text + tokens[last].length;
-    if (m->report->count + 2 > m->capacity) {
-        size_t capacity = 2 * m->capacity + 16;
-        ttc_mutant *grown = realloc(m->report->mutants, capacity * sizeof *grown);
+    for (int dropped = 0; dropped < 2; dropped++) {
+        ttc_mutant *grown = ttc_array_more(m->report->mutants, m->report->count, sizeof *grown);
         if (grown == NULL) return false;
         m->report->mutants = grown;
-        m->capacity = capacity;
-    }
-    for (int dropped = 0; dropped < 2; dropped++)
         m->report->mutants[m->report->count++] = (ttc_mutant){ .place = { tokens[first].line, tokens[first].column },
                                                                .term = start, .term_length = (size_t)(end - start),
                                                                .dropped = dropped == 1 };
+    }
     return true;
 }
 

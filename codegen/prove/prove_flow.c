@@ -5,7 +5,8 @@ void ttc_prove_integral(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
     ttc_ratio value;
-    if (ttc_task_restricts_states(task)) ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
+    if (ttc_task_restricts_states(task))
+        ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
     ttc_ratio_init(task->ring, &value);
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
     bool is_zero = ttc_task_open(task) && ttc_task_is_zero_for_any_roots(task, rate);

@@ -188,8 +188,9 @@ static void require_minor(ttc_task *task, const ttc_ratio *minor)
     free(moves);
 }
 
-/* Onto: on a level of the parameters that are given by expressions, and of what the claim is restricted to, the images of the states have the target's dimension, so
- * that the rank of all gradients is that of the parameters' and the number of the target's states. Into: the rank is ours. */
+/* Onto: on a level of the parameters that are given by expressions, and of what the claim is restricted to, the images of the
+ * states have the target's dimension, so that the rank of all gradients is that of the parameters' and the number of the target's
+ * states. Into: the rank is ours. */
 static void require_dimension(ttc_task *task, const ttc_model *target)
 {
     size_t n = task->model->state_count, count = 0, parameters = 0;

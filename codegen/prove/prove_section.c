@@ -95,7 +95,8 @@ static void look_at_chart(ttc_task *task, const ttc_model *chart)
         const ttc_proof *proof = report->proofs + i;
         task->relies_on_solver |= proof->relies_on_solver;
         if (proof->status != TTC_PROVED)
-            ttc_task_unsettle(task, "the %s %s of %s is %s", proof->kind, proof->name, chart->name, ttc_proof_status_name(proof->status));
+            ttc_task_unsettle(task, "the %s %s of %s is %s", proof->kind, proof->name, chart->name,
+                              ttc_proof_status_name(proof->status));
     }
     ttc_proof_report_destroy(report);
     if (!ttc_task_open(task)) return;
@@ -190,7 +191,8 @@ static void check_levels(ttc_task *task)
 {
     for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
         if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->members[i]) != TTC_PROVED)
-            ttc_task_unsettle(task, "it is on levels of %s, which is not proved", task->model->claims[task->claim->members[i]].name);
+            ttc_task_unsettle(task, "it is on levels of %s, which is not proved",
+                              task->model->claims[task->claim->members[i]].name);
 }
 
 void ttc_prove_section(ttc_task *task)

@@ -218,8 +218,9 @@ void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relat
     }
     free(point);
     ttc_task_unsettle(task, "%s: %s", what == NULL ? "" : what,
-                      result == TTC_POINT_FOUND ? "so at a point that may lie outside the domain, as conditions use what is in question"
-                                                : "neither shown nor refuted at a point");
+                      result == TTC_POINT_FOUND
+                          ? "so at a point that may lie outside the domain, as conditions use what is in question"
+                          : "neither shown nor refuted at a point");
     free(what);
 }
 

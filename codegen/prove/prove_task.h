@@ -89,8 +89,8 @@ const ttc_claim *ttc_task_family(const ttc_task *task);
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
 /* Whether an expression is zero, roots being taken for independent variables: a quick way, by which only `true` says anything. */
 bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id);
-/** Refutes that an expression is zero, at one point of the leaf and in balls, without any algebra: for tables with so many roots that
- *  the remainder would be out of reach. True when it has. */
+/** Refutes that an expression is zero, at one point of the leaf and in balls, without any algebra: for tables with so many roots
+ *  that the remainder would be out of reach. True when it has. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
 /* Whether a ratio changes with the states. */
 bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);

@@ -115,7 +115,8 @@ ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section,
     ttc_model *chart = diagnostics == NULL ? NULL : resolver(context, model, file, diagnostics);
     if (diagnostics != NULL) ttc_diagnostics_first_error(diagnostics, error, sizeof error);
     ttc_diagnostics_destroy(diagnostics);
-    if (chart == NULL) snprintf(reason, size, "the table of coordinates %s could not be read%s%s", file, *error == '\0' ? "" : ": ", error);
+    if (chart == NULL)
+        snprintf(reason, size, "the table of coordinates %s could not be read%s%s", file, *error == '\0' ? "" : ": ", error);
     else if (ttc_section_fits(model, section, chart, reason, size)) return chart;
     ttc_model_destroy(chart);
     return NULL;

@@ -1,5 +1,7 @@
 #include "read/token.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +16,7 @@ typedef struct {
     uint32_t line;
     ttc_diagnostics *diagnostics;
     ttc_token *tokens;
-    size_t count, capacity;
+    size_t count;
     bool line_opens; /* no token of this line yet */
 } lexer;
 
@@ -72,13 +74,9 @@ static uint32_t column_of(const lexer *l, const char *at) { return (uint32_t)(at
 
 static bool push(lexer *l, ttc_token_kind kind, ttc_keyword keyword, const char *start, const char *text, size_t length)
 {
-    if (l->count == l->capacity) {
-        size_t capacity = 2 * l->capacity + 64;
-        ttc_token *tokens = realloc(l->tokens, capacity * sizeof *tokens);
-        if (tokens == NULL) return false;
-        l->tokens = tokens;
-        l->capacity = capacity;
-    }
+    ttc_token *tokens = ttc_array_more(l->tokens, l->count, sizeof *tokens);
+    if (tokens == NULL) return false;
+    l->tokens = tokens;
     l->tokens[l->count++] = (ttc_token){ kind, keyword, l->line, column_of(l, start), (uint32_t)length, text };
     return true;
 }

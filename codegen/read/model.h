@@ -1,7 +1,8 @@
-/** A model: what one term table says, names resolved and expressions in one graph.
+/** A model: what one term table says, with names resolved and all expressions in one graph.
  *
- *  Everything is plain data that later passes read and never change; symbol numbers index `symbols` and are the symbol
- *  numbers of the graph. Order of appearance is kept everywhere. */
+ *  Everything is plain data, which later passes read and never change. A symbol is known by its number, which is its index in
+ *  `symbols` and its number in the graph; a claim by its index in `claims`. Lists are in the order of the table. An array has the
+ *  count that stands beside it. */
 #ifndef TTC_MODEL_H
 #define TTC_MODEL_H
 
@@ -15,7 +16,7 @@ typedef struct {
 typedef enum {
     TTC_PARAM,
     TTC_STATE,
-    TTC_ROOT,   /* definition = radicand; symbol^2 = radicand, symbol > 0 */
+    TTC_ROOT,   /* definition = radicand: symbol^2 = radicand and symbol > 0 */
     TTC_COSINE, /* definition = angle; partner = the sine */
     TTC_SINE,
     TTC_LET,    /* definition = what it stands for */
@@ -34,10 +35,10 @@ typedef struct {
     ttc_place place;
     ttc_id node;       /* the symbol itself in the graph */
     ttc_id definition; /* see the kinds; TTC_NONE otherwise. Its node stands before `node` in the graph */
-    uint32_t partner;  /* of an angle pair */
+    uint32_t partner;  /* TTC_COSINE, TTC_SINE: the other symbol of the pair */
     ttc_sign sign;     /* TTC_PARAM */
-    ttc_id period;     /* TTC_STATE: a number > 0, of which `periodic` claims pi times as much where `in_pi`; TTC_NONE: none */
-    bool in_pi;
+    ttc_id period;     /* TTC_STATE: the period that `periodic` claims, a number > 0; TTC_NONE: the state is no angle */
+    bool in_pi;        /* that number is in units of pi */
     ttc_id low, high;  /* TTC_STATE: open interval, constants or expressions in parameters; TTC_NONE: unbounded */
     ttc_id value;      /* TTC_PARAM: the default, a number; TTC_NONE: none given */
 } ttc_symbol_entry;
@@ -52,7 +53,7 @@ typedef struct {
     uint32_t state; /* symbol */
     ttc_term *terms;
     size_t term_count;
-    ttc_id sum;
+    ttc_id sum;     /* of the terms: d(state)/dt */
     ttc_place place;
 } ttc_equation;
 
@@ -297,11 +298,11 @@ void ttc_model_destroy(ttc_model *model); /* legal on NULL */
 
 void ttc_claim_clear(ttc_claim *claim); /* frees what it holds */
 
-/* Symbol or claim by name; false when there is none. */
+/* Find a symbol or a claim by its name; false when there is none. */
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);
 
-/* A function of its definition: a root, cosine, sine, exponential or logarithm. */
+/* Whether symbols of this kind are functions of their definition: roots, cosines, sines, exponentials, logarithms. */
 bool ttc_symbol_is_function(ttc_symbol_kind kind);
 
 /* What such a function is called, "sqrt", "cos", ...; "" for other kinds. */
@@ -310,11 +311,11 @@ const char *ttc_symbol_function(ttc_symbol_kind kind);
 /* Replace every `let` by its definition, all the way down. Functions stay symbols. */
 ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
 
-/* True when `id` depends on `symbol`, through definitions. */
+/* Whether an expression depends on a symbol, also through definitions. */
 bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
 
-/* All symbols that any of the `count` expressions depends on, through definitions: shape (symbol_count,), 1 or 0, for the
- * caller to free; NULL when memory is out. */
+/* Which symbols the expressions, shape (count,), depend on, also through definitions: an array, shape (symbol_count,), of 1 and 0,
+ * for the caller to free; NULL when memory is out. */
 unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count);
 
 /* The definitions that equations, intervals and domain records name, and those that these name in their turn, as written: shape
@@ -334,10 +335,11 @@ ttc_id ttc_model_rate(const ttc_model *model, ttc_id id);
 /* What is positive where a state stands on the inner side of this end of its interval; TTC_NONE: it has no such end. */
 ttc_id ttc_model_inside(const ttc_model *model, uint32_t state, bool is_high);
 
-/* The k-th equation's right-hand side: the sum of its terms. */
+/* The right-hand side of equation number k: the sum of its terms. */
 ttc_id ttc_model_field(const ttc_model *model, size_t k);
 
-/* Claims whose name is that of an equilibria claim: trace, charpoly, obstructs, matrix, leftnull. */
+/* Whether claims of this kind have the name of a claim `equilibria` and speak of its family: trace, charpoly, obstructs, matrix,
+ * leftnull. */
 bool ttc_claim_speaks_of_family(ttc_claim_kind kind);
 
 const char *ttc_claim_kind_name(ttc_claim_kind kind); /* as written in the table: "integral", ... */

@@ -48,7 +48,7 @@ static bool parse_unit_and_meaning(ttc_parser *parser, uint32_t symbol)
 
 static bool append_index(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
 {
-    uint32_t *grown = ttc_parse_extend(*list, *count, sizeof *grown);
+    uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
     if (grown == NULL) return ttc_parse_no_memory(parser);
     *list = grown;
     grown[(*count)++] = index;
@@ -378,7 +378,7 @@ bool ttc_parse_region(ttc_parser *parser)
     const size_t first = parser->at;
     ttc_id expression = ttc_parse_expression(parser);
     if (expression == TTC_NONE || !ttc_parse_positive(parser, "a domain is where an expression is > 0")) return false;
-    ttc_region *regions = ttc_parse_extend(model->regions, model->region_count, sizeof *regions);
+    ttc_region *regions = ttc_array_more(model->regions, model->region_count, sizeof *regions);
     if (regions == NULL) return ttc_parse_no_memory(parser);
     model->regions = regions;
     ttc_region *region = regions + model->region_count;

@@ -39,7 +39,7 @@ bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
     const ttc_symbol_kind kind = parser->model->symbols[symbol].kind;
     if (kind != TTC_LET && !ttc_symbol_is_function(kind)) return true;
     if (parser->use_count > 0 && parser->uses[parser->use_count - 1] == symbol) return true;
-    uint32_t *uses = ttc_parse_extend(parser->uses, parser->use_count, sizeof *uses);
+    uint32_t *uses = ttc_array_more(parser->uses, parser->use_count, sizeof *uses);
     if (uses == NULL) return ttc_parse_no_memory(parser);
     parser->uses = uses;
     uses[parser->use_count++] = symbol;
@@ -50,7 +50,7 @@ bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
 static bool note_divisor(ttc_parser *parser, ttc_id divisor)
 {
     if (ttc_kind_of(parser->model->graph, divisor) == TTC_NUMBER) return true;
-    ttc_id *divisors = ttc_parse_extend(parser->divisors, parser->divisor_count, sizeof *divisors);
+    ttc_id *divisors = ttc_array_more(parser->divisors, parser->divisor_count, sizeof *divisors);
     if (divisors == NULL) return ttc_parse_no_memory(parser);
     parser->divisors = divisors;
     divisors[parser->divisor_count++] = divisor;
@@ -118,7 +118,8 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
 static ttc_id parse_parentheses(ttc_parser *parser)
 {
     if (parser->nesting >= TTC_NESTING_LIMIT) {
-        ttc_parse_error(parser, ttc_token_place(ttc_parse_peek(parser)), "parentheses nest too deep (expected at most %d)", TTC_NESTING_LIMIT);
+        ttc_parse_error(parser, ttc_token_place(ttc_parse_peek(parser)), "parentheses nest too deep (expected at most %d)",
+                        TTC_NESTING_LIMIT);
         return TTC_NONE;
     }
     parser->at++;

@@ -40,7 +40,7 @@ static bool parse_variant(ttc_parser *parser, const ttc_token *name)
     for (size_t i = 0; i < model->variant_count; i++)
         if (ttc_token_is(name, model->variants[i].name)) taken = model->variants[i].name;
     if (!check_new(parser, name, "variant", model->variant_count, taken)) return false;
-    ttc_variant *variants = ttc_parse_extend(model->variants, model->variant_count, sizeof *variants);
+    ttc_variant *variants = ttc_array_more(model->variants, model->variant_count, sizeof *variants);
     if (variants == NULL) return ttc_parse_no_memory(parser);
     model->variants = variants;
     ttc_variant *variant = variants + model->variant_count;
@@ -71,7 +71,7 @@ static bool parse_lifted(ttc_parser *parser, ttc_time *time)
             if (time->lifted[i] == symbol)
                 return ttc_parse_error(parser, ttc_token_place(name), "'%s' is lifted twice",
                                        parser->model->symbols[symbol].name);
-        uint32_t *lifted = ttc_parse_extend(time->lifted, time->lifted_count, sizeof *lifted);
+        uint32_t *lifted = ttc_array_more(time->lifted, time->lifted_count, sizeof *lifted);
         if (lifted == NULL) return ttc_parse_no_memory(parser);
         time->lifted = lifted;
         lifted[time->lifted_count++] = symbol;
@@ -86,7 +86,7 @@ static bool parse_time(ttc_parser *parser, const ttc_token *name)
     for (size_t i = 0; i < model->time_count; i++)
         if (ttc_token_is(name, model->times[i].name)) taken = model->times[i].name;
     if (!check_new(parser, name, "time", model->time_count, taken)) return false;
-    ttc_time *times = ttc_parse_extend(model->times, model->time_count, sizeof *times);
+    ttc_time *times = ttc_array_more(model->times, model->time_count, sizeof *times);
     if (times == NULL) return ttc_parse_no_memory(parser);
     model->times = times;
     ttc_time *time = times + model->time_count;
@@ -120,7 +120,7 @@ static bool parse_elimination(ttc_parser *parser, const ttc_token *name)
     for (size_t i = 0; i < model->elimination_count; i++)
         if (ttc_token_is(name, model->eliminations[i].name)) taken = model->eliminations[i].name;
     if (!check_new(parser, name, "eliminate", model->elimination_count, taken)) return false;
-    ttc_elimination *eliminations = ttc_parse_extend(model->eliminations, model->elimination_count, sizeof *eliminations);
+    ttc_elimination *eliminations = ttc_array_more(model->eliminations, model->elimination_count, sizeof *eliminations);
     if (eliminations == NULL) return ttc_parse_no_memory(parser);
     model->eliminations = eliminations;
     ttc_elimination *elimination = eliminations + model->elimination_count;

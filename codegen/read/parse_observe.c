@@ -28,10 +28,11 @@ static bool observe(ttc_parser *parser, uint32_t symbol, ttc_place place)
     ttc_model *model = parser->model;
     const char *name = model->symbols[symbol].name;
     if (model->symbols[symbol].kind != TTC_LET)
-        return ttc_parse_error(parser, place, "'%s' is no let (expected one, or a name of its own: 'observe NAME = %s')", name, name);
+        return ttc_parse_error(parser, place, "'%s' is no let (expected one, or a name of its own: 'observe NAME = %s')", name,
+                               name);
     if (is_column(name)) return ttc_parse_error(parser, place, "'%s' is a column of every table (expected another name)", name);
     if (is_observed(model, symbol)) return ttc_parse_error(parser, place, "'%s' is observed twice", name);
-    uint32_t *observed = ttc_parse_extend(model->observed, model->observed_count, sizeof *observed);
+    uint32_t *observed = ttc_array_more(model->observed, model->observed_count, sizeof *observed);
     if (observed == NULL) return ttc_parse_no_memory(parser);
     model->observed = observed;
     observed[model->observed_count++] = symbol;
@@ -74,7 +75,7 @@ bool ttc_parse_valid(ttc_parser *parser)
     ttc_id expression = ttc_parse_expression(parser);
     parser->may_rate = false;
     if (expression == TTC_NONE || !ttc_parse_positive(parser, "the model holds where an expression is > 0")) return false;
-    ttc_validity *validities = ttc_parse_extend(model->validities, model->validity_count, sizeof *validities);
+    ttc_validity *validities = ttc_array_more(model->validities, model->validity_count, sizeof *validities);
     if (validities == NULL) return ttc_parse_no_memory(parser);
     model->validities = validities;
     ttc_validity *validity = validities + model->validity_count;

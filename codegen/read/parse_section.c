@@ -46,7 +46,7 @@ bool ttc_parse_pole(ttc_parser *parser)
     if (!is_number(model, entry->low) || !is_number(model, entry->high))
         return ttc_parse_error(parser, pole.place, "'%s' has no interval that ends at numbers, and no poles (expected 'state %s in "
                                "(LO, HI)')", entry->name, entry->name);
-    ttc_pole *poles = ttc_parse_extend(model->poles, model->pole_count, sizeof *poles);
+    ttc_pole *poles = ttc_array_more(model->poles, model->pole_count, sizeof *poles);
     if (poles == NULL) return ttc_parse_no_memory(parser);
     model->poles = poles;
     poles[model->pole_count] = pole;
@@ -56,7 +56,7 @@ bool ttc_parse_pole(ttc_parser *parser)
 static ttc_section *add_section(ttc_parser *parser)
 {
     ttc_model *model = parser->model;
-    ttc_section *sections = ttc_parse_extend(model->sections, model->section_count, sizeof *sections);
+    ttc_section *sections = ttc_array_more(model->sections, model->section_count, sizeof *sections);
     if (sections == NULL) {
         ttc_parse_no_memory(parser);
         return NULL;
@@ -75,11 +75,12 @@ static bool parse_shown(ttc_parser *parser, uint32_t **list, size_t *count)
         if (!parse_symbol(parser, "a let, a root or a state", &name, &symbol)) return false;
         const ttc_symbol_entry *entry = parser->model->symbols + symbol;
         if (entry->kind != TTC_LET && entry->kind != TTC_ROOT && entry->kind != TTC_STATE)
-            return ttc_parse_error(parser, ttc_token_place(name), "'%s' cannot be shown (expected a let, a root or a state)", entry->name);
+            return ttc_parse_error(parser, ttc_token_place(name), "'%s' cannot be shown (expected a let, a root or a state)",
+                                   entry->name);
         for (size_t i = 0; i < *count; i++)
             if ((*list)[i] == symbol) return ttc_parse_error(parser, ttc_token_place(name), "'%s' is shown twice", entry->name);
         if (!ttc_parse_uses(parser, symbol)) return false;
-        uint32_t *grown = ttc_parse_extend(*list, *count, sizeof *grown);
+        uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
         if (grown == NULL) return ttc_parse_no_memory(parser);
         *list = grown;
         grown[(*count)++] = symbol;
@@ -131,7 +132,8 @@ static bool parse_point(ttc_parser *parser, ttc_start *start)
         if (!parse_symbol(parser, "a coordinate", &name, &symbol)) return false;
         while (i < model->state_count && model->states[i] != symbol) i++;
         if (i == model->state_count)
-            return ttc_parse_error(parser, ttc_token_place(name), "'%s' is not a state (expected one)", model->symbols[symbol].name);
+            return ttc_parse_error(parser, ttc_token_place(name), "'%s' is not a state (expected one)",
+                                   model->symbols[symbol].name);
         if (start->point[i] != TTC_NONE)
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' is set twice", model->symbols[symbol].name);
         if (!ttc_parse_expect_mark(parser, '=', "the coordinate")) return false;
@@ -161,7 +163,7 @@ bool ttc_parse_start(ttc_parser *parser)
                                    (unsigned)model->starts[i].place.line);
     if (model->start_count >= TTC_REGION_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many starts (expected at most %d)", TTC_REGION_LIMIT);
-    ttc_start *starts = ttc_parse_extend(model->starts, model->start_count, sizeof *starts);
+    ttc_start *starts = ttc_array_more(model->starts, model->start_count, sizeof *starts);
     if (starts == NULL) return ttc_parse_no_memory(parser);
     model->starts = starts;
     ttc_start *start = starts + model->start_count;

@@ -77,7 +77,8 @@ typedef struct {
 
 static record_counts counts_of(const ttc_model *model)
 {
-    return (record_counts){ model->symbol_count, model->claim_count, model->variant_count, model->time_count, model->validity_count };
+    return (record_counts){ model->symbol_count, model->claim_count, model->variant_count, model->time_count,
+                            model->validity_count };
 }
 
 static bool defines_by_expression(ttc_keyword keyword)
@@ -95,13 +96,14 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     if (now.claims > before.claims) d = (ttc_divisor){ .role = TTC_DIVIDES_CLAIM, .owner = (uint32_t)before.claims };
     else if (now.variants > before.variants) d = (ttc_divisor){ .role = TTC_DIVIDES_VARIANT, .owner = (uint32_t)before.variants };
     else if (now.times > before.times) d = (ttc_divisor){ .role = TTC_DIVIDES_TIME, .owner = (uint32_t)before.times };
-    else if (now.validities > before.validities) d = (ttc_divisor){ .role = TTC_DIVIDES_VALID, .owner = (uint32_t)before.validities };
+    else if (now.validities > before.validities)
+        d = (ttc_divisor){ .role = TTC_DIVIDES_VALID, .owner = (uint32_t)before.validities };
     else if (now.symbols > before.symbols && defines_by_expression(keyword))
         d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)now.symbols - 1 };
     else if (keyword == TTC_KEYWORD_TIER) d.role = TTC_DIVIDES_TIER;
     else if (keyword == TTC_KEYWORD_LIFT || keyword == TTC_KEYWORD_TURNS) d.role = TTC_DIVIDES_LIFT;
     for (size_t i = 0; i < parser->divisor_count; i++) {
-        ttc_divisor *divisors = ttc_parse_extend(model->divisors, model->divisor_count, sizeof *divisors);
+        ttc_divisor *divisors = ttc_array_more(model->divisors, model->divisor_count, sizeof *divisors);
         if (divisors == NULL) {
             ttc_parse_no_memory(parser);
             return;
@@ -112,7 +114,7 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     }
     parser->divisor_count = 0;
     for (size_t i = 0; i < parser->use_count; i++) {
-        ttc_use *uses = ttc_parse_extend(model->uses, model->use_count, sizeof *uses);
+        ttc_use *uses = ttc_array_more(model->uses, model->use_count, sizeof *uses);
         if (uses == NULL) {
             ttc_parse_no_memory(parser);
             return;

@@ -42,9 +42,9 @@ bool ttc_parse_target_bindings(ttc_parser *parser, ttc_bindings *bindings, char 
         ttc_id expression = ttc_parse_expression(parser);
         if (expression == TTC_NONE) return false;
         size_t count = bindings->count;
-        ttc_binding *items = ttc_parse_extend(bindings->items, count, sizeof *items);
+        ttc_binding *items = ttc_array_more(bindings->items, count, sizeof *items);
         if (items != NULL) bindings->items = items;
-        char **grown = ttc_parse_extend(*names, count, sizeof *grown);
+        char **grown = ttc_array_more(*names, count, sizeof *grown);
         if (grown != NULL) *names = grown;
         if (items == NULL || grown == NULL) return ttc_parse_no_memory(parser);
         grown[count] = ttc_parse_copy(parser, name->text, name->length);

@@ -11,7 +11,7 @@ static bool parse_inequalities(ttc_parser *parser, ttc_inequalities *list, const
                                    TTC_REGION_LIMIT);
         const ttc_id expression = ttc_parse_expression(parser);
         if (expression == TTC_NONE || !ttc_parse_positive(parser, rule)) return false;
-        ttc_inequality *items = ttc_parse_extend(list->items, list->count, sizeof *items);
+        ttc_inequality *items = ttc_array_more(list->items, list->count, sizeof *items);
         if (items == NULL) return ttc_parse_no_memory(parser);
         list->items = items;
         items[list->count] = (ttc_inequality){ expression, ttc_parse_text_since(parser, first) };
@@ -23,7 +23,7 @@ static bool parse_inequalities(ttc_parser *parser, ttc_inequalities *list, const
 static ttc_way *add_way(ttc_parser *parser)
 {
     ttc_model *model = parser->model;
-    ttc_way *ways = ttc_parse_extend(model->ways, model->way_count, sizeof *ways);
+    ttc_way *ways = ttc_array_more(model->ways, model->way_count, sizeof *ways);
     if (ways == NULL) {
         ttc_parse_no_memory(parser);
         return NULL;

@@ -5,12 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void *ttc_parse_extend(void *array, size_t count, size_t size)
-{
-    bool full = (count & (count - 1)) == 0; /* zero or a power of two */
-    return full ? realloc(array, (count == 0 ? 1 : 2 * count) * size) : array;
-}
-
 ttc_place ttc_token_place(const ttc_token *token) { return (ttc_place){ token->line, token->column }; }
 
 const ttc_token *ttc_parse_peek(const ttc_parser *parser) { return parser->tokens + parser->at; }

@@ -1,8 +1,10 @@
-/* Inside of the parser: tokens to model. Each ttc_parse_... reads from the token at hand, reports what is wrong and then
- * returns false (or TTC_NONE); the driver goes on at the next record. */
+/* Inside of the parser, which makes a model of tokens. Each ttc_parse_... reads from the current token, parser->tokens[parser->at],
+ * and leaves the first one that it has not read. Where something is wrong it reports that to the diagnostics and returns false,
+ * NULL or TTC_NONE; ttc_model_parse then goes on at the next record. */
 #ifndef TTC_PARSER_H
 #define TTC_PARSER_H
 
+#include "base/array.h"
 #include "read/model.h"
 #include "read/token.h"
 
@@ -32,34 +34,35 @@ typedef struct {
     ttc_diagnostics *diagnostics;
     const ttc_token *tokens;
     size_t at;
-    size_t errors_before; /* reports of earlier tables */
+    size_t errors_before; /* errors that the diagnostics had before this table */
     bool out_of_memory;
 
-    uint32_t *hashes;    /* of names, by symbol */
-    unsigned char *used; /* by symbol */
-    ttc_reference *references;
+    uint32_t *hashes;    /* hash of the name, by symbol */
+    unsigned char *used; /* by symbol: 1 where some record uses it; the others get a warning */
+    ttc_reference *references; /* (reference_count,): to be looked up at the end of the table */
     size_t reference_count;
 
-    /* Expressions under construction: operands of nested sums and products on one stack. */
+    /* Expressions under construction: one stack has the operands of all sums and products that are open, the inner ones on top. */
     ttc_id *operands;
     long *exponents;
-    fmpq *weights; /* 1 or -1, which need no clearing */
+    fmpq *weights; /* 1 or -1: small numbers of FLINT, which need no clearing */
     ttc_place *places;
     size_t operand_count, operand_capacity;
     unsigned nesting;
-    bool in_charpoly; /* `lambda` is the indeterminate */
-    bool may_rate;    /* rate(expression) may stand here */
+    bool in_charpoly; /* the record is a `charpoly`, in which `lambda` is the indeterminate */
+    bool may_rate;    /* rate(expression) is allowed in this record */
 
-    ttc_id *divisors; /* of the record at hand, as written */
+    ttc_id *divisors; /* what the current record divides by, as written */
     size_t divisor_count;
-    uint32_t *uses;   /* definitions that it names */
+    uint32_t *uses;   /* definitions (let, root, function) that the current record names */
     size_t use_count;
 
-    double *expansions; /* by node: operands when written out in full */
-    size_t measured, measured_capacity;
+    double *expansions; /* by node of the graph: how many operands it has when all definitions are written out */
+    size_t measured, measured_capacity; /* the last node for which that is known; room */
 } ttc_parser;
 
-/* Tokens. */
+/* Tokens. _at looks whether the current token is this one; _accept reads it where it is; _expect reads it, or reports what was
+ * expected, `after` saying behind what. */
 const ttc_token *ttc_parse_peek(const ttc_parser *parser);
 bool ttc_parse_at_mark(const ttc_parser *parser, char mark);
 bool ttc_parse_at_keyword(const ttc_parser *parser, ttc_keyword keyword);
@@ -80,13 +83,14 @@ bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ..
 bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
 
 /* Expressions. */
-bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol); /* notes a definition that this record names */
+bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol); /* notes that the current record names this definition */
 ttc_id ttc_parse_expression(ttc_parser *parser);
-/* The terms of a sum, left on the operand stack from the returned index on; SIZE_MAX after a report. */
+/* Read the terms of a sum, and leave them on the stack of operands, from the index that is returned on; SIZE_MAX after a report. */
 size_t ttc_parse_terms(ttc_parser *parser);
 ttc_id ttc_parse_number(ttc_parser *parser, const ttc_token *token);
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place); /* reports the graph's error; always TTC_NONE */
-bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place); /* expansion within its limit */
+/* Report an expression that has more than TTC_EXPANSION_LIMIT operands when written out; false then. */
+bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place);
 
 /* Names. */
 bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *symbol); /* lambda excluded */
@@ -101,6 +105,7 @@ char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length); /* NU
 char *ttc_parse_text_since(ttc_parser *parser, size_t first); /* NULL when memory is out */
 
 /* Lists shared by records. */
+/* NAME = expr, ... of symbols of these kinds, a mask of 1 << ttc_symbol_kind. */
 bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kinds, const char *expected);
 void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings); /* warns of excluded values */
 /* FILE.tt, a table beside this one. */
@@ -137,8 +142,5 @@ bool ttc_parse_positive(ttc_parser *parser, const char *rule); /* > 0 */
 
 /* When every record is read: references, eliminations, completeness, names never used. */
 void ttc_parse_resolve(ttc_parser *parser);
-
-/* Room for one more item of an array that holds `count`: the array, moved or not, or NULL when memory is out. */
-void *ttc_parse_extend(void *array, size_t count, size_t size);
 
 #endif

@@ -14,7 +14,7 @@ static bool find_claim(const ttc_model *model, const ttc_token *name, uint32_t *
 
 static bool append_claim(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t claim)
 {
-    uint32_t *grown = ttc_parse_extend(*list, *count, sizeof *grown);
+    uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
     if (grown == NULL) return ttc_parse_no_memory(parser);
     *list = grown;
     grown[(*count)++] = claim;
@@ -148,7 +148,8 @@ static void check_equations(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
     bool is_right = ttc_error_count(parser->diagnostics) == parser->errors_before; /* else the states may be what is wrong */
-    if (model->state_count == 0 && is_right) ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
+    if (model->state_count == 0 && is_right)
+        ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
     for (size_t i = 0; i < model->state_count; i++) {
         const ttc_symbol_entry *state = model->symbols + model->states[i];
         const bool has_equation = i < model->equation_count && model->equations[i].place.line != 0;
@@ -179,8 +180,10 @@ static void check_coordinates(ttc_parser *parser)
                         "(expected these records in %s)", lift->file);
     for (size_t i = 0; i < model->claim_count; i++)
         if (model->claims[i].kind != TTC_CLAIM_EQUAL && model->claims[i].kind != TTC_CLAIM_POSITIVE)
-            ttc_parse_error(parser, model->claims[i].place, "a table of coordinates claims no '%s', as nothing moves in it (expected "
-                            "'equal' or 'positive')", ttc_claim_kind_name(model->claims[i].kind));
+            ttc_parse_error(parser, model->claims[i].place,
+                            "a table of coordinates claims no '%s', as nothing moves in it (expected "
+                            "'equal' or 'positive')",
+                            ttc_claim_kind_name(model->claims[i].kind));
 }
 
 /* Levels of a section, or of a smaller table, are those of integrals without a condition. */
@@ -206,8 +209,9 @@ static void check_integrals(ttc_parser *parser)
         uint32_t symbol;
         if (claim->kind != TTC_CLAIM_INTEGRAL || !ttc_model_find_symbol(model, claim->name, &symbol)) continue;
         if (model->symbols[symbol].kind == TTC_PARAM)
-            ttc_parse_error(parser, claim->place, "the integral '%s' has the name of the parameter in line %u (expected another name)",
-                            claim->name, (unsigned)model->symbols[symbol].place.line);
+            ttc_parse_error(parser, claim->place,
+                            "the integral '%s' has the name of the parameter in line %u (expected another name)", claim->name,
+                            (unsigned)model->symbols[symbol].place.line);
     }
 }
 
@@ -229,8 +233,10 @@ static void refuse_divisor(ttc_parser *parser, const ttc_divisor *d, const char 
 {
     const ttc_symbol_entry *param = zero_divisor(parser->model, d->divisor);
     if (param != NULL)
-        ttc_parse_error(parser, place, "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
-                        "(expected 'param %s != 0', or '> 0')", kind, name, param->name, param->name);
+        ttc_parse_error(parser, place,
+                        "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
+                        "(expected 'param %s != 0', or '> 0')",
+                        kind, name, param->name, param->name);
 }
 
 /* What is looked at beside the equations must not keep their kernels from parameters for which these are defined. */

@@ -1,4 +1,5 @@
-/* Tokens of a table. The lexer marks where records begin: at a keyword that is the first word of its line. */
+/* Tokens of a table: the words and marks that the parser reads. The lexer marks where a record begins, which is at a keyword that
+ * is the first word of its line. */
 #ifndef TTC_TOKEN_H
 #define TTC_TOKEN_H
 
@@ -36,7 +37,7 @@ typedef enum {
     TTC_TOKEN_END,     /* of the table */
     TTC_TOKEN_RECORD,  /* a keyword that opens a record; keyword NONE: a line that belongs to no record */
     TTC_TOKEN_KEYWORD, /* any keyword elsewhere */
-    TTC_TOKEN_NAME,    /* a word of a later addition carries its keyword as well: its place decides what it is */
+    TTC_TOKEN_NAME,    /* keyword NONE, or a keyword that is also free as a name: the place decides which of the two it is */
     TTC_TOKEN_NUMBER,
     TTC_TOKEN_STRING,  /* text without the quotes */
     TTC_TOKEN_UNIT,    /* text without the brackets */
@@ -57,8 +58,9 @@ typedef struct {
 
 enum { TTC_NAME_LIMIT = 63 };
 
-/* Returns the tokens, closed by one of kind END, for the caller to free; NULL when memory is out. `text` has been
- * checked by ttc_source_check. Cost: linear. */
+/* Cut a table into tokens, with a last one of kind END. In: text, `length` bytes, which ttc_source_check has passed and which must
+ * outlive the tokens. Errors are reported to `diagnostics`, and stand among the tokens as BAD. Returns an array for the caller to
+ * free; NULL: memory is out. Cost: linear in length. */
 ttc_token *ttc_lex(const char *text, size_t length, ttc_diagnostics *diagnostics);
 
 const char *ttc_keyword_text(ttc_keyword keyword); /* "" for NONE */

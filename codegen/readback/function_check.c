@@ -72,7 +72,8 @@ TTC_PRINTF(3, 4) static void settle_as(ttc_proof *proof, ttc_proof_status status
     va_end(arguments);
 }
 
-/* The rate of each variable where the symbol's grows by 1. All functions count, whether their values were asked for before or not. False:
+/* The rate of each variable where the symbol's grows by 1. All functions count, whether their values were asked for before or not.
+ * False:
  * the symbol is no variable. */
 static bool find_slopes(ttc_function_reading *r, ttc_ratio *slopes, uint32_t symbol)
 {
@@ -168,7 +169,8 @@ static void compare_polynomial(ttc_proof *proof, ttc_function_reading *r, const 
 static bool compare(ttc_proof *proof, ttc_function_reading *r, const ttc_program *program, const expectation *e)
 {
     ttc_ratio *found = make_ratios(r->ring, e->count);
-    bool ok = found != NULL && ttc_program_read(program, r->valuation, r->inputs, r->input_count, r->parameters, r->parameter_count, found);
+    bool ok = found != NULL
+              && ttc_program_read(program, r->valuation, r->inputs, r->input_count, r->parameters, r->parameter_count, found);
     if (ok && !e->is_polynomial) ok = compare_outputs(proof, r, found, e);
     else if (ok) compare_polynomial(proof, r, found, e);
     free_ratios(r->ring, found, e->count);
@@ -184,8 +186,10 @@ static bool check(ttc_proof *proof, const char *text, const char *name, ttc_func
     bool ok = status != TTC_FUNCTION_NO_MEMORY;
     proof->status = TTC_PROVED;
     if (status == TTC_FUNCTION_ABSENT) settle_as(proof, TTC_REFUTED, "there is no function %s of the form that is read", name);
-    else if (status == TTC_FUNCTION_ROUNDED) settle_as(proof, TTC_UNSETTLED, "a constant of %s is written as a rounded number", name);
-    else if (ok && reads_what_is_not_given(program, reading)) settle_as(proof, TTC_REFUTED, "%s reads an entry that has no meaning", name);
+    else if (status == TTC_FUNCTION_ROUNDED)
+        settle_as(proof, TTC_UNSETTLED, "a constant of %s is written as a rounded number", name);
+    else if (ok && reads_what_is_not_given(program, reading))
+        settle_as(proof, TTC_REFUTED, "%s reads an entry that has no meaning", name);
     else if (ok) ok = compare(proof, reading, program, e);
     ttc_program_destroy(program);
     return ok;
@@ -197,8 +201,9 @@ bool ttc_function_check(ttc_proof *proof, const char *text, const char *name, tt
     return check(proof, text, name, reading, &(expectation){ .outputs = expected, .count = count });
 }
 
-bool ttc_function_check_polynomial(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading, ttc_id polynomial,
-                                   uint32_t symbol, size_t count)
+bool ttc_function_check_polynomial(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading,
+                                   ttc_id polynomial, uint32_t symbol, size_t count)
 {
-    return check(proof, text, name, reading, &(expectation){ .count = count, .is_polynomial = true, .polynomial = polynomial, .symbol = symbol });
+    return check(proof, text, name, reading,
+                 &(expectation){ .count = count, .is_polynomial = true, .polynomial = polynomial, .symbol = symbol });
 }

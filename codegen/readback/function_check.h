@@ -12,7 +12,8 @@ typedef struct {
     ttc_ring *ring;
     ttc_ratio *inputs, *parameters;
     size_t input_count, parameter_count;
-    unsigned char *input_is_given, *is_given; /* by input and parameter: 0 where no symbol of the model has this place, or one that is bound */
+    unsigned char *input_is_given, *is_given; /* by input and parameter: 0 where no symbol of the model has this place, or one that
+                                                 is bound */
 } ttc_function_reading;
 
 /* What is put in for symbols: lists that hold together. */
@@ -21,8 +22,9 @@ typedef struct {
     size_t count;
 } ttc_function_bound;
 
-/** inputs: symbols, shape (input_count,), of states and, after them, of roots that a time lifts; with lifted_free these are coordinates of
- *  their own. parameters: symbols by place, shape (parameter_count,); UINT32_MAX: none. bound: NULL for none. False: memory. */
+/** inputs: symbols, shape (input_count,), of states and, after them, of roots that a time lifts; with lifted_free these are
+ *  coordinates of their own. parameters: symbols by place, shape (parameter_count,); UINT32_MAX: none. bound: NULL for none. False:
+ *  memory. */
 bool ttc_function_reading_open(ttc_function_reading *out, const ttc_model *model, const uint32_t *inputs, size_t input_count,
                                const uint32_t *parameters, size_t parameter_count, bool lifted_free,
                                const ttc_function_bound *bound);
@@ -40,7 +42,7 @@ bool ttc_function_check(ttc_proof *proof, const char *text, const char *name, tt
                         const ttc_function_output *expected, size_t count);
 
 /** The same of one polynomial in a symbol: the function gives its coefficients, the highest power first, shape (count,). */
-bool ttc_function_check_polynomial(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading, ttc_id polynomial,
-                                   uint32_t symbol, size_t count);
+bool ttc_function_check_polynomial(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading,
+                                   ttc_id polynomial, uint32_t symbol, size_t count);
 
 #endif

@@ -1,5 +1,6 @@
 #include "readback/function_read.h"
 
+#include "base/array.h"
 #include "base/text.h"
 #include "emit/emit.h"
 
@@ -11,7 +12,7 @@ typedef struct {
     const char *at;         /* what is read next */
     ttc_program *program;
     ttc_value *temporaries; /* t0, t1, ... */
-    size_t count, capacity;
+    size_t count;
     bool rounded, failed;
 } reader;
 
@@ -131,17 +132,6 @@ static ttc_value read_expression(reader *r)
     return TTC_NO_VALUE;
 }
 
-static bool has_room(reader *r)
-{
-    if (r->count < r->capacity) return true;
-    const size_t capacity = 2 * r->capacity + 64;
-    ttc_value *grown = realloc(r->temporaries, capacity * sizeof *grown);
-    if (grown == NULL) return false;
-    r->temporaries = grown;
-    r->capacity = capacity;
-    return true;
-}
-
 /* One line. outputs, shape (count,), has TTC_NO_VALUE where none was set. False: memory. */
 static bool read_line(reader *r, ttc_value *outputs, size_t count)
 {
@@ -152,7 +142,9 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
         if (read_index(r) != r->count) r->failed = true;
         expect(r, " = ");
         const ttc_value value = read_expression(r);
-        if (!has_room(r)) return false;
+        ttc_value *grown = ttc_array_more(r->temporaries, r->count, sizeof *grown);
+        if (grown == NULL) return false;
+        r->temporaries = grown;
         r->temporaries[r->count++] = value;
     } else {
         expect(r, "out[");
@@ -176,7 +168,8 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
 static const char *find_body(const char *text, const char *name)
 {
     ttc_text head = { 0 };
-    ttc_text_format(&head, "static void %s(const double *restrict x, const double *restrict params, double *restrict out)\n{\n", name);
+    ttc_text_format(&head, "static void %s(const double *restrict x, const double *restrict params, double *restrict out)\n{\n",
+                    name);
     const char *at = head.failed ? NULL : strstr(text, ttc_text_string(&head));
     if (at != NULL) at += head.length;
     if (at != NULL && strstr(at, ttc_text_string(&head)) != NULL) at = NULL;

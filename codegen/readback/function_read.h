@@ -11,7 +11,8 @@ typedef enum {
     TTC_FUNCTION_NO_MEMORY
 } ttc_function_status;
 
-/** The program of `static void NAME(x, params, out)`, for ttc_program_destroy; NULL unless READ. It has `outputs` of them, each set once. */
+/** The program of `static void NAME(x, params, out)`, for ttc_program_destroy; NULL unless READ. It has `outputs` of them, each set
+ *  once. */
 ttc_function_status ttc_function_read(ttc_program **out, const char *text, const char *name, size_t outputs);
 
 #endif

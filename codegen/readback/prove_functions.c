@@ -50,7 +50,8 @@ static char *copy(const ttc_text *text)
     return out;
 }
 
-/* The record's function `name`: against a polynomial in a symbol, or, with polynomial TTC_NONE, the first `count` expected outputs. */
+/* The record's function `name`: against a polynomial in a symbol, or, with polynomial TTC_NONE, the first `count` expected
+ * outputs. */
 static bool check_one(checker *c, const record *r, const char *name, ttc_function_reading *reading, size_t count, ttc_id polynomial,
                       uint32_t symbol)
 {
@@ -93,7 +94,8 @@ static uint32_t *states_of(const ttc_model *model, const ttc_time *time, size_t 
     const size_t lifted = time == NULL ? 0 : time->lifted_count;
     uint32_t *out = calloc(model->state_count + lifted + 1, sizeof *out);
     *count = model->state_count + lifted;
-    for (size_t i = 0; out != NULL && i < *count; i++) out[i] = i < model->state_count ? model->states[i] : time->lifted[i - model->state_count];
+    for (size_t i = 0; out != NULL && i < *count; i++)
+        out[i] = i < model->state_count ? model->states[i] : time->lifted[i - model->state_count];
     return out;
 }
 
@@ -101,7 +103,8 @@ static bool open_table(ttc_function_reading *out, const ttc_model *model, const 
 {
     size_t count;
     uint32_t *states = states_of(model, time, &count);
-    const bool ok = states != NULL && ttc_function_reading_open(out, model, states, count, model->params, model->param_count, lifted_free, NULL);
+    const bool ok = states != NULL
+                    && ttc_function_reading_open(out, model, states, count, model->params, model->param_count, lifted_free, NULL);
     free(states);
     return ok;
 }
@@ -129,7 +132,8 @@ static bool check_conditions(checker *c, const record *r, const ttc_way *way)
     const ttc_bindings *when = &r->claim->when;
     const size_t count = when->count + way->where.count;
     for (size_t i = 0; i < when->count; i++)
-        expect(c, i, ttc_subtract(c->model->graph, c->model->symbols[when->items[i].symbol].node, when->items[i].expression), UINT32_MAX);
+        expect(c, i, ttc_subtract(c->model->graph, c->model->symbols[when->items[i].symbol].node, when->items[i].expression),
+               UINT32_MAX);
     for (size_t i = 0; i < way->where.count; i++) expect(c, when->count + i, way->where.items[i].expression, UINT32_MAX);
     return count == 0 || check(c, r, "condition_values", &c->own, count);
 }
@@ -252,8 +256,8 @@ static bool check_sections(checker *c)
 static bool open_family(ttc_function_reading *out, const checker *c, const ttc_claim *family, bool imposed)
 {
     const ttc_function_bound bound = { { &family->bindings, &family->when }, imposed ? 2 : 1 };
-    return ttc_function_reading_open(out, c->model, c->model->states, c->model->state_count, c->model->params, c->model->param_count, false,
-                                     &bound);
+    return ttc_function_reading_open(out, c->model, c->model->states, c->model->state_count, c->model->params,
+                                     c->model->param_count, false, &bound);
 }
 
 /* Which parameters it stands at, and which states. */
@@ -311,7 +315,8 @@ static bool check_families(checker *c, const ttc_kernels *kernels)
         ok = open_family(&on, c, r.claim, false) && check_points(c, &r, &on);
         for (size_t i = 0; ok && i < c->model->claim_count; i++) {
             const ttc_claim *member = c->model->claims + i;
-            const bool is_member = member->kind >= TTC_CLAIM_TRACE && member->kind <= TTC_CLAIM_LEFT_NULL && member->family == claim;
+            const bool is_member = member->kind >= TTC_CLAIM_TRACE && member->kind <= TTC_CLAIM_LEFT_NULL
+                                   && member->family == claim;
             if (is_member) ok = check_member(c, &r, &on, member);
         }
         ttc_function_reading_close(&on);
@@ -322,7 +327,8 @@ static bool check_families(checker *c, const ttc_kernels *kernels)
 bool ttc_prove_functions_emit(ttc_text *text, ttc_kernels *kernels)
 {
     size_t sections = 0, ways = 0;
-    return ttc_emit_equilibria(text, kernels) && ttc_emit_sections(text, kernels, &sections) && ttc_emit_ways(text, kernels, &ways) && !text->failed;
+    return ttc_emit_equilibria(text, kernels) && ttc_emit_sections(text, kernels, &sections) && ttc_emit_ways(text, kernels, &ways)
+           && !text->failed;
 }
 
 bool ttc_prove_functions_in(const char *text, const ttc_kernels *kernels, ttc_proof_report *report)

@@ -1,6 +1,7 @@
-/** Proofs of translation for what stands beside the kernels of a field: its families of equilibria, the coordinates of its sections, and the ways to tables that
- *  serve in place of its own. Their functions are read back from the C that is emitted for them, word by word, and what they compute
- *  is compared, as exact ratios, with what the records say; slopes with derivatives of these. */
+/** Proofs of translation for what stands beside the kernels of a field: its families of equilibria, the coordinates of its
+ *  sections, and the ways to tables that serve in place of its own. Their functions are read back from the C that is emitted for
+ *  them, word by word, and what they compute is compared, as exact ratios, with what the records say; slopes with derivatives of
+ *  these. */
 #ifndef TTC_PROVE_FUNCTIONS_H
 #define TTC_PROVE_FUNCTIONS_H
 
@@ -8,8 +9,9 @@
 #include "base/text.h"
 #include "prove/prove.h"
 
-/** Append to `report` one proof a function of the catalogue's general fields: kind "kernel", name "FIELD KIND.RECORD.FUNCTION". Its totals are
- *  brought up to date. False when memory is out; the report is then still valid. Cost: below a second for a table of the top. */
+/** Append to `report` one proof a function of the catalogue's general fields: kind "kernel", name "FIELD KIND.RECORD.FUNCTION". Its
+ *  totals are brought up to date. False when memory is out; the report is then still valid. Cost: below a second for a table of the
+ *  top. */
 bool ttc_prove_functions(const ttc_catalogue *catalogue, ttc_proof_report *report);
 
 /** The C of all functions of a general field. False when memory is out. */

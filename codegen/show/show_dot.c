@@ -64,7 +64,8 @@ bool ttc_show_dot(FILE *stream, const ttc_model *model)
     for (size_t i = 0; i < model->lift.bindings.count; i++) {
         const ttc_id id = model->lift.bindings.items[i].expression;
         seen[id] = 1;
-        fprintf(stream, "  f%zu [label=\"%s\", shape=box, style=bold];\n  f%zu -> n%u;\n", i, model->lift.names[i], i, (unsigned)id);
+        fprintf(stream, "  f%zu [label=\"%s\", shape=box, style=bold];\n  f%zu -> n%u;\n", i, model->lift.names[i], i,
+                (unsigned)id);
     }
     for (size_t i = 0; i < model->equation_count; i++) {
         seen[ttc_model_field(model, i)] = 1;

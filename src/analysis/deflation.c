@@ -215,7 +215,8 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
 
 /* Eigenvalues of A itself, those of its triangular part as they stand: as many exact zeros of them as there are integrals
  * are left out. *found: whether there were so many. */
-static jlt_status solve_whole(double *re, double *im, double *errors, bool *found, jlt_deflation_problem *p, jlt_deflation_choice *c)
+static jlt_status solve_whole(double *re, double *im, double *errors, bool *found, jlt_deflation_problem *p,
+                              jlt_deflation_choice *c)
 {
     const size_t n = p->n, rank = p->rank;
     size_t kept = 0, exact = 0;

@@ -48,7 +48,7 @@ JLT_CHECKED jlt_status jlt_deflation_compute(jlt_deflation *result, const double
                                              const double *gradients, const double *gradient_error, size_t count);
 
 /** The same without other routes to compare with: the three differences are NaN. Reentrant. */
-JLT_CHECKED jlt_status jlt_deflation_solve(jlt_deflation *result, const double *a, const double *error, size_t n, const double *gradients,
-                                           const double *gradient_error, size_t count);
+JLT_CHECKED jlt_status jlt_deflation_solve(jlt_deflation *result, const double *a, const double *error, size_t n,
+                                           const double *gradients, const double *gradient_error, size_t count);
 
 #endif

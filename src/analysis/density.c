@@ -2,6 +2,7 @@
 
 #include "ext/quadrature.h"
 #include "kernel/kernel.h"
+#include "kernel/region.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -18,19 +19,21 @@ static double bounded(double low, double high, jlt_random *random)
     return middle + half * part;
 }
 
-void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, jlt_random *random)
+void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, const double *prepared, jlt_random *random)
 {
+    double low[JLT_REGION_STATES_MAX], high[JLT_REGION_STATES_MAX];
+
+    jlt_region_intervals(low, high, descriptor, prepared);
     for (unsigned i = 0; i < descriptor->state_count; i++) {
-        const jlt_quantity *q = &descriptor->states[i];
         const double magnitude = jlt_random_magnitude(random, -1, 1);
-        if (isfinite(q->low) && isfinite(q->high)) x[i] = bounded(q->low, q->high, random);
-        else if (isfinite(q->low)) x[i] = q->low + magnitude;
-        else if (isfinite(q->high)) x[i] = q->high - magnitude;
+        if (isfinite(low[i]) && isfinite(high[i])) x[i] = bounded(low[i], high[i], random);
+        else if (isfinite(low[i])) x[i] = low[i] + magnitude;
+        else if (isfinite(high[i])) x[i] = high[i] - magnitude;
         else x[i] = jlt_random_below(random, 2) == 0 ? magnitude : -magnitude;
     }
 }
 
-/* -div f / f_q at x; DOMAIN where f_q = 0 and div f does not vanish. */
+/* -div f / f_q at x; DOMAIN where f_q = 0, or all but 0, and div f does not vanish. */
 static jlt_status ratio_at(double *ratio, const jlt_instance *instance, size_t along, const double *x)
 {
     double f[SIZE], divergence;
@@ -41,7 +44,7 @@ static jlt_status ratio_at(double *ratio, const jlt_instance *instance, size_t a
     if (divergence == 0.0) *ratio = 0.0;
     else if (f[along] == 0.0) st = JLT_ERR_DOMAIN;
     else *ratio = -divergence / f[along];
-    if (st == JLT_OK && !isfinite(*ratio)) st = JLT_ERR_NONFINITE;
+    if (st == JLT_OK && !isfinite(*ratio)) st = JLT_ERR_DOMAIN;
 done:
     return st;
 }
@@ -56,12 +59,12 @@ jlt_status jlt_density_defect(double *defect, const jlt_instance *instance, size
     for (int place = 0; place < PLACES; place++) {
         double x[SIZE], low = INFINITY, high = -INFINITY, q;
         int found = 0;
-        jlt_density_draw_state(x, d, random);
+        jlt_density_draw_state(x, d, instance->prepared, random);
         q = x[along];
         for (int attempt = 0; found < DRAWS && attempt < TRIES; attempt++) {
             double ratio;
             jlt_status st;
-            jlt_density_draw_state(x, d, random);
+            jlt_density_draw_state(x, d, instance->prepared, random);
             x[along] = q;
             st = ratio_at(&ratio, instance, along, x);
             if (st == JLT_ERR_DOMAIN) blocked++;
@@ -150,7 +153,7 @@ jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, 
     if (d->measure_count == 0) return JLT_OK;
     if (d->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
     for (size_t k = 0; k < samples; k++) {
-        jlt_density_draw_state(x, d, random);
+        jlt_density_draw_state(x, d, instance->prepared, random);
         if (size_of_terms(&size, instance, x) != JLT_OK ||
             jlt_kernel_eval(density, &d->measure_values, x, d->state_count, instance->prepared) != JLT_OK ||
             jlt_kernel_eval(divergence, &d->measure_divergences, x, d->state_count, instance->prepared) != JLT_OK)

@@ -35,13 +35,14 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const jlt_instance *instance,
                                             size_t along, double low, double high, const double *x);
 
-/** A random state: bounded states inside their interval, a part of them near its ends; others of magnitude 0.1 to 10.
- *  Out: x, shape (states,). */
-void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, jlt_random *random);
+/** A random state: bounded states inside their interval (jlt_region_intervals), a part of them near its ends; others of magnitude
+ *  0.1 to 10. Out: x, shape (states,). In: prepared, values of the parameters, or NULL: ends that are no numbers are passed
+ *  over. */
+void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, const double *prepared, jlt_random *random);
 
 /** The largest |div(rho f)| over random states, for the table's densities, relative to the size of its terms,
- *  |rho| sum_i (|df_i/dx_i| + |f_i/x_i|); in rounding units where the claim is true, also of a field that keeps volume, whose divergence
- *  is a sum of terms that cancel. Out: residual, shape (measures,). Errors as above; UNSUPPORTED (no Jacobian). */
+ *  |rho| sum_i (|df_i/dx_i| + |f_i/x_i|); in rounding units where the claim is true, also of a field that keeps volume, whose
+ *  divergence is a sum of terms that cancel. Out: residual, shape (measures,). Errors as above; UNSUPPORTED (no Jacobian). */
 JLT_CHECKED jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, size_t samples,
                                             jlt_random *random);
 

@@ -23,6 +23,12 @@ const char *jlt_linearization_verdict(jlt_verdict verdict)
     return texts[verdict];
 }
 
+const char *jlt_linearization_motion(jlt_motion motion)
+{
+    static const char *const texts[] = { "not settled", "asymptotically stable", "stable", "unstable" };
+    return texts[motion];
+}
+
 static bool near(double a, double b)
 {
     return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
@@ -96,6 +102,32 @@ static double reach_of(const jlt_quantity *state, double x)
     return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, 4 * roundoff * fabs(x)), 1e-3 * room);
 }
 
+static bool is_proved(const jlt_descriptor *d, const jlt_named *integral)
+{
+    for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++)
+        if (strcmp(claim->kind, "integral") == 0 && strcmp(claim->name, integral->name) == 0) return claim->verdict == JLT_PROVED;
+    return false;
+}
+
+/* Gradients of the integrals that are proved. */
+static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *instance, const double *x)
+{
+    const jlt_descriptor *d = r->descriptor;
+    double gradients[SIZE * SIZE];
+    jlt_status st = JLT_OK;
+
+    r->integrals = 0;
+    if (d->integral_gradients.call == NULL || d->integral_count > SIZE) return st;
+    JLT_TRY(jlt_instance_gradients(instance, gradients, x));
+    for (unsigned k = 0; k < d->integral_count; k++) {
+        if (!is_proved(d, &d->integrals[k])) continue;
+        memcpy(r->gradients + r->integrals * r->n, gradients + k * r->n, r->n * sizeof *gradients);
+        r->held[r->integrals++] = d->integrals[k];
+    }
+done:
+    return st;
+}
+
 static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const size_t n = instance->descriptor->state_count;
@@ -106,11 +138,7 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     JLT_TRY(jlt_instance_rhs(instance, r->f, x));
     JLT_TRY(jlt_instance_jacobian(instance, r->jacobian, x));
     for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
-    r->integrals = 0;
-    if (r->descriptor->integral_gradients.call != NULL && r->descriptor->integral_count <= SIZE) {
-        r->integrals = r->descriptor->integral_count;
-        JLT_TRY(jlt_instance_gradients(instance, r->gradients, x));
-    }
+    JLT_TRY(measure_gradients(r, instance, x));
     r->residual = r->residual_ratio = 0.0;
     for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(&r->descriptor->states[j], x[j]);
     for (size_t i = 0; i < n; i++) {
@@ -240,7 +268,7 @@ jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descri
         st = JLT_ERR_EMPTY;
         goto done;
     }
-    for (size_t i = 0; i < result->integrals; i++) result->sources[i] = instance->descriptor->integrals[i].name;
+    for (size_t i = 0; i < result->integrals; i++) result->sources[i] = result->held[i].name;
     JLT_TRY(jlt_instance_divergence(instance, &result->trace, x));
     st = jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients, gradient_error,
                                result->integrals);
@@ -277,6 +305,34 @@ static void take_values(jlt_deflation *eigen, const jlt_ball_spectrum *s)
     }
 }
 
+static bool is_zero(const jlt_ball_value *x)
+{
+    if (x->fraction == NULL) return !(x->value < 0.0) && !(x->value > 0.0);
+    const char rest = x->fraction[strspn(x->fraction, "-0")];
+    return rest == '\0' || rest == '/';
+}
+
+/* Whether a reversor changes the sign of one of two states, which is zero. */
+static bool is_mirrored(const jlt_ball_question *q, size_t n)
+{
+    bool mirrored = false;
+
+    for (size_t k = 0; n == 2 && k < q->reversor_count; k++)
+        for (size_t i = 0; i < 2; i++)
+            mirrored = mirrored || (q->reversors[k][i] < 0 && q->reversors[k][1 - i] > 0 && is_zero(&q->states[i]));
+    return mirrored;
+}
+
+static jlt_motion motion_of(const jlt_ball_spectrum *s, const jlt_ball_question *q)
+{
+    if (!s->proved) return JLT_MOTION_OPEN;
+    for (size_t i = 0; s->rooted && i < s->n - s->zeros; i++)
+        if (s->values[i].re > s->values[i].error) return JLT_MOTION_UNSTABLE;
+    if (s->growing || s->defective) return JLT_MOTION_OPEN;
+    if (s->decaying) return s->zeros == 0 ? JLT_MOTION_ATTRACTED : s->zeros == s->attributed ? JLT_MOTION_STABLE : JLT_MOTION_OPEN;
+    return s->zeros == 0 && is_mirrored(q, s->n) ? JLT_MOTION_STABLE : JLT_MOTION_OPEN;
+}
+
 jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
                                      const jlt_ball_value *params, const jlt_ball_value *x, struct jlt_exact_matrix *exact,
                                      long digits)
@@ -308,6 +364,7 @@ jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descri
     if (!s.proved) result->verdict = JLT_UNDECIDED;
     else if (s.growing || s.defective) result->verdict = JLT_UNSTABLE;
     else result->verdict = s.decaying ? JLT_STABLE : JLT_CENTRE;
+    result->motion = motion_of(&s, &question);
     if (s.rooted) take_values(&result->eigen, &s);
     return JLT_OK;
 }

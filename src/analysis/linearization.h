@@ -17,13 +17,20 @@ enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
  * distance. */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
-/* Motion near the equilibrium, across the integrals' levels and the family of equilibria it belongs to. */
+/* The linearized motion. */
 typedef enum {
     JLT_STABLE,   /* every eigenvalue but zero has a negative real part, and zero is semisimple */
     JLT_UNSTABLE, /* one has a positive real part, or one on the imaginary axis is defective: growth, at least linear */
     JLT_CENTRE,   /* neither: some lie on the imaginary axis, or all are zero */
     JLT_UNDECIDED /* not settled */
 } jlt_verdict;
+
+/* What follows for the motion itself. UNSTABLE: an eigenvalue has a positive real part. ATTRACTED: all have negative ones. STABLE:
+ * all but zero have, and as many integrals with independent gradients force zeros as there are, so that each level nearby has one
+ * equilibrium near this one, which attracts there; or there are two states with a pair on the imaginary axis, and a reversor
+ * changes the sign of one that is zero, so that orbits, which meet the other's axis twice, are closed. Else nothing follows: a
+ * linear centre may be a weak focus, and zero may hide x' = x^2. */
+typedef enum { JLT_MOTION_OPEN, JLT_MOTION_ATTRACTED, JLT_MOTION_STABLE, JLT_MOTION_UNSTABLE } jlt_motion;
 
 typedef struct {
     const jlt_descriptor *descriptor; /* the variant whose kernels were used: the most special that serves */
@@ -34,8 +41,9 @@ typedef struct {
     double residual_ratio;            /* largest TOLERANCE |f_i| / sum_j |df_i/dx_j reach_j|; 0 where f_i is exactly 0 */
     double reach[JLT_LINEARIZATION_SIZE_MAX]; /* how far an equilibrium may lie off the state */
     double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
-    size_t integrals;                 /* of the variant */
-    double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* of the integrals, shape (integrals, n) */
+    size_t integrals;                 /* of the variant, those that are proved */
+    jlt_named held[JLT_LINEARIZATION_SIZE_MAX]; /* shape (integrals,) */
+    double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* of these, shape (integrals, n) */
     double charpoly[JLT_LINEARIZATION_SIZE_MAX + 1]; /* monic, highest power first, Faddeev-LeVerrier; coefficients beyond
                                                         n - zeros are exactly zero by the integrals and set so */
     double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];
@@ -49,10 +57,12 @@ typedef struct {
     jlt_ball_texts *texts;            /* all numbers as decimals, for jlt_ball_texts_destroy; NULL where none were asked for */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
     jlt_verdict verdict;
+    jlt_motion motion;                /* proved, or OPEN */
     int obstructs;                    /* the trace differs from zero by more than its error: no smooth positive density */
 } jlt_linearization;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */
+const char *jlt_linearization_motion(jlt_motion motion);    /* "asymptotically stable", "stable", "unstable", "not settled" */
 
 /** Fill states that were not given, from the family of equilibria whose condition the parameters satisfy; zero where no
  *  family says otherwise.
@@ -61,7 +71,7 @@ void jlt_linearization_complete(double *x, const unsigned char *given, const jlt
                                 const double *params);
 
 /** Compute the residual alone, and choose the variant. Out: f, residual, residual_ratio, jacobian, gradients,
- *  integrals, descriptor, n of *result.
+ *  integrals, held, descriptor, n of *result.
  *  Errors: as jlt_linearization_compute, but a large residual is none. */
 JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor,
                                                   const double *params, const double *x);

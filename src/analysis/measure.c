@@ -14,17 +14,21 @@ enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, DRAWS = 4096, PARTS = 25
 /* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
 static const double covered = 0.98;
 
-static void range_of(double *low, double *high, const jlt_quantity *q)
+static void range_of(double *low, double *high, const jlt_instance *instance, size_t along)
 {
-    if (isfinite(q->low) && isfinite(q->high)) {
-        const double middle = q->low / 2 + q->high / 2, half = q->high / 2 - q->low / 2;
+    double lows[JLT_REGION_STATES_MAX], highs[JLT_REGION_STATES_MAX];
+
+    jlt_region_intervals(lows, highs, instance->descriptor, instance->prepared);
+    const double from = lows[along], to = highs[along];
+    if (isfinite(from) && isfinite(to)) {
+        const double middle = from / 2 + to / 2, half = to / 2 - from / 2;
         *low = middle - covered * half;
         *high = middle + covered * half;
         return;
     }
-    *low = isfinite(q->low) ? q->low + 0.05 : -2.0;
-    *high = isfinite(q->high) ? q->high - 0.05 : *low + 4.0;
-    if (isfinite(q->high)) *low = *high - 4.0;
+    *low = isfinite(from) ? from + 0.05 : -2.0;
+    *high = isfinite(to) ? to - 0.05 : *low + 4.0;
+    if (isfinite(to)) *low = *high - 4.0;
 }
 
 static bool holds(const jlt_instance *instance, const double *x)
@@ -67,7 +71,7 @@ static bool depends_on_one(const jlt_instance *instance, unsigned which, const d
 
     if (density_at(&value, instance, which, x) != JLT_OK) return false;
     for (int probe = 0; probe < PROBES; probe++) {
-        jlt_density_draw_state(y, instance->descriptor, random);
+        jlt_density_draw_state(y, instance->descriptor, instance->prepared, random);
         y[along] = x[along];
         if (density_at(&other, instance, which, y) != JLT_OK || fabs(other - value) > 1e-12 * fabs(value)) return false;
     }
@@ -97,7 +101,8 @@ done:
     return st;
 }
 
-/* The factor by which the density changes in a period of its state; 1 up to what the quadrature errs by, and where there is none. */
+/* The factor by which the density changes in a period of its state; 1 up to what the quadrature errs by, and where there is
+ * none. */
 static jlt_status turn_of(double *turn, const jlt_instance *instance, size_t along, double low, const double *x)
 {
     const jlt_quantity *q = &instance->descriptor->states[along];
@@ -121,10 +126,10 @@ static jlt_status tabulate(jlt_measure_attempt *a, const jlt_instance *instance,
     jlt_status st = JLT_ERR_NO_PROGRESS;
     double low, high;
 
-    range_of(&low, &high, &d->states[a->along]);
+    range_of(&low, &high, instance, a->along);
     for (int draws = 0, tries = 0; draws < DRAWS && tries < TRIES && st != JLT_OK && st != JLT_ERR_NOMEM; draws++) {
         double from = low, to = high;
-        jlt_density_draw_state(x, d, random);
+        jlt_density_draw_state(x, d, instance->prepared, random);
         const double drawn = x[a->along];
         x[a->along] = low / 2 + high / 2;
         if (!holds(instance, x)) x[a->along] = drawn;
@@ -136,6 +141,22 @@ static jlt_status tabulate(jlt_measure_attempt *a, const jlt_instance *instance,
         if (st == JLT_OK && is_whole) st = turn_of(&a->turn, instance, a->along, low, x);
     }
     return st;
+}
+
+/* Whether d ln rho/dq = -div f/f_q grows beyond bounds about one of the points where the density was asked for, as c/(q - q0) does
+ * by more than c over their distance. Elsewhere what is missing is missing by numbers that are too small. */
+static bool is_singular(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
+{
+    const double apart = a->count > 1 ? fabs(a->points[1].at - a->points[0].at) : INFINITY;
+    double y[STATES_MAX], f[STATES_MAX], divergence;
+
+    memcpy(y, x, instance->descriptor->state_count * sizeof *y);
+    for (size_t i = 0; i < a->count; i++) {
+        y[a->along] = a->points[i].at;
+        if (jlt_instance_rhs(instance, f, y) != JLT_OK || jlt_instance_divergence(instance, &divergence, y) != JLT_OK) continue;
+        if (divergence != 0 && fabs(divergence) * apart >= 0.1 * fabs(f[a->along])) return true;
+    }
+    return false;
 }
 
 jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
@@ -164,6 +185,7 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
     if (attempt->points == NULL) return JLT_ERR_NOMEM;
     st = tabulate(attempt, instance, random, x);
     if (st == JLT_ERR_NO_PROGRESS) return JLT_ERR_NO_CONVERGENCE;
+    if (st == JLT_ERR_NONFINITE && !is_singular(attempt, instance, x)) return st;
     /* The slope has a pole in between, whatever the other states are. */
     attempt->singular = st != JLT_OK && st != JLT_ERR_NOMEM;
     if (attempt->singular || attempt->turn != 1.0) {
@@ -192,7 +214,7 @@ static jlt_status find_obstruction(jlt_measure_finding *f, const jlt_descriptor 
     for (unsigned k = 0; k < d->equilibria_count; k++) {
         for (unsigned i = 0; i < d->state_count; i++) given[i] = d->equilibria[k].is_free[i];
         for (int attempt = 0; attempt < POINTS_TRIED && d->equilibria[k].obstructs; attempt++) {
-            jlt_density_draw_state(f->x, d, random);
+            jlt_density_draw_state(f->x, f->instance->descriptor, f->instance->prepared, random);
             jlt_linearization_complete(f->x, given, d, params);
             const jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
             if (st == JLT_ERR_NOMEM) return st;

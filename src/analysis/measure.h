@@ -1,5 +1,5 @@
-/** Search for an invariant measure: a density that depends on one state, computed from the divergence and compared with those that the
- *  table claims; or an equilibrium that excludes any. */
+/** Search for an invariant measure: a density that depends on one state, computed from the divergence and compared with those that
+ *  the table claims; or an equilibrium that excludes any. */
 #ifndef JLT_ANALYSIS_MEASURE_H
 #define JLT_ANALYSIS_MEASURE_H
 
@@ -17,8 +17,8 @@ typedef struct {
     double defect;
     bool found;               /* the defect is rounding */
     bool singular;            /* found, but it has a pole or a zero where f_q vanishes: not smooth and positive */
-    double turn;              /* of a state with a proved period: by which factor the density found changes in one; else 1. Where it is
-                                 not 1 the angle has no such density */
+    double turn;              /* of a state with a proved period: by which factor the density found changes in one; else 1. Where it
+                                 is not 1 the angle has no such density */
     jlt_density_point *points; /* shape (count,), owned; NULL when none was found or it cannot be tabulated */
     size_t count;
     double *closed;           /* shape (count,), owned: the closed form, normalized alike; NULL when there is none */

@@ -4,8 +4,8 @@
 
 #include "core/status.h"
 
-/** Eigenvalues of b. Out: re, im, shape (2,), ascending in (re, im); error, shape (2,), bounds on the absolute errors from |error of b| and
- *       from this arithmetic; all untouched on failure.
+/** Eigenvalues of b. Out: re, im, shape (2,), ascending in (re, im); error, shape (2,), bounds on the absolute errors from |error
+ *       of b| and from this arithmetic; all untouched on failure.
  *  In:  b, shape (2, 2); b_error, shape (2, 2), >= 0.
  *  The discriminant ((b11 - b22)/2)^2 + b12 b21 and the determinant are formed with fused multiply-adds; of two real
  *  roots the smaller comes from the product. Near a double root the bound passes to the square-root law.

@@ -9,6 +9,7 @@
 #include <string.h>
 
 static const double rounding = 1e-9; /* of a mass */
+static const double alike = 1e-3;    /* of an eigenvalue */
 
 enum { SPACE = 24, RESTARTS = 300 };
 
@@ -31,6 +32,7 @@ void jlt_transfer_spectrum_clear(jlt_transfer_spectrum *self)
     free(self->re);
     free(self->im);
     free(self->residual);
+    free(self->spread);
     free(self->leading);
     free(self->second);
     *self = (jlt_transfer_spectrum){ .count = 0 };
@@ -88,12 +90,36 @@ static double *positive(const double *v, size_t n, double *negative)
     return copy;
 }
 
-/* Sort what ARPACK has found, and choose the eigenvectors that are kept. */
-static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transfer, const double *re, const double *im,
-                          const double *vectors,
-                          size_t found, size_t wanted, double *work)
+/* What ARPACK finds. */
+typedef struct {
+    double *re, *im, *vectors; /* vectors NULL: not asked for */
+    size_t found;
+} answer;
+
+static double nearest(const answer *of, double re, double im)
 {
-    const size_t n = transfer->count;
+    double distance = INFINITY;
+
+    for (size_t i = 0; i < of->found; i++) distance = fmin(distance, hypot(re - of->re[i], im - of->im[i]));
+    return distance;
+}
+
+/* How many eigenvalues, by descending magnitude, both answers have: one that they have not ends them. Of an answer with fewer of
+ * one magnitude, such as a pair that was not completed, nothing is known. */
+static size_t count_told(const jlt_transfer_spectrum *s)
+{
+    size_t told = 0;
+
+    while (told < s->count && s->spread[told] <= alike * hypot(s->re[told], s->im[told])) told++;
+    return told;
+}
+
+/* Sort what was found first, compare it with what was found again, and choose the eigenvectors that are kept. */
+static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transfer, const answer *one, const answer *other,
+                          size_t wanted, double *work)
+{
+    const double *re = one->re, *im = one->im, *vectors = one->vectors;
+    const size_t n = transfer->count, found = one->found;
     size_t *order = jlt_memory_array(found, sizeof *order), count = found, first, second;
     jlt_status st = order == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
@@ -111,15 +137,20 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
         out->im[i] = im[k];
         out->residual[i] = residual_of(transfer, re[k], fabs(im[k]), vectors + head * n,
                                        im[k] != 0 ? vectors + (head + 1) * n : NULL, work);
+        out->spread[i] = nearest(other, re[k], im[k]);
+    }
+    out->count = st == JLT_OK ? count : 0;
+    out->told = count_told(out);
+    for (size_t i = 0; i < out->count; i++) {
+        const size_t k = order[i];
         if (im[k] != 0) continue;
         if (first == count || re[k] > out->re[first]) {
-            if (first < count && out->re[first] > 0) second = first;
+            if (first < out->told && out->re[first] > 0) second = first;
             first = i;
-        } else if (re[k] > 0 && (second == count || re[k] > out->re[second])) second = i;
+        } else if (re[k] > 0 && i < out->told && (second == count || re[k] > out->re[second])) second = i;
     }
     if (st == JLT_OK && first == count) st = JLT_ERR_NO_CONVERGENCE;
     if (st == JLT_OK) {
-        out->count = count;
         out->leading_index = first;
         out->leading = positive(vectors + order[first] * n, n, &out->negative);
         if (second < count) out->second = scaled(vectors + order[second] * n, n, &(double){ 0 });
@@ -130,39 +161,56 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
     return st;
 }
 
+static bool allocate(answer *out, size_t wanted, size_t n, bool with_vectors)
+{
+    *out = (answer){ .re = jlt_memory_array(wanted + 1, sizeof(double)), .im = jlt_memory_array(wanted + 1, sizeof(double)),
+                     .vectors = with_vectors ? jlt_memory_array((wanted + 1) * n, sizeof(double)) : NULL };
+    return out->re != NULL && out->im != NULL && (out->vectors != NULL || !with_vectors);
+}
+
+static void release(answer *self)
+{
+    free(self->re);
+    free(self->im);
+    free(self->vectors);
+}
+
+/* Begin near the even mass, and yet in no subspace that a symmetry of the map leaves invariant. */
+static jlt_status find(answer *out, problem *p, size_t wanted, double tolerance, uint64_t seed, double *start)
+{
+    const size_t n = p->transfer->count, space = 2 * wanted + SPACE < n ? 2 * wanted + SPACE : n;
+    jlt_random random;
+
+    jlt_random_seed(&random, seed);
+    for (size_t i = 0; i < n; i++) start[i] = p->transfer->share[i] * jlt_random_between(&random, 0.5, 1.5);
+    const jlt_status st = jlt_arpack_leading(out->re, out->im, &out->found, out->vectors, &(jlt_arpack_matrix){ n, apply, p },
+                                             &(jlt_arpack_options){ .wanted = wanted, .space = space, .restarts = RESTARTS,
+                                                                   .tolerance = tolerance, .start = start });
+    return st == JLT_OK && out->found == 0 ? JLT_ERR_NO_CONVERGENCE : st;
+}
+
 static jlt_status compute(jlt_transfer_spectrum *out, const jlt_transfer *transfer, size_t wanted, double tolerance,
                           const volatile sig_atomic_t *interrupt)
 {
-    const size_t n = transfer->count, space = 2 * wanted + SPACE < n ? 2 * wanted + SPACE : n;
+    const size_t n = transfer->count;
     problem p = { transfer, interrupt };
-    double *re = NULL, *im = NULL, *vectors = NULL, *work = NULL, *start = NULL;
-    size_t found = 0;
-    jlt_random random;
+    answer one = { .re = NULL }, other = { .re = NULL };
+    double *work = jlt_memory_array(2 * n, sizeof *work), *start = jlt_memory_array(n, sizeof *start);
     jlt_status st = JLT_ERR_NOMEM;
 
-    *out = (jlt_transfer_spectrum){ .count = 0 };
-    re = jlt_memory_array(wanted + 1, sizeof *re);
-    im = jlt_memory_array(wanted + 1, sizeof *im);
-    vectors = jlt_memory_array((wanted + 1) * n, sizeof *vectors);
-    work = jlt_memory_array(2 * n, sizeof *work);
-    start = jlt_memory_array(n, sizeof *start);
-    out->re = jlt_memory_array(wanted + 1, sizeof *re);
-    out->im = jlt_memory_array(wanted + 1, sizeof *im);
-    out->residual = jlt_memory_array(wanted + 1, sizeof *re);
-    if (re == NULL || im == NULL || vectors == NULL || work == NULL || start == NULL || out->re == NULL || out->im == NULL ||
-        out->residual == NULL)
+    *out = (jlt_transfer_spectrum){ .re = jlt_memory_array(wanted + 1, sizeof(double)),
+                                    .im = jlt_memory_array(wanted + 1, sizeof(double)),
+                                    .residual = jlt_memory_array(wanted + 1, sizeof(double)),
+                                    .spread = jlt_memory_array(wanted + 1, sizeof(double)) };
+    if (!allocate(&one, wanted, n, true) || !allocate(&other, wanted, n, false) || work == NULL || start == NULL ||
+        out->re == NULL || out->im == NULL || out->residual == NULL || out->spread == NULL)
         goto done;
-    /* Near the even mass, and yet in no subspace that a symmetry of the map leaves invariant. */
-    jlt_random_seed(&random, 1);
-    for (size_t i = 0; i < n; i++) start[i] = transfer->share[i] * jlt_random_between(&random, 0.5, 1.5);
-    JLT_TRY(jlt_arpack_leading(re, im, &found, vectors, &(jlt_arpack_matrix){ n, apply, &p },
-                               &(jlt_arpack_options){ .wanted = wanted, .space = space, .restarts = RESTARTS,
-                                                     .tolerance = tolerance, .start = start }));
-    st = found > 0 ? arrange(out, transfer, re, im, vectors, found, wanted, work) : JLT_ERR_NO_CONVERGENCE;
+    JLT_TRY(find(&one, &p, wanted, tolerance, 1, start));
+    JLT_TRY(find(&other, &p, wanted, tolerance, 2, start));
+    st = arrange(out, transfer, &one, &other, wanted, work);
 done:
-    free(re);
-    free(im);
-    free(vectors);
+    release(&one);
+    release(&other);
     free(work);
     free(start);
     if (st != JLT_OK) jlt_transfer_spectrum_clear(out);

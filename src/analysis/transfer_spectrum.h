@@ -12,17 +12,21 @@ typedef struct {
                          two */
     double *re, *im;  /* (count,) */
     double *residual; /* (count,): sum of |v P - lambda v|, computed from the matrix */
+    double *spread;   /* (count,): how far the nearest eigenvalue of a second computation is, from another start. Eigenvalues 0 of
+                         a block of k come out on a circle, at the k-th root of a rounding, with a residual that is as small as
+                         any */
+    size_t told;      /* the first so many are the same to three digits in both; what follows is not told from 0, or from others */
     double *leading;  /* (boxes,): of the largest real eigenvalue, the masses that stay, positive */
     size_t leading_index;
     double negative;  /* the part of its mass that ARPACK gives the other sign: 0 but for rounding, unless the eigenvalue is not
                          simple */
-    double *second;   /* (boxes,): of the next positive one; NULL: there is none among them */
+    double *second;   /* (boxes,): of the next positive one; NULL: there is none among those told */
     size_t second_index;
 } jlt_transfer_spectrum;
 
 /** Compute `wanted` eigenvalues, 1 <= wanted, up to `tolerance`, by ARPACK. Where the matrix has fewer than wanted + 2 rows, as
  *  many as it allows; where those do not converge, as of mixing maps, whose others lie together on a disc, the leading one alone.
- *  interrupt: NULL, or what asks to stop.
+ *  They are computed twice. interrupt: NULL, or what asks to stop.
  *  Errors: ARG, the matrix has less than 3 rows; EMPTY, no box leads back to itself, so that nothing stays; NO_CONVERGENCE, of the
  *  leading one too, also where it is interrupted, or where no eigenvalue found is real; NONFINITE; NOMEM.
  *  Memory: 8 rows (3 wanted + 36) bytes. */

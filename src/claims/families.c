@@ -44,7 +44,8 @@ static void record(jlt_verify_check *check, double error, double value, double s
 
 static const char running_error[] = "4 times the running error of the expression as written (53-bit balls), and a rounding";
 static const char pair_error[] = "8 times the running error of the expression as written (53-bit balls), 4 for each of the two";
-static const char complex_error[] = "16 times the running error of the expression as written (53-bit balls), values rounded once, and a rounding";
+static const char complex_error[] =
+    "16 times the running error of the expression as written (53-bit balls), values rounded once, and a rounding";
 static const char charpoly_error[] = "k(n+3) roundings of the coefficient without cancellation, and the formula's";
 static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
 static const char null_error[] = "running errors of gradient and matrix, and n+4 roundings, without cancellation";
@@ -218,7 +219,8 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
         against_enclosures(check_named(f, "table's trace in ball enclosures of 256 bits", running_error), &trace, &s->trace,
                            1);
         record(check_named(f, "generated divergence against the table's trace", pair_error), fabs(divergence - trace),
-               s->trace.value, running(s->trace.rounding, &s->trace) / roundoff, 2 * rearranged * running(s->trace.rounding, &s->trace));
+               s->trace.value, running(s->trace.rounding, &s->trace) / roundoff,
+               2 * rearranged * running(s->trace.rounding, &s->trace));
     }
     JLT_TRY(compare_matrix(f, s, general, jacobian));
     compare_complex_step(f, s, general, jacobian);

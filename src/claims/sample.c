@@ -61,7 +61,7 @@ void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jl
 /* States: moderate, extreme in size, within 1e-12 of an end of their interval, or some of them zero. */
 static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, unsigned kind)
 {
-    jlt_density_draw_state(x, d, random);
+    jlt_density_draw_state(x, d, NULL, random);
     for (unsigned i = 0; i < d->state_count; i++) {
         const jlt_quantity *q = &d->states[i];
         const bool limited = isfinite(q->low) && isfinite(q->high);

@@ -131,8 +131,8 @@ jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, doubl
 
 jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value)
 {
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s: outside the domain of %s: %s needs %s, and it is %.10g here", what, descriptor->model,
-                            region->name, region->text, value);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: outside the domain of %s: %s needs %s, and it is %.10g here", what,
+                            descriptor->model, region->name, region->text, value);
 }
 
 jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_assign_list *list)

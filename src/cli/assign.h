@@ -18,30 +18,32 @@ typedef struct {
     size_t count;
 } jlt_assign_list;
 
-/** Add the assignments in `text` to a list (zeroed before first use). Says what is wrong on standard error, naming `option`;
- *  the list then keeps what it had or some of the new items, and is still to be cleared. */
+/** Add the assignments in `text` to a list, which is all zeros before its first use and is cleared after its last one. Messages
+ *  name `option`. On failure the list has what it had before and perhaps some of the new items. */
 jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *option);
 
-/** The same, in place of what the list has for these names. */
+/** The same, but a new value takes the place of the one that the list has for that name. */
 jlt_exit jlt_assign_replace(jlt_assign_list *list, const char *text, const char *option);
 void jlt_assign_clear(jlt_assign_list *list);
 
-/** Give values to quantities by name; later ones win. `given`, shape (count,), or NULL, is set to 1 where a value was
- *  given. `what` names them in messages: "parameter" or "state". `where` is the model's name. */
+/** Store the list's values in `values`, shape (count,), by the names of quantities, shape (count,); of two values for one name the
+ *  later one wins, and values without an assignment stay as they are. given: shape (count,), set to 1 where a value was stored, or
+ *  NULL. For messages: what, "parameter" or "state"; where, the model's name. */
 jlt_exit jlt_assign_apply(double *values, unsigned char *given, const jlt_assign_list *list,
                           const jlt_quantity *quantities, size_t count, const char *what, const char *where);
 
-/* The exact value given to a name, or NULL when there is none. */
+/* The exact value of a name as a fraction "p/q", owned by the list; NULL when the list has no value for it. */
 const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
 
-/** Say that `what` lies outside the table's domain, and by which condition. */
+/** Print that `what`, an option or a start, lies outside the table's domain, where `region` has this value. Returns
+ *  JLT_EXIT_INPUT. */
 jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value);
 
-/** Say that parameter number `index` must not have this value, and which the table allows. */
+/** Print that parameter number `index` must not have this value, and which values the table allows. Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value);
 
-/** A model's parameters: defaults of the table, then the list. Checks the table's conditions. Out: params, for the caller to
- *  free(). */
+/** The parameters of a model: the table's defaults, then the list's values, checked against the table's domain. Out: *params, shape
+ *  (param_count,), in the table's units; the caller frees it. */
 jlt_exit jlt_assign_params(double **params, const jlt_descriptor *descriptor, const jlt_assign_list *list);
 
 #endif

@@ -12,8 +12,8 @@ typedef struct {
     size_t limit, digits;
 } jlt_certify_family_options;
 
-/** The question of validated/given_family.h: values of the box, then those of --set, then the table's defaults, exactly. Says what
- *  is wrong. Out: *given, a new reference, NULL on failure. */
+/** The question of validated/given_family.h: values of the box, then those of --set, then the table's defaults, exactly. Out:
+ *  *given, a new reference, NULL on failure. */
 jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *options, const jlt_assign_list *set,
                             const jlt_descriptor *descriptor);
 

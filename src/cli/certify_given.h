@@ -8,7 +8,7 @@
 #include <jansson.h>
 
 /** The question of `given` (validated/given.h) about this system's table; *of, that table's general field in its own time. spread:
- *  parameters and levels with the radius of the interval that they are to run over, or empty. Says what is wrong. Out: *given, a
+ *  parameters and levels with the radius of the interval that they are to run over, or empty. Out: *given, a
  *  new reference, NULL on failure. */
 jlt_exit jlt_certify_given(json_t **given, const jlt_descriptor **of, const jlt_motion_options *options, const jlt_system *system,
                            const jlt_assign_list *spread, unsigned digits);

@@ -136,7 +136,8 @@ jlt_exit jlt_command_distinct(const jlt_command_file *files, size_t count)
 
 jlt_exit jlt_command_check_output(const char *path)
 {
-    return jlt_command_is_standard_output(path) || jlt_file_reachable(path) == JLT_OK ? JLT_EXIT_DONE : jlt_command_cannot_write(path);
+    return jlt_command_is_standard_output(path) || jlt_file_reachable(path) == JLT_OK ? JLT_EXIT_DONE
+                                                                                      : jlt_command_cannot_write(path);
 }
 
 jlt_exit jlt_command_write(const char *path, const char *data, size_t size)

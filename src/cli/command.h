@@ -8,15 +8,17 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Exit statuses, as documented. */
+/** Exit statuses of the program, and of what commands are made of. A function that returns one has printed the reason on standard
+ *  error wherever it is none of JLT_EXIT_DONE and JLT_EXIT_PLANNED; the caller cleans up and passes it on. */
 typedef enum {
     JLT_EXIT_DONE = 0,
-    JLT_EXIT_FAILED = 1,    /* a claim or a check does not hold */
+    JLT_EXIT_FAILED = 1, /* a claim or a check does not hold */
     JLT_EXIT_USAGE = 2,
-    JLT_EXIT_INPUT = 3,     /* a name, a number or a state that cannot be used */
+    JLT_EXIT_INPUT = 3, /* a name, a number or a state that cannot be used */
     JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out */
     JLT_EXIT_IO = 5,
-    JLT_EXIT_PLANNED = 6    /* within the program: what would be done has been said, and all is done */
+    JLT_EXIT_PLANNED =
+        6 /* only inside the program: the plan has been printed, and nothing else is to be done; the program ends with 0 */
 } jlt_exit;
 
 typedef struct {
@@ -25,77 +27,79 @@ typedef struct {
     const char *summary;   /* one line, no full stop */
     jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME" */
     const struct argp *parser; /* whose options are the keys of a scene's entry; NULL: no scene asks for it */
+    const struct jlt_shelf_form *together; /* by which runs of a sweep or a study are computed together (cli/shelf.h); NULL: each by
+                                              itself */
 } jlt_command;
 
-extern const jlt_command
-    jlt_command_verify, jlt_command_eigen, jlt_command_measure, jlt_command_models, jlt_command_simulate,
+extern const jlt_command jlt_command_verify, jlt_command_eigen, jlt_command_measure, jlt_command_models, jlt_command_simulate,
     jlt_command_run, jlt_command_plan, jlt_command_rod, jlt_command_portrait, jlt_command_section, jlt_command_orbits,
-    jlt_command_fates, jlt_command_manifolds, jlt_command_lyapunov, jlt_command_continue, jlt_command_separation,
-    jlt_command_drift, jlt_command_transfer, jlt_command_certify, jlt_command_check, jlt_command_bench, jlt_command_sweep, jlt_command_merge;
+    jlt_command_fates, jlt_command_manifolds, jlt_command_lyapunov, jlt_command_continue, jlt_command_separation, jlt_command_drift,
+    jlt_command_transfer, jlt_command_certify, jlt_command_check, jlt_command_bench, jlt_command_sweep, jlt_command_merge;
 
 /* Number `index` of the table, in the order of --help; NULL beyond the last. */
 const jlt_command *jlt_command_at(size_t index);
 
-/* By name; NULL when there is none. */
+/* The command of this name; NULL when there is none. */
 const jlt_command *jlt_command_find(const char *name);
 
-/* "jellett: " message, on standard error; returns `code`. */
+/* Print "jellett: ", the message and a newline on standard error. Returns `code`, so that a caller can return it at once. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
 jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
 
-/* Messages of every command. */
-/* One line on standard error for a model whose kernels rest on claims that are not proved, and for each smaller model that
+/* Print one line on standard error for a model whose kernels rest on claims that are not proved, and for each smaller model that
  * may answer in its place. */
 void jlt_command_warn_unproved(const jlt_descriptor *descriptor);
 
+/* Print that memory is out, or that a file cannot be written for the reason in errno; return the status of that. */
 jlt_exit jlt_command_no_memory(void);
-jlt_exit jlt_command_cannot_write(const char *path); /* the reason is errno */
+jlt_exit jlt_command_cannot_write(const char *path);
 
-/* The exit status that a library status calls for. */
+/* The exit status that a library status calls for. Prints nothing. */
 jlt_exit jlt_command_exit(jlt_status status);
 
-/* What options begin with that the program gives to its commands itself; no abbreviation of another leads there. */
+/* Options that the program itself hands to its commands begin so: nobody types one by abbreviating another. */
 #define JLT_COMMAND_HIDDEN "--@"
 
 /* The command as typed, for headers of files; for the caller to free(). NULL when memory is out. */
 char *jlt_command_line(int argc, char **argv);
 
-/* Arguments, each of which is owned. */
+/* Free an argument vector and each of its arguments. */
 void jlt_command_free(char **argv, int argc);
 
 /** Results of a command, collected in memory and delivered at once: to a file, whole or not at all, or to standard output.
- *  `stream` is to be written to; failures show at delivery. */
+ *  Callers print to `stream` without looking at errors: a failure shows at delivery. */
 typedef struct {
     FILE *stream;
     char *text;
     size_t size;
 } jlt_command_output;
 
+/* Open the stream. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
 
-/* All that was written is in `text` then. Errors: NOMEM. */
+/* Close the stream: all that was written is in `text`, `size` bytes, from now on. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_close(jlt_command_output *output);
 
-/* NULL and "-" are. */
+/* Whether a path means standard output: NULL and "-" do. */
 bool jlt_command_is_standard_output(const char *path);
 
-/** What a command reads or writes: an option, and its path. */
+/** A file that a command reads or writes: the option that names it, and its path. */
 typedef struct {
     const char *option, *path;
 } jlt_command_file;
 
-/* Before anything is written: that no two of these are one file. Says which are. */
+/* Check, before anything is written, that no two of these paths lead to one file. */
 jlt_exit jlt_command_distinct(const jlt_command_file *files, size_t count);
 
-/* Write a whole file, or nothing. Says what went wrong. */
+/* Write a file, whole or not at all. */
 jlt_exit jlt_command_write(const char *path, const char *data, size_t size);
 
-/* Before long work: whether the result may be delivered there. Says what is wrong, and returns the exit status. */
+/* Check, before long work, that a result can be written to this path. */
 jlt_exit jlt_command_check_output(const char *path);
 
-/* Deliver and close; path NULL or "-" is standard output. Says what went wrong, and returns the exit status. */
+/* Write the output to a file, or to standard output where path is NULL or "-", and close it. */
 jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path);
 void jlt_command_discard(jlt_command_output *output); /* legal when never opened, if zeroed */
 

@@ -21,5 +21,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_bench = {
-    "bench", "KIND [OPTION...]", "Speed against accuracy: every method on the same question", run, NULL
+    "bench", "KIND [OPTION...]", "Speed against accuracy: every method on the same question", run, NULL, NULL
 };

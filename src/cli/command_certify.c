@@ -19,17 +19,22 @@ typedef struct {
     double radius, distance;
     jlt_assign_list spread;
     const char *family, *box;
+    unsigned long long typed; /* bits of own_options */
 } options;
 
 #define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, sink or symmetric"
+
+static const double tolerance = 1e-13; /* of the orbit in doubles */
 
 enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "The orbit closes after N returns, at most 64; default 1", 1 },
-    { "start", 'a', "NAME=VALUE,...", 0, "Near a point of the orbit, as `jellett orbits` gives it", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "A point near the orbit, every coordinate of the section, as `jellett orbits` gives it", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
-    { "radius", RADIUS, "R", 0, "Of the box, in units of the table's states; default 1e-10", 1 },
+    { "radius", RADIUS, "R", 0,
+      "Of the box, in units of the table's states; default 1e-10, or with --spread as far as orbits spread", 1 },
     { "distance", DISTANCE, "VALUE", 0, "Of a homoclinic orbit's beginning from the saddle, in coordinates; default 1e-7", 1 },
     { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is met, by returns; default 1", 1 },
     { "family", FAMILY, "NAME", 0, "Of equilibria, where the table has more than one", 1 },
@@ -41,10 +46,58 @@ static const struct argp_option option_table[] = {
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
+/* The options that some kinds take alone, and which; no kind is part of another's name. */
+static const struct {
+    int key;
+    const char *option, *kinds;
+} own_options[] = {
+    { 'n', "--period", "cycle, elliptic, obstruction, sink and symmetric" },
+    { 'a', "--start", "cycle, elliptic, homoclinic, obstruction, sink and symmetric" },
+    { RADIUS, "--radius", "cycle, elliptic, homoclinic, obstruction, sink and symmetric" },
+    { SPREAD, "--spread", "cycle, elliptic, homoclinic, obstruction, sink and symmetric" },
+    { DISTANCE, "--distance", "homoclinic" },
+    { ORBIT, "--orbit", "homoclinic" },
+    { FAMILY, "--family", "equilibria" },
+    { BOX, "--box", "equilibria" },
+    { LIMIT, "--limit", "equilibria" },
+};
+
+static const unsigned own_option_count = sizeof own_options / sizeof *own_options;
+
+static void note_typed(options *o, int key)
+{
+    for (unsigned i = 0; i < own_option_count; i++)
+        if (own_options[i].key == key) o->typed |= 1ull << i;
+}
+
+/* An option that this kind does not take would be lost. */
+static void check_typed(const options *o, const struct argp_state *state)
+{
+    const jlt_motion_options *m = &o->motion;
+    const char *of_section = m->section != NULL                     ? "--section"
+                             : m->level.count > 0                   ? "--level"
+                             : m->solve != NULL                     ? "--solve"
+                             : m->modulo != NULL                    ? "--modulo"
+                             : m->mirror != NULL                    ? "--mirror"
+                             : m->flow.direction != JLT_RISING      ? "--direction"
+                             : m->flow.tolerance != tolerance       ? "--tol"
+                             : m->flow.method != jlt_method_find(NULL) ? "--method"
+                                                                    : NULL;
+
+    for (unsigned i = 0; i < own_option_count; i++)
+        if ((o->typed >> i & 1) != 0 && strstr(own_options[i].kinds, o->kind) == NULL)
+            argp_error(state, "%s is an option of %s, not of %s: leave it out", own_options[i].option, own_options[i].kinds,
+                       o->kind);
+    if (strcmp(o->kind, "equilibria") == 0 && of_section != NULL)
+        argp_error(state, "%s is an option of orbits, and equilibria have a --box: leave it out", of_section);
+    if (m->flow.direction == JLT_BOTH) argp_error(state, "--direction: a certificate counts crossings one way, up or down");
+}
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
+    note_typed(o, key);
     switch (key) {
     case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
@@ -67,14 +120,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (o->kind == NULL) argp_error(state, "say what to certify: " KINDS);
         if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         jlt_common_no_table(&o->motion.common, state, "a certificate");
-        if (strcmp(o->kind, "homoclinic") == 0 && o->period > 1)
-            argp_error(state, "homoclinic orbits are served of fixed points of the map alone: leave out --period");
-        if (strcmp(o->kind, "equilibria") == 0) {
-            if (o->motion.starts[0] != NULL || o->spread.count > 0 || o->motion.section != NULL || o->motion.level.count > 0)
-                argp_error(state, "equilibria have a --box: leave out --start, --spread, --section and --level");
-            return 0;
-        }
-        if (o->family != NULL || o->box != NULL) argp_error(state, "--family and --box are of equilibria alone");
+        check_typed(o, state);
+        if (strcmp(o->kind, "equilibria") == 0) return 0;
         if (o->motion.starts[0] == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -83,25 +130,38 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL]",
-    "Prove a periodic or homoclinic orbit, or what a family of equilibria excludes, in ball arithmetic, and write the certificate, from "
-    "which `jellett check` replays the proof."
-    "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. obstruction: besides, "
-    "the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. sink: besides, all "
-    "multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no invariant measure has "
-    "a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its unstable and stable manifolds "
-    "cross transversally at a point that the reversor keeps. symmetric: the orbit is its own mirror image under a proved reversor, so "
-    "that the product of its multipliers is 1 exactly, and its trace tells its type; the rotation number is enclosed where it is elliptic. "
-    "elliptic: it is so, without a resonance up to order 4, and its twist coefficient is not 0: it is stable on its levels, "
-    "surrounded by invariant tori. equilibria: at all points of a family that the table claims, in a whole box "
-    "of parameters and states, the trace of the linearization has one sign, so that no invariant measure has a continuous positive "
-    "density near any of them; the box is cut in halves as far as needed. Values typed and defaults of tables are taken exactly. Orbits are found in "
-    "doubles first.\n\n"
+    "Prove a periodic or homoclinic orbit, or what a family of equilibria excludes, in ball arithmetic, and write the "
+    "certificate, from which `jellett check` replays the proof."
+    "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. obstruction: "
+    "besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. "
+    "sink: besides, all multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no "
+    "invariant measure has a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its "
+    "unstable and stable manifolds cross transversally at a point that the reversor keeps. symmetric: the orbit is its own mirror "
+    "image under a proved reversor, so that the product of its multipliers is 1 exactly, and its trace tells its type; the "
+    "rotation number is enclosed where it is elliptic. elliptic: it is so, without a resonance up to order 4, and its twist "
+    "coefficient is not 0: it is stable on its levels, surrounded by invariant tori. equilibria: at all points of a family that "
+    "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
+    "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. Values typed and "
+    "defaults of tables are taken exactly. Orbits are found in doubles first.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959",
     children, NULL, NULL,
 };
+
+/* A certificate's section is met once, and its legs meet as numbers do. */
+static jlt_exit check_section(const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+
+    if (chart->turn == 0) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_INPUT,
+                            "certificates serve no section that is met once a turn, as %s = %g is here: take one of "
+                            "another state, or '--modulo %s=0' for an orbit that does not go around",
+                            system->instance->descriptor->states[chart->column].name, chart->level,
+                            system->instance->descriptor->states[chart->column].name);
+}
 
 /* The orbit in doubles: its legs' starts, x, shape (legs, states), and times, T, shape (legs,). */
 static jlt_exit find(double *x, double *T, unsigned *legs, const options *o, const jlt_system *system)
@@ -144,7 +204,8 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 {
     const jlt_descriptor *d = question->question.descriptor;
     const jlt_reversor *reversor = jlt_theorem_reversor(d);
-    double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), T[JLT_CERTIFY_RETURNS_MAX], q[JLT_CHART_DIM_MAX];
+    double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), T[JLT_CERTIFY_RETURNS_MAX],
+           q[JLT_CHART_DIM_MAX];
     double saddle[JLT_CHART_STATES_MAX] = { 0 };
     const jlt_certify_search search = { .states = d->state_count, .signs = reversor == NULL ? NULL : reversor->signs,
                                         .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
@@ -161,8 +222,15 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 done:
     free(x);
     return st == JLT_OK ? JLT_EXIT_DONE
-                        : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s", o->motion.starts[0],
-                                           jlt_status_text(st));
+                        : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s",
+                                           o->motion.starts[0], jlt_status_text(st));
+}
+
+static bool goes_around(const jlt_system *system)
+{
+    for (unsigned k = 0; system->surface == NULL && k < system->flow.chart->dim; k++)
+        if (system->flow.chart->period[k] != 0) return true;
+    return false;
 }
 
 /* The question, with boxes around the orbit, refined in balls. */
@@ -173,14 +241,18 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     char problem[JLT_GIVEN_PROBLEM_MAX];
     jlt_given question;
     jlt_status st;
-    jlt_exit code = x == NULL ? jlt_command_no_memory() : find(x, T, &legs, o, system);
+    jlt_exit code = x == NULL ? jlt_command_no_memory() : check_section(system);
 
+    if (code == JLT_EXIT_DONE) code = find(x, T, &legs, o, system);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) goto done;
     if (!jlt_given_read(&question, *given, *d, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, o->radius)) != JLT_OK)
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
-                                jlt_status_text(st));
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s%s", o->digits,
+                                jlt_status_text(st),
+                                goes_around(system) ? " (an orbit that goes around an angle does not close, as "
+                                                      "certificates see it)"
+                                                    : "");
     else if (strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
     jlt_given_clear(&question);
 done:
@@ -204,7 +276,7 @@ static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_syst
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .digits = 20, .radius = 1e-10, .distance = 1e-7, .which = 1, .limit = 100000 };
+    options o = { .period = 1, .digits = 20, .distance = 1e-7, .which = 1, .limit = 100000 };
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     const jlt_descriptor *d = NULL;
@@ -213,7 +285,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
-    o.motion.flow.tolerance = 1e-13;
+    o.motion.flow.tolerance = tolerance;
     common->no_table = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = find_question(&given, &d, &system, &o);
@@ -235,5 +307,5 @@ done:
 
 const jlt_command jlt_command_certify = {
     "certify", "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL] [OPTION...]",
-    "Prove an orbit, or what equilibria exclude, and write the certificate", run, NULL
+    "Prove an orbit, or what equilibria exclude, and write the certificate", run, NULL, NULL
 };

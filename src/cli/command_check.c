@@ -83,4 +83,4 @@ static jlt_exit run(int argc, char **argv)
     return code;
 }
 
-const jlt_command jlt_command_check = { "check", "CERTIFICATE... [OPTION...]", "Replay certificates", run, NULL };
+const jlt_command jlt_command_check = { "check", "CERTIFICATE... [OPTION...]", "Replay certificates", run, NULL, NULL };

@@ -20,14 +20,19 @@ enum { ALONG = 2000, STEP, DOWN, FOLLOW, GENERATIONS };
 
 static const struct argp_option option_table[] = {
     { "along", ALONG, "PARAM|LEVEL=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
-    { "start", 'a', "NAME=VALUE,...", 0, "Near the orbit, by all coordinates of the section; of the spherical top the saddle of Figure 3 by default", 1 },
-    { "period", 'n', "N", 0, "Returns of the orbit; default 1", 1 },
-    { "step", STEP, "VALUE", 0, "First arc length between points, in the coordinates and the value; at most 5 of them later; default 0.01", 1 },
-    { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
-    { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "A point near the orbit, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
+    { "period", 'n', "N", 0, "The orbit closes after N returns; default 1", 1 },
+    { "step", STEP, "VALUE", 0,
+      "Arc length to the second point, in coordinates and value together; later steps are at most 5 times as long; default "
+      "0.01", 1 },
+    { "count", 'c', "N", 0, "At most N points on a branch; default 500", 1 },
+    { "decreasing", DOWN, NULL, 0, "Go towards smaller values first, from the upper end of the range", 1 },
     { "branches", FOLLOW, NULL, 0,
-      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once; on sections of two coordinates", 1 },
-    { "generations", GENERATIONS, "N", 0, "The same N times over: what begins on those branches, and so on", 1 },
+      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once; on sections of two "
+      "coordinates", 1 },
+    { "generations", GENERATIONS, "N", 0,
+      "--branches N times over: also what begins on those branches, and so on; default 1 with --branches", 1 },
     { 0 },
 };
 
@@ -57,12 +62,13 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: folds, period doublings, branch "
-    "points and, on a section of two coordinates, tori."
-    "\vColumns: branch, the running value (along_arc of one called arc), arc, period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, "
-    "symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the "
-    "values at the nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to "
-    "converge there. How many bifurcations are listed whose branches are not followed is said at the end.\n\n"
+    "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: folds, period doublings, "
+    "branch points and, on a section of two coordinates, tori."
+    "\vColumns: branch, the running value (along_arc of one called arc), arc, period, the coordinates, T, trace, det, mu1_re, "
+    "mu1_im, mu2_re, mu2_im, symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a "
+    "row of its own, with the values at the nearest points found on both sides of it: low and high are wide apart where it was not "
+    "located, as steps may cease to converge there. How many bifurcations are listed whose branches are not followed is said at "
+    "the end.\n\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv\n"
     "  jellett continue roessler --section y=0 --direction down \\\n"
@@ -113,9 +119,11 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
     return ferror(self->file) ? JLT_ERR_IO : JLT_OK;
 }
 
-static const char *const ends[] = { "the range ends", "the number of points is reached",
-                                    "no shorter step converges (a pole, an empty level, a tangency, or a family: levels may tell its orbits apart)",
-                                    "interrupted", "it closes", "it ends at a period doubling" };
+static const char *const ends[] = {
+    "the range ends", "the number of points is reached",
+    "no shorter step converges (a pole, an empty level, a tangency, or a family: levels may tell its orbits apart)", "interrupted",
+    "it closes", "it ends at a period doubling"
+};
 
 static void tell_end(void *unused, const jlt_tree_end *e)
 {
@@ -271,9 +279,11 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
     if (code == JLT_EXIT_DONE) code = choose_axes(to.shown, &o, system, &axis);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
+    if (code == JLT_EXIT_DONE)
+        code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
     if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--branches: the section has %u coordinates; branches are followed where it has two",
+        code = jlt_command_fail(JLT_EXIT_USAGE,
+                                "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);
     if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, &axis, 1, "--along");
     if (code != JLT_EXIT_DONE) goto done;
@@ -302,5 +312,6 @@ done:
 }
 
 const jlt_command jlt_command_continue = {
-    "continue", "[MODEL] --along PARAM|LEVEL=LOW:HIGH [OPTION...]", "Follow a periodic orbit in a parameter or level, with its bifurcations", run, &parser
+    "continue", "[MODEL] --along PARAM|LEVEL=LOW:HIGH [OPTION...]",
+    "Follow a periodic orbit in a parameter or level, with its bifurcations", run, &parser, NULL
 };

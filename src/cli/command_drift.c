@@ -41,9 +41,11 @@ typedef struct {
 } part;
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "Start on the section, every coordinate; of the spherical top a regular orbit by default", 1 },
-    { "returns", 'n', "N", 0, "Returns; default 10000", 1 },
-    { "project", PROJECT, NULL, 0, "After every step back onto the levels of the start (one-step methods)", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "The start on the section, every coordinate; of the spherical top a regular orbit by default", 1 },
+    { "returns", 'n', "N", 0, "Follow the orbit for N returns; default 10000", 1 },
+    { "project", PROJECT, NULL, 0,
+      "Put the orbit back onto the start's levels of the integrals after every step (one-step methods)", 1 },
     { 0 },
 };
 
@@ -66,13 +68,13 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "How far the integrals that a table proves drift along an orbit, by every method or by that of --method: of the spherical top E and "
-    "G in the five states of system (3.2) in regular time, where no integral is built in; of other tables on --section."
-    "\vColumns: method, returns, t, evaluations, drift_E, drift_G (drift_NAME of each integral): evaluations of the field since the "
-    "start, and the largest |F - F(start)|/|F(start)| at a return so far (not divided where F(start) is 0, or the rounding of it); rows at powers of two and at "
-    "the end. Comment lines at the end have the slopes: the powers of the number of returns with which the drifts grow, fitted over the "
-    "last four doublings; or, where the orbit ends before all returns are done, its end: pole+, pole- or equilibrium, as in jellett "
-    "section --help, with its time and the returns until then.\n\n"
+    "How far the integrals that a table proves drift along an orbit, by every method or by that of --method: of the spherical top "
+    "E and G in the five states of system (3.2) in regular time, where no integral is built in; of other tables on --section."
+    "\vColumns: method, returns, t, evaluations, drift_E, drift_G (drift_NAME of each integral): evaluations of the field since "
+    "the start, and the largest |F - F(start)|/|F(start)| at a return so far (not divided where F(start) is 0, or the rounding of "
+    "it); rows at powers of two and at the end. Comment lines at the end have the slopes: the powers of the number of returns "
+    "with which the drifts grow, fitted over the last four doublings; or, where the orbit ends before all returns are done, its "
+    "end: pole+, pole- or equilibrium, as in jellett section --help, with its time and the returns until then.\n\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13\n"
     "  jellett drift toda --section q1=0 --start q2=0.1,q3=-0.1,p1=0.2,p2=0,p3=-0.2",
     children, NULL, NULL,
@@ -131,7 +133,8 @@ static void follow(part *self, const options *o)
     if (self->points != NULL) fputs("END\n", self->points);
     if (self->status != JLT_OK) return;
     if (end.name[0] != '\0')
-        fprintf(self->notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", self->method->name, end.name, end.t, end.returns);
+        fprintf(self->notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", self->method->name, end.name, end.t,
+                end.returns);
     else write_slopes(self);
 }
 
@@ -159,7 +162,8 @@ static jlt_exit verdict(const part *self)
 {
     if (self->status == JLT_OK) return JLT_EXIT_DONE;
     if (self->status == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", self->method->name);
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s",
+                                self->method->name);
     return jlt_command_fail(jlt_command_exit(self->status), "%s: %s", self->method->name, jlt_status_text(self->status));
 }
 
@@ -255,7 +259,8 @@ static jlt_exit watch_proved(report *r)
             continue;
         }
         if (r->drift.count == JLT_INVARIANTS_MAX)
-            return jlt_command_fail(JLT_EXIT_USAGE, "%s proves more than %d integrals; drift serves up to so many", d->model, JLT_INVARIANTS_MAX);
+            return jlt_command_fail(JLT_EXIT_USAGE, "%s proves more than %d integrals; drift serves up to so many", d->model,
+                                    JLT_INVARIANTS_MAX);
         r->names[r->drift.count] = d->integrals[i].name;
         r->drift.watched[r->drift.count++] = i;
     }
@@ -276,7 +281,8 @@ static jlt_exit open_integrals(report *r, options *o)
     const jlt_status st = surface != NULL ? jlt_drift_whole_open(&r->whole, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
     if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
     r->drift.count = surface->count - surface->params;
-    for (unsigned k = 0; k < r->drift.count; k++) r->drift.watched[k] = r->whole.watched[k], r->names[k] = surface->names[surface->params + k];
+    for (unsigned k = 0; k < r->drift.count; k++)
+        r->drift.watched[k] = r->whole.watched[k], r->names[k] = surface->names[surface->params + k];
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->drift.system, o->motion.starts[0]);
 }
 
@@ -298,8 +304,8 @@ static void write_header(const report *r, const options *o)
         fputs("# levels", file);
         for (unsigned k = 0; k < r->drift.count; k++)
             if (!isnan(levels[k])) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
-        fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->motion.starts[0], o->motion.flow.tolerance,
-                o->project ? ", projected" : "");
+        fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->motion.starts[0],
+                o->motion.flow.tolerance, o->project ? ", projected" : "");
     } else {
         jlt_motion_header(file, &o->motion, r->drift.system);
         fprintf(file, "# start %s%s\n", o->motion.starts[0], o->project ? ", projected" : "");
@@ -338,7 +344,8 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE && drawn == 0) goto done; /* there is no row of any method */
     const jlt_exit saved = jlt_common_save(common);
     if (saved != JLT_EXIT_DONE) code = saved;
-    else if (jlt_motion_interrupted(&o.motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
+    else if (jlt_motion_interrupted(&o.motion))
+        fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
     if (code == JLT_EXIT_DONE && drawn != 0 && common->plot != NULL) code = draw(&r, &o, drawn);
 done:
     jlt_drift_whole_close(&r.whole);
@@ -348,5 +355,5 @@ done:
 }
 
 const jlt_command jlt_command_drift = {
-    "drift", "[MODEL] [OPTION...]", "How far integrals drift along an orbit, by every method, with slopes", run, &parser
+    "drift", "[MODEL] [OPTION...]", "How far integrals drift along an orbit, by every method, with slopes", run, &parser, NULL
 };

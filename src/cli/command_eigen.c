@@ -4,12 +4,14 @@
 
 #include <stdlib.h>
 
-enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST };
+enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST, KEY_THREADS };
 
 static const struct argp_option option_table[] = {
     { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
     { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
     { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "threads", KEY_THREADS, "N", 0,
+      "Of a sweep: by so many processes; default: as many as processors, or as OMP_NUM_THREADS says. Rows do not depend on it", 1 },
     { "digits", KEY_DIGITS, "N", 0, "Numbers with N digits (1 to 1000), all of them right; not with --sweep or --csv", 1 },
     { "fast", KEY_FAST, NULL, 0, "Doubles alone, with bounds on their errors; verdicts are not proved", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
@@ -33,9 +35,11 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (code == JLT_EXIT_DONE) r->question.digits = (long)digits;
         break;
     case KEY_FAST: r->question.fast = true; break;
+    case KEY_THREADS: jlt_common_count(&r->processes, value, 1, 1024, "--threads"); break;
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
     case ARGP_KEY_END:
+        if (r->processes > 0 && r->axis_count == 0) argp_error(state, "--threads are of a sweep: add --sweep");
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
         if (r->question.digits > 0 && (r->question.fast || r->csv || r->axis_count > 0))
             argp_error(state, "--digits excludes --fast, --csv and --sweep");
@@ -51,22 +55,23 @@ static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Report on an equilibrium: residual, Jacobian, characteristic polynomial, trace, eigenvalues, stability, and what follows "
-    "for an invariant measure."
+    "Report on an equilibrium: residual, Jacobian, characteristic polynomial, trace, eigenvalues, stability, and what follows for "
+    "an invariant measure."
     "\vExamples:\n"
     "  jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1\n"
     "  jellett eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 \\\n"
     "    --sweep gamma3=-0.99:0.99:201 --plot locus.svg\n"
     "  jellett eigen --at gamma3=-0.6,omega_n=1 --find --digits 50\n\n"
     "Values are read exactly (1/3, 0.51), and matrix, characteristic polynomial, trace and eigenvalues are those of the exact "
-    "equilibrium, in ball arithmetic of as many bits as it takes (192 to 6144) to make every number the nearest double, or "
-    "the nearest decimal of N digits. \"stable\", \"unstable\" and \"centre\" are proved: that the equilibrium exists, by exact "
-    "arithmetic with square roots or by Krawczyk's test; zeros, and pairs on the imaginary axis, by exact polynomials, by "
-    "integrals, and by a reversor that leaves the equilibrium where it is. Else the verdict is \"not settled\" at these bits. "
-    "Eigenvalues that integrals force to vanish are exactly zero. Rows of a sweep are the same at the doubles printed; with "
-    "--fast numbers and verdicts are those of doubles, each eigenvalue with a bound on its error. A state that is off every "
-    "equilibrium by more than the rounding of its digits, or by a part of its distance from a pole, is refused with status 3, "
-    "and its residual is said.",
+    "equilibrium, in ball arithmetic of as many bits as it takes (192 to 6144) to make every number the nearest double, or the "
+    "nearest decimal of N digits. The verdict \"stable\", \"unstable\" or \"centre\" is that of the linearization, and proved: "
+    "that the equilibrium exists, by exact arithmetic with square roots or by Krawczyk's test; zeros, and pairs on the imaginary "
+    "axis, by exact polynomials, by integrals, and by a reversor that leaves the equilibrium where it is. Else the verdict is "
+    "\"not settled\" at these bits. What follows for the motion itself is said beside it: a linear centre may be a weak focus, "
+    "and zero may hide x' = x^2, so that it is often \"not settled\". Eigenvalues that integrals force to vanish are exactly "
+    "zero. Rows of a sweep are the same at the doubles printed; with --fast numbers and verdicts are those of doubles, each "
+    "eigenvalue with a bound on its error. A state that is off every equilibrium by more than the rounding of its digits, or by a "
+    "part of its distance from a pole, is refused with status 3, and its residual is said.",
     children, NULL, NULL,
 };
 
@@ -180,5 +185,5 @@ static jlt_exit run(int argc, char **argv)
 
 const jlt_command jlt_command_eigen = {
     "eigen", "[MODEL] --set PARAM=VALUE,... --at STATE=VALUE,... [--find] [--sweep ...|--digits N] [--json|--csv] [--plot FILE]",
-    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run, &parser
+    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run, &parser, NULL
 };

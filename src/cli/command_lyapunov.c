@@ -1,30 +1,27 @@
-#include "cli/motion_map.h"
+#include "cli/lyapunov_chart.h"
 #include "cli/progress.h"
+#include "cli/shelf.h"
 #include "cli/swept.h"
 #include "dynamics/lyapunov.h"
-#include "dynamics/map_batch.h"
-#include "kernel/batch_isa.h"
 #include "report/csv.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <string.h>
 
-typedef struct {
-    jlt_motion_options motion;
-    size_t returns, skip, threads;
-} options;
+typedef jlt_lyapunov_chart_options options;
 
-/* Starts of a chart that go together, for each thread. */
-enum { SKIP = 2000, THREADS, BLOCK = 256 };
+enum { SKIP = 2000, THREADS };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0,
-      "Start of the orbit, every coordinate of the section; of the spherical top a chaotic one by default", 1 },
-    { "grid", 'g', "COUNTxCOUNT", 0, "A chart instead: finite-time exponents of a grid of starts, or of NAME=LOW:HIGH:COUNT,...", 1 },
-    { "returns", 'n', "N", 0, "Returns; default 1000, or 10 for a chart", 1 },
-    { "skip", SKIP, "N|0", 0, "Returns left out before, so that the orbit is on its attractor; t counts from there", 1 },
-    { "threads", THREADS, "N", 0, "Of a chart: on so many threads; default: all processors. Rows do not depend on it", 1 },
+      "The start on the section, every coordinate; of the spherical top a chaotic orbit by default", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0,
+      "A chart instead: finite-time exponents of a grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...", 1 },
+    { "returns", 'n', "N", 0, "Follow orbits for N returns; default 1000, or 10 for a chart", 1 },
+    { "skip", SKIP, "N|0", 0,
+      "Leave out N returns first, so that the orbit is on its attractor; t counts from there; default 0", 1 },
+    { "threads", THREADS, "N", 0, "Compute a chart on so many threads; default: all processors. Rows do not depend on it", 1 },
     { 0 },
 };
 
@@ -59,8 +56,8 @@ static const struct argp parser = {
     "exponents over the section. The exponents of the flow's direction and across the levels are zero and not shown."
     "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
     "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: the coordinates, exponent, t; "
-    "orbits that end before N returns have an empty exponent. With --sweep a history is its last row. Starts go many at once, by a "
-    "method chosen by --tol, or by --method one at a "
+    "orbits that end before N returns have an empty exponent. With --sweep a history is its last row. Starts, and histories of a "
+    "sweep, go many at once, by a method chosen by --tol, or by --method one at a "
     "time.\n\n"
     "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 \\\n"
     "    --plot history.svg\n"
@@ -134,176 +131,208 @@ static jlt_exit draw_history(const options *o, const jlt_system *system)
     return jlt_plot_draw(&plot);
 }
 
-/* The point that exponents are measured from. */
-static jlt_status skip(jlt_map *map, double *q, const options *o)
+/* A run of the command. */
+typedef struct {
+    options o;
+    jlt_system *system;
+    jlt_map *map;
+    jlt_map_batch *maps; /* of a chart, and of a history that may go with others */
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_motion_map picture;
+    double q[JLT_CHART_DIM_MAX]; /* start of a history */
+    jlt_lyapunov_state state;    /* its end */
+    jlt_status status;
+    bool has_end;                /* it was followed, with those of other points of a sweep */
+} exponents;
+
+/* Runs of histories from the first one on that fit beside it. False: memory is out. */
+static bool follow_group(exponents *const *runs, size_t count)
 {
-    jlt_image image;
-    const jlt_status st = o->skip > 0 ? jlt_map_point(map, &image, q, o->skip, 1) : JLT_OK;
+    const unsigned d = runs[0]->system->flow.chart->dim;
+    exponents **own = malloc(count * sizeof(exponents *));
+    double *q = malloc(count * d * sizeof *q);
+    size_t *flow_of = malloc(count * sizeof *flow_of), made = 0;
+    jlt_lyapunov_state *states = malloc(count * sizeof *states);
+    jlt_status *statuses = malloc(count * sizeof *statuses), st = JLT_ERR_NOMEM;
 
-    if (o->skip > 0 && st == JLT_OK) memcpy(q, image.q, jlt_map_flow(map)->chart->dim * sizeof *q);
-    return st;
-}
-
-static jlt_exit run_history(jlt_map *map, options *o, const jlt_system *system)
-{
-    const jlt_chart *chart = system->flow.chart;
-    history self = { .o = o, .dim = chart->dim, .next = 1, .file = o->motion.common.table.file,
-                     .points = o->motion.common.points };
-    jlt_lyapunov_state state = { .returns = 0 };
-    double q[JLT_CHART_DIM_MAX];
-    jlt_status st;
-    jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
-
-    if (code != JLT_EXIT_DONE) return code;
-    if (o->returns == 0) o->returns = 1000;
-    fputs("return,t", self.file);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(self.file, ",lambda%u", k + 1);
-    fputs(",divergence\n", self.file);
-    jlt_progress_start(&self.progress, "returns");
-    st = skip(map, q, o);
-    if (st == JLT_OK) st = jlt_lyapunov_run(map, &state, q, o->returns, observe, &self);
-    jlt_progress_end(&self.progress);
-    if (o->motion.common.at_point && state.returns > 0) write_state(self.file, &state, self.dim);
-    if (jlt_motion_interrupted(&o->motion)) {
-        fprintf(stderr, "jellett: interrupted after %zu returns; whole rows are saved in %s\n", state.returns, o->motion.common.table.path);
-        return JLT_EXIT_DONE;
+    if (own == NULL || q == NULL || flow_of == NULL || states == NULL || statuses == NULL) goto done;
+    for (size_t i = 0; i < count; i++) {
+        exponents *run = runs[i];
+        flow_of[made] = 0;
+        if (run->maps == NULL || run->has_end) continue;
+        if (i > 0 && jlt_map_batch_add(runs[0]->maps, &flow_of[made], &run->system->flow) != JLT_OK) continue;
+        memcpy(q + made * d, run->q, d * sizeof *q);
+        own[made++] = run;
     }
-    if (st == JLT_ERR_DOMAIN && state.returns > 0) {
-        fprintf(stderr, "jellett: the orbit ends, at a pole, at rest or where the domain does, after %zu returns, t = %.10g: these are finite-time exponents\n",
-                state.returns, state.t);
-        return JLT_EXIT_DONE;
+    st = jlt_lyapunov_run_each(runs[0]->maps, states, statuses, q, flow_of, made, runs[0]->o.skip, runs[0]->o.returns);
+    for (size_t i = 0; st == JLT_OK && i < made; i++) {
+        own[i]->state = states[i];
+        own[i]->status = statuses[i];
+        own[i]->has_end = true;
     }
-    if (state.blurred > 0)
-        fprintf(stderr, "jellett: %zu of %zu returns stretch by more than rounding can tell apart: exponents between the first and the "
-                "last are in doubt; a section that is met more often shows them\n", state.blurred, state.returns);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->motion.starts[0]);
-}
-
-static jlt_exit draw_chart(const options *o, const jlt_system *system, jlt_motion_map *map)
-{
-    jlt_plot plot;
-
-    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
-    jlt_plot_words(&plot, "Finite-time exponent over %zu return%s\n", o->returns, o->returns == 1 ? "" : "s");
-    jlt_motion_caption(&plot, system, NULL);
-    jlt_motion_map_frame(map, &plot);
-    jlt_motion_map_palette(map, &plot, "exponent [1/s]");
-    jlt_motion_map_plot(map, &plot);
-    fputc('\n', plot.stream);
-    return jlt_plot_draw(&plot);
-}
-
-/* Starts first .. first + count - 1: their points q, exponents and times, NaN where the orbit ends. */
-static jlt_status exponents(const options *o, jlt_map *map, jlt_map_batch *maps, const jlt_map_images *images, double *q, size_t count)
-{
-    const unsigned d = jlt_map_flow(map)->chart->dim;
-    jlt_status st = JLT_OK;
-
-    memcpy(images->q, q, count * d * sizeof *q);
-    for (size_t i = 0; i < count; i++)
-        if ((st = skip(map, images->q + i * d, o)) != JLT_OK)
-            for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* it has ended already */
-    return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns, 1);
-}
-
-static jlt_exit run_chart(jlt_motion_map *picture, jlt_map *map, jlt_map_batch *maps, options *o, const jlt_grid_axis *axes)
-{
-    const jlt_stream *table = &o->motion.common.table;
-    const jlt_system *system = picture->system;
-    const jlt_chart *chart = system->flow.chart;
-    const unsigned d = chart->dim;
-    const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
-    double *q = malloc(block * d * sizeof *q);
-    jlt_map_images images = { 0 };
-    jlt_progress progress;
-    jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
-
-    if (o->returns == 0) o->returns = 10;
-    for (unsigned k = 0; k < d; k++) fprintf(table->file, "%s,", chart->names[k]);
-    fputs("exponent,t\n", table->file);
-    jlt_progress_start(&progress, "starts");
-    for (size_t first = 0; st == JLT_OK && first < all; first += block) {
-        const size_t count = all - first < block ? all - first : block;
-        for (size_t i = 0; i < count; i++) jlt_motion_grid_point(q + i * d, axes, system, first + i);
-        st = exponents(o, map, maps, &images, q, count);
-        if (jlt_motion_interrupted(&o->motion)) break;
-        for (size_t i = 0; st == JLT_OK && i < count; i++) {
-            const bool has_returned = images.status[i] == JLT_OK;
-            const double exponent = has_returned ? jlt_lyapunov_growth(images.slope + i * d * d, d) / images.T[i] : NAN;
-            jlt_csv_values(table->file, q + i * d, d);
-            fputc(',', table->file);
-            jlt_csv_row(table->file, (const double[]){ exponent, has_returned ? images.T[i] : NAN }, 2);
-            jlt_motion_map_add(picture, q + i * d, exponent);
-        }
-        jlt_progress_show(&progress, first + count, all);
-    }
-    jlt_progress_end(&progress);
-    jlt_map_batch_images_clear(&images);
+done:
+    free(own);
     free(q);
-    if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
+    free(flow_of);
+    free(states);
+    free(statuses);
+    return st == JLT_OK;
 }
 
-/* The maps of a chart: in lanes, unless a method was asked for. */
-static jlt_status open_maps(jlt_map_batch **out, options *o, const jlt_system *system, bool has_method)
+/* One orbit, and what its end was; rows on the way, but not of a sweep. */
+static void follow_alone(exponents *self, history *rows)
 {
-    const jlt_kernel_batch *kernels = has_method ? NULL : jlt_batch_isa_best(system->instance->descriptor, 0);
-    jlt_status st;
+    self->status = jlt_lyapunov_chart_skip(self->map, self->q, self->o.skip);
+    if (self->status == JLT_OK) self->status = jlt_lyapunov_run(self->map, &self->state, self->q, self->o.returns, observe, rows);
+}
 
-    if (o->threads == 0) o->threads = jlt_common_processors();
-    st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
-    if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* says the header */
-    return st;
+static jlt_exit write_history(exponents *self)
+{
+    options *o = &self->o;
+    const jlt_chart *chart = self->system->flow.chart;
+    const jlt_lyapunov_state *state = &self->state;
+    history rows = { .o = o, .dim = chart->dim, .next = 1, .file = o->motion.common.table.file, .points = o->motion.common.points };
+
+    fputs("return,t", rows.file);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(rows.file, ",lambda%u", k + 1);
+    fputs(",divergence\n", rows.file);
+    jlt_progress_start(&rows.progress, "returns");
+    if (self->maps != NULL && !self->has_end && !follow_group(&self, 1)) self->status = JLT_ERR_NOMEM;
+    else if (self->maps == NULL) follow_alone(self, &rows);
+    jlt_progress_end(&rows.progress);
+    if (o->motion.common.at_point && state->returns > 0) write_state(rows.file, state, chart->dim);
+    if (jlt_motion_interrupted(&o->motion)) {
+        fprintf(stderr, "jellett: interrupted after %zu returns; whole rows are saved in %s\n", state->returns,
+                o->motion.common.table.path);
+        return JLT_EXIT_DONE;
+    }
+    if (self->status == JLT_ERR_DOMAIN && state->returns > 0) {
+        fprintf(
+            stderr,
+            "jellett: the orbit ends, at a pole, at rest or where the domain does, after %zu returns, t = %.10g: these are "
+            "finite-time exponents\n",
+            state->returns, state->t);
+        return JLT_EXIT_DONE;
+    }
+    if (state->blurred > 0)
+        fprintf(stderr,
+                "jellett: %zu of %zu returns stretch by more than rounding can tell apart: exponents between the first and the "
+                "last are in doubt; a section that is met more often shows them\n",
+                state->blurred, state->returns);
+    return self->status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(self->status, self->system, o->motion.starts[0]);
 }
 
 static const jlt_swept_form swept = { &jlt_command_lyapunov, true, 2 };
 
-static jlt_exit run(int argc, char **argv)
+static void drop(void *run)
 {
-    options o = { .returns = 0 };
-    jlt_common *common = &o.motion.common;
-    jlt_system *system = NULL;
-    jlt_map *map = NULL;
-    jlt_map_batch *maps = NULL;
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    jlt_motion_map picture = { .points = NULL };
-    jlt_exit code;
+    exponents *self = run;
+
+    jlt_map_destroy(self->map);
+    jlt_map_batch_destroy(self->maps);
+    jlt_system_destroy(self->system);
+    jlt_motion_end(&self->o.motion);
+    jlt_motion_map_close(&self->picture);
+    free(self);
+}
+
+/* Maps of a chart, of a history at a point of a sweep by the batch, which others go beside, or of one by itself. */
+static jlt_exit open_maps(exponents *self, bool has_method)
+{
+    options *o = &self->o;
+    const bool is_chart = o->motion.grid != NULL;
     jlt_status st;
 
-    jlt_motion_begin(&o.motion, argc, argv);
-    o.motion.flow.method = NULL;
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    const bool has_method = o.motion.flow.method != NULL;
-    if (!has_method) o.motion.flow.method = jlt_method_find(NULL);
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && o.motion.grid == NULL) code = jlt_motion_default_start(&o.motion, system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
-    if (code == JLT_EXIT_DONE && o.motion.starts[0] != NULL) code = jlt_motion_check_starts(system, o.motion.starts, 1);
-    if (code == JLT_EXIT_DONE && o.motion.grid != NULL) code = jlt_motion_axes(axes, system, o.motion.grid, "--grid");
-    if (code == JLT_EXIT_DONE && o.motion.grid != NULL) code = jlt_motion_map_open(&picture, &o.motion, system, o.motion.grid, axes);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code != JLT_EXIT_DONE) goto done;
-    if (o.motion.grid != NULL) system->flow.max_steps = 20000;
-    st = jlt_map_create(&map, &system->flow);
-    if (st == JLT_OK && o.motion.grid != NULL) st = open_maps(&maps, &o, system, has_method);
-    if (st != JLT_OK) {
-        code = jlt_motion_fail(st, system, "the map");
-        goto done;
+    if (is_chart) self->system->flow.max_steps = 20000;
+    st = jlt_map_create(&self->map, &self->system->flow);
+    if (st == JLT_OK && (is_chart || (o->motion.common.at_point && !has_method)))
+        st = jlt_lyapunov_chart_maps(&self->maps, o, self->system, has_method);
+    if (st != JLT_OK) return jlt_motion_fail(st, self->system, "the map");
+    if (is_chart) return JLT_EXIT_DONE;
+    if (self->maps != NULL && !jlt_map_batch_in_lanes(self->maps)) {
+        jlt_map_batch_destroy(self->maps);
+        self->maps = NULL;
     }
-    jlt_motion_header(common->table.file, &o.motion, system);
-    code = o.motion.grid != NULL ? run_chart(&picture, map, maps, &o, axes) : run_history(map, &o, system);
+    return jlt_motion_start(self->q, self->system, o->motion.starts[0]);
+}
+
+static void *begin(jlt_exit *code, int argc, char **argv)
+{
+    exponents *self = calloc(1, sizeof *self);
+
+    if (self == NULL) {
+        *code = jlt_command_no_memory();
+        return NULL;
+    }
+    options *o = &self->o;
+    jlt_motion_begin(&o->motion, argc, argv);
+    o->motion.flow.method = NULL;
+    argp_parse(&parser, argc, argv, 0, NULL, o);
+    if (jlt_swept_done(code, &swept, &o->motion.common)) goto done;
+    const bool has_method = o->motion.flow.method != NULL;
+    if (!has_method) o->motion.flow.method = jlt_method_find(NULL);
+    if (o->returns == 0) o->returns = o->motion.grid != NULL ? 10 : 1000;
+    *code = jlt_motion_system(&self->system, &o->motion);
+    if (*code == JLT_EXIT_DONE && o->motion.grid == NULL)
+        *code = jlt_motion_default_start(&o->motion, self->system, JLT_START_CHAOTIC, "say where to start: --grid, or --start");
+    if (*code == JLT_EXIT_DONE && o->motion.starts[0] != NULL) *code = jlt_motion_check_starts(self->system, o->motion.starts, 1);
+    if (*code == JLT_EXIT_DONE && o->motion.grid != NULL)
+        *code = jlt_motion_axes(self->axes, self->system, o->motion.grid, "--grid");
+    if (*code == JLT_EXIT_DONE && o->motion.grid != NULL)
+        *code = jlt_motion_map_open(&self->picture, &o->motion, self->system, o->motion.grid, self->axes);
+    if (*code == JLT_EXIT_DONE) *code = open_maps(self, has_method);
+    if (*code == JLT_EXIT_DONE) return self;
+done:
+    drop(self);
+    return NULL;
+}
+
+static jlt_exit finish(void *run)
+{
+    exponents *self = run;
+    options *o = &self->o;
+    jlt_common *common = &o->motion.common;
+    jlt_exit code = jlt_common_write(common);
+
+    if (code != JLT_EXIT_DONE) return code;
+    jlt_motion_header(common->table.file, &o->motion, self->system);
+    code = o->motion.grid != NULL ? jlt_lyapunov_chart_write(&self->picture, self->map, self->maps, o, self->axes)
+                                  : write_history(self);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && common->plot != NULL)
-        code = o.motion.grid != NULL ? draw_chart(&o, system, &picture) : draw_history(&o, system);
-done:
-    jlt_map_destroy(map);
-    jlt_map_batch_destroy(maps);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    jlt_motion_map_close(&picture);
+        code = o->motion.grid != NULL ? jlt_lyapunov_chart_draw(o, self->system, &self->picture) : draw_history(o, self->system);
+    return code;
+}
+
+static bool are_enough(void *const *runs, size_t count)
+{
+    return ((const exponents *)runs[0])->maps == NULL || ((const exponents *)runs[0])->o.motion.grid != NULL
+           || count == JLT_SHELF_RUNS;
+}
+
+static void follow(void *const *runs, size_t count)
+{
+    exponents *all[JLT_SHELF_RUNS];
+
+    for (size_t i = 0; i < count; i++) all[i] = runs[i];
+    for (size_t i = 0; i < count; i++)
+        if (all[i]->o.motion.grid == NULL && all[i]->maps != NULL && !all[i]->has_end && !follow_group(all + i, count - i)) return;
+}
+
+static const jlt_shelf_form together = { begin, are_enough, follow, finish, drop };
+
+static jlt_exit run(int argc, char **argv)
+{
+    jlt_exit code;
+    exponents *self = begin(&code, argc, argv);
+
+    if (self == NULL) return code;
+    code = finish(self);
+    drop(self);
     return code;
 }
 
 const jlt_command jlt_command_lyapunov = {
-    "lyapunov", "[MODEL] [OPTION...]", "Lyapunov exponents with their convergence, or a chart of finite-time exponents", run, &parser
+    "lyapunov", "[MODEL] [OPTION...]",
+    "Lyapunov exponents with their convergence, or a chart of finite-time exponents", run, &parser, &together
 };

@@ -20,15 +20,16 @@ typedef struct {
 enum { LENGTH = 2000, SPACING, TURN, SEED, CROSSINGS, NO_CROSSINGS, COUNT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "Near the saddle, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
-    { "period", 'n', "N", 0, "Returns of the saddle's orbit; default 1", 1 },
-    { "length", LENGTH, "VALUE", 0, "Arc length of every branch; default 1.6", 1 },
-    { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points; default 0.01", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "A point near the saddle, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
+    { "period", 'n', "N", 0, "The saddle's orbit closes after N returns; default 1", 1 },
+    { "length", LENGTH, "VALUE", 0, "Arc length of every branch, in coordinates of the section; default 1.6", 1 },
+    { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points, in coordinates; default 0.01", 1 },
     { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring pieces, in radians; default 0.2", 1 },
-    { "count", COUNT, "N", 0, "Points of a branch at most; default 4000", 1 },
-    { "seed", SEED, "VALUE", 0, "Distance from the saddle at which branches begin; default 1e-4", 1 },
-    { "crossings", CROSSINGS, "FILE", 0, "Write the homoclinic points there as CSV", 1 },
-    { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for homoclinic points", 1 },
+    { "count", COUNT, "N", 0, "At most N points on a branch; default 4000", 1 },
+    { "seed", SEED, "VALUE", 0, "Distance from the saddle at which branches begin, in coordinates; default 1e-4", 1 },
+    { "crossings", CROSSINGS, "FILE", 0, "Write the points where separatrices cross to FILE, as CSV", 1 },
+    { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for points where separatrices cross", 1 },
     { 0 },
 };
 
@@ -207,7 +208,8 @@ static jlt_exit run(int argc, char **argv)
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
+    if (code == JLT_EXIT_DONE)
+        code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
     if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.motion.starts[0]);
     if (code != JLT_EXIT_DONE) goto done;
     if (system->flow.chart->dim != 2) {
@@ -240,7 +242,8 @@ static jlt_exit run(int argc, char **argv)
     }
     const size_t touching = p.touching[0][0] + p.touching[0][1] + p.touching[1][0] + p.touching[1][1];
     if (touching > 0)
-        fprintf(stderr, "jellett: at %zu places separatrices touch, or cross by no more than errors tell: they are no homoclinic points\n",
+        fprintf(stderr,
+                "jellett: at %zu places separatrices touch, or cross by no more than errors tell: they are no homoclinic points\n",
                 touching);
     code = st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.motion.starts[0]);
 done:
@@ -253,5 +256,5 @@ done:
 }
 
 const jlt_command jlt_command_manifolds = {
-    "manifolds", "[MODEL] [OPTION...]", "Separatrices of a saddle, homoclinic points, angles, lobes", run, &parser
+    "manifolds", "[MODEL] [OPTION...]", "Separatrices of a saddle, homoclinic points, angles, lobes", run, &parser, NULL
 };

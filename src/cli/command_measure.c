@@ -18,8 +18,8 @@ typedef struct {
 } request;
 
 static const struct argp_option option_table[] = {
-    { "points", KEY_POINTS, "N", 0, "Rows of the density's table (41)", 1 },
-    { "seed", KEY_SEED, "N|0", 0, "Seed of the random states (1)", 1 },
+    { "points", KEY_POINTS, "N", 0, "Rows of the density's table; default 41", 1 },
+    { "seed", KEY_SEED, "N|0", 0, "Seed of the random states; default 1", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header", 1 },
     { 0 },
@@ -67,8 +67,9 @@ static void write_attempt(FILE *stream, const jlt_measure_finding *f)
     const jlt_measure_attempt *a = &f->attempt;
 
     if (!a->found) {
-        fputs("\nno density of one state q alone: at fixed q, -div f/f_q varies with the other states, relative to its size, by\n  ",
-              stream);
+        fputs(
+            "\nno density of one state q alone: at fixed q, -div f/f_q varies with the other states, relative to its size, by\n  ",
+            stream);
         jlt_decimal_write_rounded(stream, f->instance->descriptor->states, a->defects, f->instance->descriptor->state_count);
         fputc('\n', stream);
         return;
@@ -79,7 +80,8 @@ static void write_attempt(FILE *stream, const jlt_measure_finding *f)
         return;
     }
     if (a->turn != 1.0) {
-        fprintf(stream, "it changes by the factor %.6g in a period of %s, so it is no density of an angle\n", a->turn, along_name(f));
+        fprintf(stream, "it changes by the factor %.6g in a period of %s, so it is no density of an angle\n", a->turn,
+                along_name(f));
         return;
     }
     if (a->closed_form != NULL)
@@ -137,15 +139,15 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
         json_array_append_new(table, json_pack("{s:o,s:o,s:o}", "at", jlt_json_number(a->points[i].at), "density",
                                                jlt_json_number(a->points[i].density), "closed_form",
                                                jlt_json_number(a->closed == NULL ? NAN : a->closed[i])));
-    return jlt_json_write(stream, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
-                                            d->sha256, "variant", d->variant, "parameters",
-                                            jlt_json_named(d->params, f->instance->params, d->param_count), "measures", measures, "along",
-                                            along_name(f), "defect", jlt_json_number(a->defect), "defects",
-                                            jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
-                                            a->singular, "turn", jlt_json_number(a->turn), "closed_form",
-                                            jlt_json_string(a->closed_form), "difference",
-                                            jlt_json_number(a->closed_form == NULL ? NAN : a->difference), "table", table,
-                                            "obstruction", obstruction_json(f)));
+    return jlt_json_write(stream,
+                          json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
+                                    d->sha256, "variant", d->variant, "parameters",
+                                    jlt_json_named(d->params, f->instance->params, d->param_count), "measures", measures, "along",
+                                    along_name(f), "defect", jlt_json_number(a->defect), "defects",
+                                    jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
+                                    a->singular, "turn", jlt_json_number(a->turn), "closed_form", jlt_json_string(a->closed_form),
+                                    "difference", jlt_json_number(a->closed_form == NULL ? NAN : a->difference), "table", table,
+                                    "obstruction", obstruction_json(f)));
 }
 
 static void write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
@@ -212,6 +214,15 @@ static jlt_exit deliver(const jlt_measure_finding *f, const request *r)
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(st));
 }
 
+static const char *why_not(jlt_status st)
+{
+    if (st == JLT_ERR_NONFINITE) return " (use units in which parameters are nearer one)";
+    return st == JLT_ERR_NO_CONVERGENCE
+               ? ": of random states hardly one lies in the table's domain and has a field and a divergence "
+                 "(use units in which parameters and intervals are nearer one, or another domain)"
+               : "";
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     request r = { .seed = 1, .points = POINTS };
@@ -234,7 +245,7 @@ static jlt_exit run(int argc, char **argv)
     const jlt_status st = jlt_measure_find(f, general, params, r.points, &random);
     if (st != JLT_OK)
         code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", general->model, jlt_status_text(st),
-                                st == JLT_ERR_NONFINITE ? " (use units in which parameters are nearer one)" : "");
+                                why_not(st));
     if (code == JLT_EXIT_DONE) code = deliver(f, &r);
     if (code == JLT_EXIT_DONE && r.common.plot != NULL) code = draw(f, &r);
 done:
@@ -247,5 +258,5 @@ done:
 
 const jlt_command jlt_command_measure = {
     "measure", "[MODEL] --set PARAM=VALUE,... [--points N] [--json|--csv] [--plot FILE]",
-    "The density of an invariant measure from the divergence alone, or what excludes one", run, &parser
+    "The density of an invariant measure from the divergence alone, or what excludes one", run, &parser, NULL
 };

@@ -45,17 +45,13 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "FOLDER|FILE...",
-    "Make one table of what the shards of a study have computed: the rows that its command would print, behind columns of what the "
-    "study "
-    "runs over."
+    "Make one table of what the shards of a study have computed: the rows that its command would print, behind columns of what "
+    "the study runs over."
     "\vRows are in the order of the study, with the same bytes however many shards there were and however often they were begun "
-    "again. Every "
-    "record is checked. Where pieces are missing, or files are of different studies, or say different things of one piece, nothing "
-    "is "
-    "written, and the status is 1 or 3. Shards that are computing may be read at any time.\n\n"
+    "again. Every record is checked. Where pieces are missing, or files are of different studies, or say different things of one "
+    "piece, nothing is written, and the status is 1 or 3. Shards that are computing may be read at any time.\n\n"
     "In SQLite, table rows has an index on every column that the study runs over and on every column of text, table pieces tells "
-    "how each "
-    "piece ended and what its command said, table provenance what the rows were computed by.\n\n"
+    "how each piece ended and what its command said, table provenance what the rows were computed by.\n\n"
     "  jellett merge study.shards > study.csv\n"
     "  jellett merge study.shards -o study.csv -o study.npy -o study.sqlite",
     NULL, NULL, NULL,
@@ -314,5 +310,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_merge = {
-    "merge", "FOLDER|FILE... [-o FILE]", "Make one table of what the shards of a study have computed", run, NULL
+    "merge", "FOLDER|FILE... [-o FILE]", "Make one table of what the shards of a study have computed", run, NULL, NULL
 };

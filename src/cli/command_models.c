@@ -33,9 +33,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "What is built in, or what a table of your own (./my.tt) says: models, their states and parameters, variants, kernels with operation counts, and hashes."
-    "\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, on prepared parameters; "
-    "a fused multiply-add counts once. "
+    "What is built in, or what a table of your own (./my.tt) says: models, their states and parameters, variants, kernels with "
+    "operation counts, and hashes.\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, "
+    "on prepared parameters; a fused multiply-add counts once. "
     "The hash is that of the table that the kernels were written from.",
     NULL, NULL, NULL,
 };
@@ -108,8 +108,9 @@ static json_t *sections_json(const jlt_descriptor *d)
 
     for (unsigned i = 0; i < d->section_count; i++) {
         const jlt_section_chart *s = &d->sections[i];
-        json_array_append_new(array, json_pack("{s:s,s:b,s:s,s:o,s:o,s:o}", "name", s->name, "proved", d->claims[s->claim].verdict == JLT_PROVED,
-                                               "state", d->states[s->column].name, "value", jlt_json_number(s->level), "coordinates",
+        json_array_append_new(array, json_pack("{s:s,s:b,s:s,s:o,s:o,s:o}", "name", s->name, "proved",
+                                               d->claims[s->claim].verdict == JLT_PROVED, "state", d->states[s->column].name,
+                                               "value", jlt_json_number(s->level), "coordinates",
                                                quantities_json(s->coordinates, s->coordinate_count, false), "levels",
                                                quantities_json(s->levels, s->level_count, true)));
     }
@@ -124,8 +125,8 @@ static json_t *ways_json(const jlt_descriptor *d)
         const jlt_way *way = &d->ways[i];
         json_t *conditions = json_array();
         for (unsigned k = 0; k < way->condition_count; k++) json_array_append_new(conditions, json_string(way->conditions[k].text));
-        json_array_append_new(array, json_pack("{s:s,s:s,s:s,s:b,s:o}", "name", way->name, "kind", way->kind, "model", way->model, "proved",
-                                               d->claims[way->claim].verdict == JLT_PROVED, "conditions", conditions));
+        json_array_append_new(array, json_pack("{s:s,s:s,s:s,s:b,s:o}", "name", way->name, "kind", way->kind, "model", way->model,
+                                               "proved", d->claims[way->claim].verdict == JLT_PROVED, "conditions", conditions));
     }
     return array;
 }
@@ -262,5 +263,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_models = {
-    "models", "[MODEL] [--json]", "What is built in: models, variants, kernels, operation counts, hashes", run, NULL
+    "models", "[MODEL] [--json]", "What is built in: models, variants, kernels, operation counts, hashes", run, NULL, NULL
 };

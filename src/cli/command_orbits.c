@@ -21,13 +21,15 @@ typedef struct {
 enum { NEAR = 2000, SETTLE, SAMPLES, LINE, HOLD, THREADS };
 
 static const struct argp_option option_table[] = {
-    { "period", 'n', "N", 0, "Periods up to N returns, at most 64; default 3", 1 },
+    { "period", 'n', "N", 0, "Look for orbits that close after 1 to N returns, N at most 64; default 3", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "Starts of Newton's method over the whole section, or NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for none", 1 },
-    { "near", NEAR, "DISTANCE", 0, "Newton is tried where an orbit comes back within this distance; default 0.6", 1 },
-    { "settle", SETTLE, "N|0", 0, "Try again after N returns of every start: finds what attracts; default 20", 1 },
-    { "samples", SAMPLES, "N|0", 0, "Points on each of the lines that the spherical top's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
-    { "start", 'a', "NAME=VALUE,...", 0, "Newton from this point alone, with exactly N returns", 1 },
+    { "near", NEAR, "DISTANCE", 0,
+      "Try Newton's method where an orbit comes back within this distance, in coordinates; default 0.6", 1 },
+    { "settle", SETTLE, "N|0", 0, "Try once more from the Nth return of every start, which finds what attracts; default 20", 1 },
+    { "samples", SAMPLES, "N|0", 0,
+      "Points on each of the lines that the spherical top's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Begin Newton's method at this point alone, for an orbit of exactly N returns", 1 },
     { "hold", HOLD, "NAME,...", 0, "Coordinates that keep the values of --start, where orbits come in families", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
       "Symmetric orbits of exactly N returns or less on the line through --start along this coordinate alone", 1 },
@@ -153,7 +155,8 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 
-/* The lines on which the reversor of a section that tables describe keeps every point: its angle is 0, or half a turn. Returns how many there are. */
+/* The lines on which the reversor of a section that tables describe keeps every point: its angle is 0, or half a turn. Returns how
+ * many there are. */
 static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *system, size_t samples)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -297,5 +300,5 @@ done:
 }
 
 const jlt_command jlt_command_orbits = {
-    "orbits", "[MODEL] [OPTION...]", "Periodic orbits of the map: multipliers, type, symmetry, residual", run, &parser
+    "orbits", "[MODEL] [OPTION...]", "Periodic orbits of the map: multipliers, type, symmetry, residual", run, &parser, NULL
 };

@@ -40,10 +40,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[SCENE]\nCOMMAND OPTION...",
-    "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel for the "
-    "parameters and the operations of one call of its right-hand side; on a section, its levels, what is proved of them, where "
-    "orbits start, and what follows them; a start that is refused is told. Nothing more is computed. Without either: the tiers there "
-    "are."
+    "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel "
+    "for the parameters and the operations of one call of its right-hand side; on a section, its levels, what is proved of them, "
+    "where orbits start, and what follows them; a start that is refused is told. Nothing more is computed. Without either: the "
+    "tiers there are."
     "\v  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
     "  jellett plan tools/scenes/full.scene --set a3=0",
@@ -104,7 +104,8 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
     more[0] = argv[0];
     more[1] = plan; /* before an operand, behind which -- may make operands of options */
     for (int i = 1; i < argc; i++) more[i + 1] = argv[i];
-    if (is_still(command->name)) code = jlt_command_fail(JLT_EXIT_USAGE, "%s follows no motion that could be planned", command->name);
+    if (is_still(command->name))
+        code = jlt_command_fail(JLT_EXIT_USAGE, "%s follows no motion that could be planned", command->name);
     else code = jlt_program_run(command, argc + 1, more);
     free(more);
     return code;
@@ -136,5 +137,5 @@ static jlt_exit run(int argc, char **argv)
 
 const jlt_command jlt_command_plan = {
     "plan", "[SCENE [--set PARAM=VALUE,...]]|COMMAND OPTION...",
-    "Which model a command gets, or each part of a scene, and why", run, NULL
+    "Which model a command gets, or each part of a scene, and why", run, NULL, NULL
 };

@@ -163,4 +163,4 @@ static jlt_exit run(int argc, char **argv)
     return code;
 }
 
-const jlt_command jlt_command_run = { "run", "SCENE [OPTION...]", "Do what a scene file asks for", run, NULL };
+const jlt_command jlt_command_run = { "run", "SCENE [OPTION...]", "Do what a scene file asks for", run, NULL, NULL };

@@ -17,10 +17,10 @@ typedef struct {
 enum { CELLS = 2000, SETTLE };
 
 static const struct argp_option option_table[] = {
-    { "grid", 'g', "COUNTxCOUNT", 0, "Starts, over the whole section or NAME=LOW:HIGH:COUNT,...; default 24x16", 1 },
-    { "cells", CELLS, "COUNTxCOUNT", 0, "Cells, in the same ways; default 200x200", 1 },
-    { "returns", 'n', "N", 0, "Returns counted of every orbit; default 1024", 1 },
-    { "settle", SETTLE, "N|0", 0, "Returns left out before; default 200", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0, "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; default 24x16", 1 },
+    { "cells", CELLS, "COUNTxCOUNT", 0, "The cells that visits are counted by, written like a grid; default 200x200", 1 },
+    { "returns", 'n', "N", 0, "Count N returns of every orbit; default 1024", 1 },
+    { "settle", SETTLE, "N|0", 0, "Leave out N returns first; default 200", 1 },
     { 0 },
 };
 
@@ -49,8 +49,8 @@ static const struct argp parser = {
     "\vColumns: returns, alive_forward, alive_backward, cells_forward, cells_backward, cells_common, overlap, mirror_overlap. "
     "overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are apart; in between lies "
     "mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: its distance from 1 "
-    "is the error of finite length. Orbits go at once as those of jellett section, by a method that --tol chooses, or by --method one at "
-    "a time.\n\n"
+    "is the error of finite length. Orbits go at once as those of jellett section, by a method that --tol chooses, or by --method "
+    "one at a time.\n\n"
     "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 \\\n"
     "    --returns 4096",
     children, NULL, NULL,
@@ -60,7 +60,9 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
 {
     jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
     const jlt_kernel_batch *kernels = o->motion.in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
-    jlt_separation_options wanted = { .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads };
+    jlt_separation_options wanted = {
+        .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads
+    };
     double *starts = NULL;
     size_t all;
     jlt_status st = JLT_ERR_NOMEM;
@@ -70,10 +72,13 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     if (code == JLT_EXIT_DONE) code = jlt_grid_whole(cells, "--cells");
     if (code != JLT_EXIT_DONE) return code;
     if (system->flow.chart->dim != 2)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the comparison needs a section of two coordinates, not of %u: --level and --solve leave "
-                                "fewer", system->flow.chart->dim);
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "the comparison needs a section of two coordinates, not of %u: --level and --solve leave "
+                                "fewer",
+                                system->flow.chart->dim);
     if (!system->flow.chart->reversible)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the comparison needs a reversor that takes the section to itself, crossed as it is: "
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "the comparison needs a reversor that takes the section to itself, crossed as it is: "
                                 "write 'reversor STATE -> -STATE' in the table, or --mirror STATE,...");
     for (int k = 0; k < 2; k++) {
         wanted.low[k] = cells[k].low;
@@ -136,12 +141,14 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = measure(table, &rows, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);
-    fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n", common->table.file);
+    fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n",
+          common->table.file);
     for (size_t i = 0; i < rows; i++) {
         const jlt_separation *row = &table[i];
         fprintf(common->table.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
                 row->backward, row->common);
-        jlt_csv_row(common->table.file, (const double[]){ row->overlap, row->mirror_overlap }, 2); /* empty where no cell is visited */
+        /* empty where no cell is visited */
+        jlt_csv_row(common->table.file, (const double[]){ row->overlap, row->mirror_overlap }, 2);
     }
     code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, table, rows);
@@ -152,5 +159,6 @@ done:
 }
 
 const jlt_command jlt_command_separation = {
-    "separation", "[MODEL] [OPTION...]", "Whether attractor and repeller are apart: cells visited forwards and backwards", run, &parser
+    "separation", "[MODEL] [OPTION...]",
+    "Whether attractor and repeller are apart: cells visited forwards and backwards", run, &parser, NULL
 };

@@ -15,13 +15,15 @@ enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK, PROJECT };
 enum { TIMES_MAX = 100000000 };
 
 static const struct argp_option option_table[] = {
-    { "times", TIMES, "T,T,...", 0, "Rows at these times, in order; the start is at t = 0; all of one sign", 1 },
-    { "until", UNTIL, "T", 0, "Rows from 0 to T; T < 0 goes backwards", 1 },
+    { "times", TIMES, "T,T,...", 0,
+      "Rows at these times, in the table's unit and in order; the start is at t = 0; all of one sign", 1 },
+    { "until", UNTIL, "T", 0, "Rows from t = 0 to T, in the table's unit of time; T < 0 goes backwards in time", 1 },
     { "every", EVERY, "DT", 0, "Time between rows of --until; default a hundredth of it", 1 },
-    { "tier", TIER, "TIER", 0, "The model to use; default the smallest that can answer (jellett plan lists them)", 1 },
-    { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well: a column of differences each", 1 },
-    { "track", TRACK, NULL, 0, "What a larger table tells beside, such as attitude and track: its states and what it observes", 1 },
-    { "project", PROJECT, NULL, 0, "After every step back onto the start's levels of all integrals", 1 },
+    { "tier", TIER, "TIER", 0, "Integrate this tier; default the smallest that can answer (see jellett plan simulate ...)", 1 },
+    { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well; each has a column of its difference", 1 },
+    { "track", TRACK, NULL, 0,
+      "Integrate a larger table, which tells more such as attitude and track: its states, and what it observes", 1 },
+    { "project", PROJECT, NULL, 0, "Put the orbit back onto the start's levels of all integrals after every step", 1 },
     { 0 },
 };
 
@@ -53,9 +55,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "One orbit: states at given times, drift of the integrals, what is observed along it, and what ends it."
-    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), what the table observes, with "
-    "--track the other states and quantities of the larger table (empty where another tier has taken over), the tiers compared, and "
-    "fate: alive, lost_NAME (a condition of the model has been broken since the start, for the top lost_contact: the "
+    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), what the table observes, "
+    "with --track the other states and quantities of the larger table (empty where another tier has taken over), the tiers "
+    "compared, and fate: alive, lost_NAME (a condition of the model has been broken since the start, for the top lost_contact: the "
     "plane would have had to pull), unknown_NAME (that condition has had no value since the start, and none has been broken), "
     "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none). Where the "
     "tier's coordinates end before the orbit does the last row says left_domain, where the method fails budget, nonfinite, "
@@ -111,7 +113,8 @@ static jlt_exit regular_times(jlt_simulate_request *r)
 
 /* ---- the courses: the orbit asked for, then those it is compared with ---- */
 
-/* The claim without a proof for which a table of this name, or at the end of a way of this name, is not even looked for; NULL: none. */
+/* The claim without a proof for which a table of this name, or at the end of a way of this name, is not even looked for; NULL:
+ * none. */
 static const jlt_claim *broken_way(const jlt_descriptor *asked, const char *name)
 {
     for (unsigned i = 0; i < asked->way_count; i++) {
@@ -134,23 +137,26 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
 
     st = jlt_plan_make(plan, &question);
     if (st == JLT_ERR_ARG && (broken = broken_way(s->descriptor, tier)) != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of this table: %s", tier, broken->kind, broken->name,
-                                broken->reason);
+        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of this table: %s", tier,
+                                broken->kind, broken->name, broken->reason);
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
                                 s->descriptor->model);
     if (st == JLT_ERR_UNSUPPORTED && tier == NULL && question.more)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
-                                s->descriptor->model);
+        return jlt_command_fail(
+            JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
+            s->descriptor->model);
     if (st == JLT_ERR_UNSUPPORTED && tier != NULL) {
         char refusal[1024];
         jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
         return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, refusal);
     }
+    if (st == JLT_ERR_UNSUPPORTED) return jlt_planned_refuse(plan, s->descriptor);
     if (st == JLT_OK && options.project) {
         const jlt_descriptor *field = plan->candidates[plan->chosen].descriptor;
         if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: by quadratures there are no steps to go back after");
-        const jlt_exit code = plan->candidates[plan->chosen].tier.way_count > 0 ? jlt_common_proved(field) : jlt_common_project(field);
+        const jlt_exit code = plan->candidates[plan->chosen].tier.way_count > 0 ? jlt_common_proved(field)
+                                                                                : jlt_common_project(field);
         if (code != JLT_EXIT_DONE) return code;
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
@@ -191,12 +197,17 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_plan *plan = &r->plans[0];
     const jlt_instance *kernel = jlt_course_kernel(r->courses[0]);
     const jlt_quantity *observed, *more;
-    const unsigned observes = jlt_course_observes(r->courses[0], &observed), beside = jlt_course_tells_more(r->courses[0], &more, NULL);
+    const unsigned observes = jlt_course_observes(r->courses[0], &observed),
+                   beside = jlt_course_tells_more(r->courses[0], &more, NULL);
 
-    const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor; /* tiers, and their levels, change over a sweep */
+    /* tiers, and their levels, change over a sweep */
+    const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor;
     double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
     if (params != NULL)
-        jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command, .descriptor = told, .params = params, .method = s->method->name,
+        jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command,
+                                                  .descriptor = told,
+                                                  .params = params,
+                                                  .method = s->method->name,
                                                   .tolerance = s->tolerance });
     free(params);
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\nt", jlt_plan_tier(plan),
@@ -303,15 +314,16 @@ static void tell_pole(const jlt_simulate_request *r)
     unsigned count = 0;
     double largest = 0;
 
-    fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ", d->states[row->pole].name,
-            row->x[row->pole], row->t);
+    fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ",
+            d->states[row->pole].name, row->x[row->pole], row->t);
     for (unsigned i = 0; i < d->state_count; i++)
         if (isfinite(row->x[i])) largest = fmax(largest, fabs(row->x[i]));
     for (unsigned i = 0; i < d->state_count; i++) {
         if (i == row->pole) continue;
         if (!isfinite(row->x[i])) untold[count++] = d->states[i].name;
         if (!isfinite(row->x[i])) continue;
-        fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0); /* no rounding noise */
+        /* no rounding noise */
+        fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0);
         first = ", ";
     }
     for (unsigned i = 0; i < count; i++)
@@ -324,7 +336,8 @@ static void closing_words(const jlt_simulate_request *r)
     const jlt_course_row *row = &r->last;
 
     if (jlt_session_interrupted(&r->session))
-        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count, r->session.common.table.path);
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count,
+                r->session.common.table.path);
     else if (row->end == JLT_END_POLE) tell_pole(r);
     for (unsigned i = 0; i < jlt_course_changes(r->courses[0]); i++) {
         const char *from, *to, *why;
@@ -333,7 +346,8 @@ static void closing_words(const jlt_simulate_request *r)
         fprintf(stderr, "jellett: from t = %.10g on the tier %s in place of %s: %s\n", t, to, from, why);
     }
     if (!isnan(row->lost_at))
-        fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
+        fprintf(stderr,
+                "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
                 "does not hold\n",
                 row->lost, row->lost_at, row->least);
     if (row->unknown != NULL)
@@ -382,5 +396,5 @@ done:
 
 const jlt_command jlt_command_simulate = {
     "simulate", "[MODEL] --start ... --times ...|--until ... [OPTION...]",
-    "One orbit at given times: states, drift of integrals, observed quantities", run, &parser
+    "One orbit at given times: states, drift of integrals, observed quantities", run, &parser, NULL
 };

@@ -1,6 +1,7 @@
 #include <argp.h>
 #include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -13,6 +14,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/study.h"
+#include "cli/sweep_rows.h"
 #include "cli/worker.h"
 #include "shards/deal.h"
 #include "shards/manifest.h"
@@ -31,12 +33,12 @@ enum { SHARD = 1000, RESUME, DRY };
 static const double WORTH_SECONDS = 0.25;
 
 static const struct argp_option option_table[] = {
-    { "into", 'C', "FOLDER", 0, "Where shards write their files; made where it is missing; default STUDY.shards in the current "
-                                "folder", 0 },
+    { "into", 'C', "FOLDER", 0,
+      "Folder that shards write their files to, made where it is missing; default STUDY.shards in the current folder",
+      0 },
     { "shard", SHARD, "I/N", 0,
       "Compute the I-th of N shards alone, I from 1 to N; /N: whichever the environment says. Default: as the environment says, "
-      "which Slurm, "
-      "Open MPI, other MPIs by PMI and GNU parallel set; else 1/1", 0 },
+      "which Slurm, Open MPI, other MPIs by PMI, and GNU parallel set; else 1/1", 0 },
     { "resume", RESUME, NULL, 0, "Go on where the shard's file ends; where there is none, begin", 0 },
     { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's", 0 },
     { "dry-run", DRY, NULL, 0, "Show the command of every piece of the shard, and run nothing", 0 },
@@ -65,22 +67,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "STUDY",
     "Compute a study, or one shard of it, whose rows many processes share, on one machine or on many. A study is a scene with one "
-    "command, "
-    "whose grid of starts, or sweep, is dealt out in pieces; the scene's 'over' runs parameters and levels beside."
+    "command, whose grid of starts, or sweep, is dealt out in pieces; the scene's 'over' runs parameters and levels beside."
     "\v  over = { a3 = (0.1, 0.7, 13); E = (1, 4, 31); };\n"
     "  piece = 256;\n"
     "  compute = ( { what = \"fates\"; grid = \"60x40\"; } );\n\n"
     "Every shard writes one file of its own, I-of-N.shard, adding a record when a piece is done. Processes do not wait for each "
-    "other, and what "
-    "one has done stands whatever becomes of it or of others: --resume cuts a torn end and computes what is missing. Where the "
-    "file is of "
-    "another study, or of other kernels, that is refused, with the difference. One process writes a file at a time. Each uses one "
-    "thread "
-    "unless OMP_NUM_THREADS says otherwise. 'jellett merge' makes one table of all.\n\n"
+    "other, and what one has done stands whatever becomes of it or of others: --resume cuts a torn end and computes what is "
+    "missing. Where the file is of another study, or of other kernels, that is refused, with the difference. One process writes a "
+    "file at a time. Each uses one thread unless OMP_NUM_THREADS says otherwise. 'jellett merge' makes one table of all.\n\n"
     "A piece is a start of the command: 'piece', points of its grid, is best so that it takes a second or so. Where the command's "
-    "status is 1 "
-    "or 4 its rows are kept, and the study's status is that at the end.\n\n"
-    "  jellett sweep tools/scenes/flips.scene\n"
+    "status is 1 or 4 its rows are kept, and the study's status is that at the end.\n\n"
+    "  jellett sweep tools/scenes/turnover.scene\n"
     "  jellett sweep study.scene --shard 3/8 --resume\n"
     "  mpirun -n 8 jellett sweep study.scene\n"
     "  parallel jellett sweep study.scene --shard {}/8 ::: $(seq 8)",
@@ -214,35 +211,6 @@ static jlt_exit open_file(sweep *self)
     return code;
 }
 
-/* Behind the comments. */
-static const char *rows_of(const char *text)
-{
-    while (*text == '#') {
-        text += strcspn(text, "\n");
-        if (*text == '\n') text++;
-    }
-    return text;
-}
-
-/* All pieces have the columns of the first, and none has one that the study has beside them. */
-static jlt_exit check_names(sweep *self, const char *rows)
-{
-    const size_t length = strcspn(rows, "\n");
-
-    if (self->names == NULL) {
-        if ((self->names = strndup(rows, length)) == NULL) return jlt_command_no_memory();
-        for (const char *at = self->names; *at != '\0'; at += strcspn(at, ","), at += *at == ',')
-            for (size_t k = 0; k < self->study.over_count; k++)
-                if (strlen(self->study.over[k].name) == strcspn(at, ",")
-                    && strncmp(at, self->study.over[k].name, strcspn(at, ",")) == 0)
-                    return jlt_command_fail(JLT_EXIT_INPUT, "over: %s is a column of %s already", self->study.over[k].name,
-                                            self->study.job->what);
-    }
-    if (strlen(self->names) == length && strncmp(self->names, rows, length) == 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_INPUT, "pieces of the study have different columns, %s and %.*s", self->names, (int)length,
-                            rows);
-}
-
 /* Whether the study goes on after this status: rows are there, or there is nothing at this point of what the study runs over. */
 static bool goes_on(const sweep *self, jlt_exit status)
 {
@@ -250,13 +218,15 @@ static bool goes_on(const sweep *self, jlt_exit status)
            || (status == JLT_EXIT_INPUT && self->study.over_count > 0);
 }
 
-static jlt_exit compute(sweep *self, size_t number)
+/* The piece at this place of the shard's order, which is what the worker knows it by. */
+static jlt_exit compute(sweep *self, size_t position)
 {
+    const size_t number = piece_at(self, position);
     char at[JLT_STUDY_PLACE_MAX];
     jlt_worker *worker = &self->worker;
     jlt_exit status;
     int by;
-    jlt_exit code = jlt_worker_run(worker, &status, &by, number);
+    jlt_exit code = jlt_worker_run(worker, &status, &by, position);
 
     if (code != JLT_EXIT_DONE || *worker->interrupt != 0) return code; /* half a piece is none */
     jlt_study_place(at, &self->study, number);
@@ -269,10 +239,10 @@ static jlt_exit compute(sweep *self, size_t number)
         fprintf(stderr, "jellett: piece %zu (%s) ended with status %d:\n%s", number, at, (int)status, worker->words);
     if (!goes_on(self, status)) return status;
     note(self, status);
-    const char *rows = rows_of(worker->rows);
+    const char *rows = jlt_sweep_rows_of(worker->rows);
     const jlt_shard_record record = { number, (int)status, rows, worker->rows_size - (size_t)(rows - worker->rows), worker->words,
                                       worker->words_size };
-    if (record.rows_size > 0) code = check_names(self, rows);
+    if (record.rows_size > 0) code = jlt_sweep_rows_check(&self->names, &self->study, rows);
     if (code != JLT_EXIT_DONE) return code;
     jlt_interrupt_hold();
     const jlt_status st = jlt_shard_add(&self->shard, &record);
@@ -299,21 +269,35 @@ static void advise(const sweep *self, size_t done, double lasted)
             lasted / (double)done, fmin((double)self->study.inner, ceil(factor * (double)self->study.piece)));
 }
 
-static char **arguments_of(const void *study, size_t piece, int *argc) { return jlt_study_arguments(study, piece, argc); }
+static char **arguments_of(const void *context, size_t position, int *argc)
+{
+    const sweep *self = context;
+
+    return jlt_study_arguments(&self->study, piece_at(self, position), argc);
+}
+
+static size_t next_position(const void *context, size_t position)
+{
+    const sweep *self = context;
+
+    do position++;
+    while (position < self->own && self->is_done[position]);
+    return position < self->own ? position : SIZE_MAX;
+}
 
 static jlt_exit compute_all(sweep *self, bool *interrupted)
 {
     const double begun = seconds();
     jlt_progress progress;
     size_t done = 0;
-    self->work = (jlt_work){ self->study.command, arguments_of, &self->study };
+    self->work = (jlt_work){ self->study.command, arguments_of, self, next_position };
     jlt_exit code = jlt_worker_open(&self->worker, &self->work);
     const volatile sig_atomic_t *const interrupt = self->worker.interrupt;
 
     jlt_progress_start(&progress, "pieces");
     for (size_t i = 0; code == JLT_EXIT_DONE && *interrupt == 0 && i < self->own; i++) {
         if (self->is_done[i]) continue;
-        code = compute(self, piece_at(self, i));
+        code = compute(self, i);
         if (code == JLT_EXIT_DONE && *interrupt == 0) done++;
         jlt_progress_show(&progress, self->before + done, self->own);
     }
@@ -395,5 +379,6 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_sweep = {
-    "sweep", "STUDY [--shard I/N] [OPTION...]", "Compute a study, or a shard of it, whose rows many processes share", run, NULL
+    "sweep", "STUDY [--shard I/N] [OPTION...]",
+    "Compute a study, or a shard of it, whose rows many processes share", run, NULL, NULL
 };

@@ -26,14 +26,15 @@ static const struct argp_option option_table[] = {
     { "boxes", 'b', "COUNTxCOUNT", 0,
       "Boxes over the whole section, or over NAME=LOW:HIGH:COUNT,...; of a section that tables describe, default 100x100", 1 },
     { "strata", STRATA, "N", 0, "Points of a box along each coordinate, one at random in each of N cells; default 10", 1 },
-    { "eigenvalues", 'e', "N|0", 0, "Leading eigenvalues; default 6. 0: none, the matrix and the density that is known alone", 1 },
+    { "eigenvalues", 'e', "N|0", 0,
+      "Compute the N leading eigenvalues; default 6. 0: none, only the matrix and the density that is known", 1 },
     { "noise", NOISE, "PART,...", 0,
       "Move images at random, by up to this part of each coordinate's interval either way: a matrix for each; default 0", 1 },
     { "coarse", COARSE, "N,...", 0, "Compare with boxes N times wider, from the same points", 1 },
-    { "backward", BACKWARD, NULL, 0, "The inverse map: what stays is the repeller", 1 },
-    { "candidates", CANDIDATES, "N|0", 0, "Boxes of highest density that are named, each as a --start; default 3", 1 },
+    { "backward", BACKWARD, NULL, 0, "Take the inverse map: what stays is the repeller", 1 },
+    { "candidates", CANDIDATES, "N|0", 0, "Name the N boxes of highest density, each as a --start; default 3", 1 },
     { "seed", SEED, "N|0", 0, "Seed of the points' places and of noise; default 1", 1 },
-    { "json", 'j', NULL, 0, "The comparison of operators as JSON in place of the rows", 1 },
+    { "json", 'j', NULL, 0, "Print the comparison of operators as JSON in place of the rows", 1 },
     { 0 },
 };
 
@@ -109,14 +110,14 @@ static const struct argp parser = {
     "density, what stays on it; second, the eigenvector of the next positive eigenvalue, whose signs are sets that mix slowly; "
     "known_density, where the table claims an invariant measure, rho times the flux; the shares that are lost at a return, by "
     "fate, or outside the boxes; time, the mean one of a return.\n\n"
-    "On standard error, or with --json, of each matrix: its eigenvalues; the escape rate, -ln of the leading one, and the mass "
-    "lost by fate; the distance of the density to its mirror image, which stays under the inverse map (1: attractor and "
-    "repeller are apart); how much of each set stays in it; how far the known density is from its image, and in which order "
-    "that falls with the boxes' width. Distances are in total variation, 0 to 1.\n\n"
+    "On standard error, or with --json, of each matrix: its eigenvalues, as far as two computations agree on three digits; the "
+    "escape rate, -ln of the leading one, and the mass lost by fate; the distance of the density to its mirror image, which stays "
+    "under the inverse map (1: attractor and repeller are apart); how much of each set stays in it; how far the known density is "
+    "from its image, and in which order that falls with the boxes' width. Distances are in total variation, 0 to 1.\n\n"
     "All this is evidence, not proof: spreading mass over whole boxes hides dissipation and transport that are weaker. Compare "
     "--coarse and --noise, and prove what matters by jellett certify, from what jellett orbits finds in the boxes named.\n\n"
-    "Memory: 12 bytes an entry of a matrix, of which a box has a few, and less than 2 kB a box for 6 eigenvalues. Orbits go at once "
-    "as those of jellett section, by a method that --tol chooses, or by --method one at a time.\n\n"
+    "Memory: 12 bytes an entry of a matrix, of which a box has a few, and less than 2 kB a box for 6 eigenvalues. Orbits go at "
+    "once as those of jellett section, by a method that --tol chooses, or by --method one at a time.\n\n"
     "  jellett transfer --boxes 300x300 --tol 1e-8 --coarse 2,3 \\\n"
     "    --plot density.png -o density.csv\n"
     "  jellett transfer --set I3=0 --boxes 64x64 --eigenvalues 0\n"
@@ -153,7 +154,9 @@ static jlt_exit choose_boxes(study *s, jlt_grid_axis *axes)
 {
     const options *o = s->o;
     const jlt_chart *chart = s->system->flow.chart;
-    const char *text = o->motion.grid != NULL ? o->motion.grid : s->system->surface != NULL && chart->dim == 2 ? default_boxes : NULL;
+    const char *text = o->motion.grid != NULL                          ? o->motion.grid
+                       : s->system->surface != NULL && chart->dim == 2 ? default_boxes
+                                                                       : NULL;
     size_t all;
     jlt_exit code;
 
@@ -233,11 +236,13 @@ static jlt_exit examine(study *s, jlt_transfer_case *c, const jlt_transfer *tran
     st = jlt_transfer_finding_make(&c->finding, transfer, s->system->flow.chart, o->eigenvalues, o->motion.flow.interrupt);
     if (jlt_motion_interrupted(&o->motion)) return interrupted();
     if (st == JLT_ERR_EMPTY)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: nothing stays in them, for no box leads back to itself: choose others, or another "
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--boxes: nothing stays in them, for no box leads back to itself: choose others, or another "
                                 "--section");
     if (st == JLT_ERR_NO_CONVERGENCE)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "ARPACK does not converge on the matrix of %zu boxes, as where many "
-                                "eigenvalues lie on one circle (integrable motion): add --noise, or compare densities alone by --eigenvalues 0",
+                                "eigenvalues lie on one circle (integrable motion): add --noise, or compare densities alone by "
+                                "--eigenvalues 0",
                                 transfer->count);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "eigenvalues");
 }
@@ -358,5 +363,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_transfer = {
-    "transfer", "[MODEL] [OPTION...]", "Densities that stay under the map, escape rates, sets that mix slowly", run, &parser
+    "transfer", "[MODEL] [OPTION...]", "Densities that stay under the map, escape rates, sets that mix slowly", run, &parser, NULL
 };

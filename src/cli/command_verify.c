@@ -14,8 +14,8 @@ typedef struct {
 
 static const struct argp_option option_table[] = {
     { "json", 'j', NULL, 0, "Print JSON", 0 },
-    { "seed", KEY_SEED, "N|0", 0, "Seed of the random points; the same seed gives the same output, byte for byte (1)", 0 },
-    { "samples", KEY_SAMPLES, "N", 0, "Points on each family of equilibria (400)", 0 },
+    { "seed", KEY_SEED, "N|0", 0, "Seed of the random points; the same seed gives the same output, byte for byte; default 1", 0 },
+    { "samples", KEY_SAMPLES, "N", 0, "Points on each family of equilibria; default 400", 0 },
     { 0 },
 };
 
@@ -80,5 +80,5 @@ static jlt_exit run(int argc, char **argv)
 
 const jlt_command jlt_command_verify = {
     "verify", "[MODEL] [--json] [--seed N] [--samples N]",
-    "Prove the model's claims, and verify them through the compiled kernels", run, &parser
+    "Prove the model's claims, and verify them through the compiled kernels", run, &parser, NULL
 };

@@ -22,9 +22,11 @@ enum { METHOD = 1000, KEEP, PLAN, AT };
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
     { "set", 's', "PARAM=VALUE,...", 0,
-      "Parameters; the others have the table's defaults, which jellett models MODEL shows, for the spherical top (5.1) of the paper", 10 },
+      "Parameters; the others have the table's defaults, which jellett models MODEL shows, for the spherical top (5.1) of the "
+      "paper", 10 },
     { NULL, 0, NULL, 0, "Output:", 12 },
-    { "output", 'o', "FILE", 0, "Where the results go; a table goes to FILE.npy as an array of NumPy; default standard output", 12 },
+    { "output", 'o', "FILE", 0,
+      "Write results to FILE, a table to FILE.npy as an array of NumPy; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, all data included: gnuplot FILE draws it again", 12 },
     { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
@@ -35,9 +37,9 @@ static const struct argp_option common_table[] = {
 static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "tol", 't', "VALUE", 0,
-      "Tolerance: about what ten returns err by, in units of the problem, by every method; default 1e-12", 11 },
+      "Tolerance of a step, in units of the problem; by every method ten returns then err by about as much; default 1e-12", 11 },
     { "method", METHOD, "METHOD", 0,
-      "gauss (default), dop853, taylor (derivatives by gauss), rk8pd, rkf45, msadams", 11 },
+      "Method of integration: gauss (default), dop853, taylor (derivatives by gauss), rk8pd, rkf45, msadams", 11 },
     { 0 },
 };
 
@@ -205,14 +207,16 @@ jlt_exit jlt_common_proved(const jlt_descriptor *d)
 {
     for (unsigned i = 0; i < d->integral_count; i++)
         if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", d->integrals[i].name);
+            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table",
+                                    d->integrals[i].name);
     return JLT_EXIT_DONE;
 }
 
 jlt_exit jlt_common_project(const jlt_descriptor *d)
 {
     if (d->integral_count == 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to: write 'integral NAME = ...' in its table", d->model);
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "--project: %s has no integrals to go back to: write 'integral NAME = ...' in its table", d->model);
     if (d->integral_count > JLT_INVARIANTS_MAX)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals; it serves up to %d", d->model, d->integral_count,
                                 JLT_INVARIANTS_MAX);

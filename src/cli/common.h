@@ -1,4 +1,4 @@
-/** What most commands share: the model with its parameters, accuracy, where results go; options, and the picture. */
+/** Options that most commands share, and what they set: the model and its parameters, accuracy, files for results, the picture. */
 #ifndef JLT_CLI_COMMON_H
 #define JLT_CLI_COMMON_H
 
@@ -9,90 +9,97 @@
 #include "integrate/method.h"
 #include "report/look.h"
 
-/* The option by which a command says its plan alone. */
+/* The option by which `jellett plan COMMAND ...` makes a command print its plan and do nothing else. */
 #define JLT_COMMON_PLAN JLT_COMMAND_HIDDEN "plan"
 
 typedef struct {
     const char *model; /* NULL: none was named, which means JLT_DEFAULT_MODEL */
-    jlt_assign_list set;
+    jlt_assign_list set; /* parameters, --set */
     const char *output, *plot, *keep;
     const char *axes;  /* of the picture, as typed; NULL: none were named */
     jlt_look look;     /* of the picture */
-    bool lanes;        /* kernels on vectors are wanted */
-    bool no_table;     /* results are never a table */
-    const char *sweep; /* what runs, as typed; NULL: nothing does, or the command has a sweep of its own */
-    bool at_point;     /* of it: parameters and levels have been set, and rows alone are wanted, on standard output */
-    bool plan;         /* say which model answers, and do nothing more: jellett plan COMMAND ... */
+    bool lanes;        /* a table of the user's own is to be compiled with kernels on vectors as well */
+    bool no_table;     /* the command's results are never a table of rows */
+    const char *sweep; /* --sweep as typed; NULL: not given, or the command does its sweep by itself */
+    bool at_point;     /* this process computes one point of the sweep: values are set, and rows go to standard output without
+                          more */
+    bool plan;         /* print which model answers, and do nothing else: jellett plan COMMAND ... */
     char *command;     /* as typed, owned */
     char **argv;       /* the same, (argc,), in its order; owned, but not the texts */
     int argc;
 
-    /* after jlt_common_write */
-    jlt_stream table;  /* --output */
-    FILE *points;      /* to write data of the picture to; NULL: none is asked for, or all are there */
-    char *drawn;       /* and what was written, after jlt_common_save; owned */
+    /* set by jlt_common_write */
+    jlt_stream table;  /* rows for --output go here */
+    FILE *points;      /* data of the picture go here; NULL: no picture is asked for, or jlt_common_save has closed it */
+    char *drawn;       /* these data as one text, valid after jlt_common_save; owned */
     size_t drawn_size;
 } jlt_common;
 
-/* What --tol and --method set; in begin, they have their defaults. */
+/* Where --tol and --method store their values; the caller stores the defaults there first. */
 typedef struct {
     double *tolerance;
     const jlt_method **method;
 } jlt_accuracy;
 
-/* Child parsers: MODEL, --set, --output, --plot, --keep, and the look of pictures with a jlt_common for input; --tol, --method with a jlt_accuracy. */
+/* Parsers that commands name as children of their own: the first reads MODEL, --set, --output, --plot, --keep and the look of
+ * pictures into a jlt_common, which is its input; the second reads --tol and --method into a jlt_accuracy. */
 extern const struct argp jlt_common_argp, jlt_accuracy_argp;
 
-/** At ARGP_KEY_END, where results are no table but `what`: refuse to write them as an array. */
+/** Call it at ARGP_KEY_END of a command whose results are no table but `what` ("a report"): it ends the program with status 2 where
+ *  --output names an array of NumPy, which holds tables alone. */
 void jlt_common_no_table(const jlt_common *self, const struct argp_state *state, const char *what);
 
-/** At ARGP_KEY_INIT of options that begin with those of their children, which all begin with a jlt_common: 0. */
+/** Call it at ARGP_KEY_INIT: all children get the parser's own input, a structure whose first member, or the first member of that,
+ *  is the jlt_common. Returns 0. */
 error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *children);
 
-/** To be called before argp_parse, with its argv. */
+/** Set defaults, and keep the command line for headers of files. Call it before argp_parse, with the same argv; call _end last. */
 void jlt_common_begin(jlt_common *self, int argc, char **argv);
 void jlt_common_end(jlt_common *self);
 
-/** The model's general field. Says what is wrong, and what is not proved of it. */
+/** Open the model: *descriptor is its general field, which lives as long as the program. Prints claims that are not proved. */
 jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor);
 
-/** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
+/** The same with parameters: *params, shape (param_count,), in the table's units, inside its domain; the caller frees them. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 
-/** Parameters for a header: NaN where one runs. For the caller to free(); NULL: no memory. */
+/** A copy of params, shape (param_count,), for the header of a table, with NaN for those that change from row to row in a sweep.
+ *  The caller frees it. NULL: memory is out. */
 double *jlt_common_steady(const jlt_common *self, const jlt_descriptor *descriptor, const double *params);
 
-/** Whether a parameter or level of this name runs. */
+/** Whether the sweep that this process computes a point of changes the parameter or level of this name. */
 bool jlt_common_runs(const jlt_common *self, const char *name);
 
-/** Whether --project can go back to the integrals of this field: that there are some, not too many, and all proved. Says what is wrong. */
+/** Check that --project can put orbits of this field back onto levels of its integrals: it has some, at most JLT_INVARIANTS_MAX,
+ *  and all are proved. */
 jlt_exit jlt_common_project(const jlt_descriptor *field);
 
-/** The last of these alone. */
+/** Check only that all integrals of the field are proved. */
 jlt_exit jlt_common_proved(const jlt_descriptor *field);
 
-/** Before rows are written: where they go, and data of a picture. Says what is wrong. */
+/** Open self->table for rows and, with --plot, self->points for data of the picture. */
 jlt_exit jlt_common_write(jlt_common *self);
 
-/** Rows and data are there. Says what is wrong. */
+/** Close both: the table's file gets its name, and the picture's data are in self->drawn. */
 jlt_exit jlt_common_save(jlt_common *self);
 
-/** The plan of a command that follows no motion. */
+/** Print the plan of a command that integrates nothing. Returns JLT_EXIT_PLANNED. */
 jlt_exit jlt_common_still(void);
 
-/** Before anything is done: that --output, --plot, --keep and one more option, where it is given, name files of their own, which
- *  can be written. Ends the program otherwise, as argp does. */
+/** Check, before anything is computed, that --output, --plot, --keep and one more option (path NULL: not given) name different
+ *  files that can be written. Prints what is wrong and ends the program otherwise, as argp does. */
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path);
 
-/* Values of options. Where they cannot be used, these say so and end the program, as argp does. */
+/* Read the value of an option. Where it cannot be used, these print why and end the program, as argp does. _list adds assignments
+ * to the list, _replace puts them in place of what it has for the same names; _count: a whole number from low to high. */
 void jlt_common_list(jlt_assign_list *list, const char *text, const char *option);
-void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option); /* of what the list has for the same names */
+void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option);
 void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 void jlt_common_number(double *value, const char *text, const char *option);
 void jlt_common_positive(double *value, const char *text, const char *option);
 
-/* Processors that the program may use, or as many as OMP_NUM_THREADS says: threads of commands whose output does not depend on how
- * many. */
+/* The default number of threads: OMP_NUM_THREADS, else the processors that the program may use. Only commands whose output does not
+ * depend on the number use it. */
 size_t jlt_common_processors(void);
 
 #endif

@@ -21,6 +21,7 @@ typedef struct {
     jlt_grid_axis axes[JLT_EIGEN_AXES_MAX];
     jlt_eigen_target targets[JLT_EIGEN_AXES_MAX]; /* of the axes */
     size_t axis_count, points; /* of the sweep */
+    size_t processes;          /* of the sweep; 0: as many as processors */
     jlt_equilibrium_question question;
     double *params; /* shape (params,) */
     double x[JLT_LINEARIZATION_SIZE_MAX];
@@ -32,7 +33,7 @@ typedef struct {
     jlt_equilibrium found;
 } jlt_eigen_row;
 
-/* NAME=LOW:HIGH:COUNT,... added to the request's axes. */
+/* Add the axes NAME=LOW:HIGH:COUNT,... of --sweep to the request; then compute and write a row for each of their points. */
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text);
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);
 

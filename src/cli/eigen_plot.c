@@ -49,7 +49,8 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_e
         jlt_look_pen(stream, plot->look, (jlt_pen){ "points", .colour = 2, .size = 1 });
         fputs(" title 'eigenvalues'", stream);
     } else {
-        jlt_look_label(label, r->axes[0].name, (axis->is_state ? r->question.descriptor->states : r->question.descriptor->params)[axis->index].unit);
+        jlt_look_label(label, r->axes[0].name,
+                       (axis->is_state ? r->question.descriptor->states : r->question.descriptor->params)[axis->index].unit);
         fputs("set cblabel ", stream);
         jlt_look_quote(stream, label);
         fputc('\n', stream);

@@ -17,8 +17,8 @@ static const char *consequence(const jlt_linearization *r)
 {
     if (r->obstructs) return "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
                              "(Proposition 1)";
-    return r->trace_error > 0.0 ? "the trace is zero to within its error: this equilibrium excludes no invariant measure"
-                                : "the trace is zero: this equilibrium excludes no invariant measure";
+    return r->trace_error > 0.0 ? "the trace is zero to within its error, and excludes no invariant measure"
+                                : "the trace is zero, and excludes no invariant measure";
 }
 
 void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
@@ -34,11 +34,13 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
         snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, 
                  row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
     else if (e->stage == JLT_EQUILIBRIUM_DOMAIN && e->status == JLT_ERR_DOMAIN)
-        snprintf(text, size, "this state lies outside the domain of %s: %s needs %s, and it is %.10g here", d->model, e->region->name,
-                 e->region->text, e->region_value);
+        snprintf(text, size, "this state lies outside the domain of %s: %s needs %s, and it is %.10g here", d->model,
+                 e->region->name, e->region->text, e->region_value);
     else if (e->stage == JLT_EQUILIBRIUM_DIGITS)
-        snprintf(text, size, "no number of digits can be given here: %s", e->status == JLT_ERR_NO_CONVERGENCE
-                 ? "eigenvalues are multiple, or too close together, and there are no exact numbers (leave --digits out)" : jlt_status_text(e->status));
+        snprintf(text, size, "no number of digits can be given here: %s",
+                 e->status == JLT_ERR_NO_CONVERGENCE
+                     ? "eigenvalues are multiple, or too close together, and there are no exact numbers (leave --digits out)"
+                     : jlt_status_text(e->status));
     else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
     else if (e->status == JLT_ERR_EMPTY)
@@ -134,6 +136,8 @@ static void write_verdict(FILE *stream, const jlt_linearization *r)
     fprintf(stream, "\nverdict      %s", jlt_linearization_verdict(r->verdict));
     if (r->verdict == JLT_UNDECIDED) fprintf(stream, " at %ld bits", r->precision);
     else if (!r->proved) fputs(", not proved", stream);
+    fprintf(stream, "\nmotion       %s%s", jlt_linearization_motion(r->motion),
+            r->motion == JLT_MOTION_OPEN ? " by the linearization" : "");
     fprintf(stream, "\nmeasure      %s\n", consequence(r));
 }
 
@@ -159,7 +163,8 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
     if (r->eigen.defective_zero) fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
     fputs("  other routes in doubles, relative to the matrix: ", stream);
     if (!isnan(r->eigen.gsl_difference))
-        fprintf(stream, "GSL on the deflated block %.2g, GSL on the whole %.2g, ", r->eigen.gsl_difference, r->eigen.plain_difference);
+        fprintf(stream, "GSL on the deflated block %.2g, GSL on the whole %.2g, ", r->eigen.gsl_difference,
+                r->eigen.plain_difference);
     fputs("ARPACK ", stream);
     if (isnan(r->eigen.arpack_difference)) fprintf(stream, "not used (%s)\n", r->eigen.arpack_note);
     else fprintf(stream, "%.2g\n", r->eigen.arpack_difference);
@@ -254,6 +259,7 @@ static json_t *row_json(const jlt_eigen_row *row)
     json_object_set_new(o, "arpack_note", json_string(r->eigen.arpack_note));
     json_object_set_new(o, "verdict", json_string(jlt_linearization_verdict(r->verdict)));
     json_object_set_new(o, "verdict_proved", json_boolean(r->proved));
+    json_object_set_new(o, "motion", json_string(jlt_linearization_motion(r->motion)));
     if (r->texts != NULL) json_object_set_new(o, "decimals", decimals_json(d, r));
     json_object_set_new(o, "measure_excluded", json_boolean(r->obstructs));
     json_object_set_new(o, "measure", json_string(consequence(r)));

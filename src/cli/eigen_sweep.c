@@ -59,11 +59,13 @@ static void compute_some(shared_rows *all, const jlt_eigen_request *r, const vol
         compute_row(all, r, k);
 }
 
-/* By as many processes as there are processors, this one among them, which also does what one that was killed has left. Returns how
- * many rows are there: all, unless interrupted. */
+/* By several processes, this one among them, which also does what one that was killed has left. Returns how many rows are there:
+ * all, unless interrupted. */
 static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
 {
-    const size_t others = (r->points < jlt_common_processors() ? r->points : jlt_common_processors()) - 1;
+    const size_t wanted = r->processes > 0 ? r->processes : jlt_common_processors();
+    const size_t others = (r->points < wanted ? r->points : wanted) - 1;
+    const pid_t self = getpid();
     pid_t *made = calloc(others + 1, sizeof *made);
     size_t done = 0;
 
@@ -71,6 +73,7 @@ static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const vo
         made[i] = fork();
         if (made[i] != 0) continue;
         prctl(PR_SET_PDEATHSIG, SIGTERM); /* also where this one is killed */
+        if (getppid() != self) _exit(0);  /* it was, before that */
         compute_some(all, r, interrupt);
         _exit(0);
     }

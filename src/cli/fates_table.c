@@ -31,7 +31,8 @@ void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const 
     fputc('\n', file);
 }
 
-void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jlt_system *system, const double *q, const jlt_fates_end *end)
+void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jlt_system *system, const double *q,
+                         const jlt_fates_end *end)
 {
     const jlt_chart *chart = system->flow.chart;
     double values[JLT_CHART_STATES_MAX + 2] = { end->t };
@@ -54,8 +55,8 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
 }
 
 /* Columns of a sweep, in this order. */
-static const jlt_fate told[] = { JLT_FATE_POLE_PLUS, JLT_FATE_POLE_MINUS, JLT_FATE_INVALID, JLT_FATE_EQUILIBRIUM, JLT_FATE_LEFT_DOMAIN,
-                                 JLT_FATE_ALIVE, JLT_FATE_BUDGET };
+static const jlt_fate told[] = { JLT_FATE_POLE_PLUS,   JLT_FATE_POLE_MINUS, JLT_FATE_INVALID, JLT_FATE_EQUILIBRIUM,
+                                 JLT_FATE_LEFT_DOMAIN, JLT_FATE_ALIVE,      JLT_FATE_BUDGET };
 enum { TOLD = sizeof told / sizeof *told };
 
 /* Fates that can be of this section's orbits. */
@@ -125,11 +126,12 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
     jlt_fates_share(&turned, &error, &sum->low, sum->turned, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (sum->low.starts > 0)
-        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts, system->surface->section->turn_meaning,
-                turned, error, kept, kept_error, conditions(system));
+        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts,
+                system->surface->section->turn_meaning, turned, error, kept, kept_error, conditions(system));
     const size_t lost = sum->all.starts - jlt_shares_held(sum) - sum->all.unknown;
     if (has_conditions(system) && !options->flow.end_where_invalid && lost > 0)
-        fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)", lost, conditions(system));
+        fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)", lost,
+                conditions(system));
     if (sum->all.unknown > 0)
         fprintf(stream, "; of %zu it is not known whether they do, as a condition has no value on the way", sum->all.unknown);
     if (sum->empty > 0) fprintf(stream, "; %zu points of the grid have no state", sum->empty);

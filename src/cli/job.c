@@ -30,7 +30,10 @@ jlt_exit jlt_job_open(jlt_scene **scene, const char *path)
     const jlt_status st = jlt_scene_read(scene, message, path, &jlt_job_program);
 
     if (st != JLT_OK && message[0] != '\0') fprintf(stderr, "%s\n", message);
-    return st == JLT_OK ? JLT_EXIT_DONE : st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+    return st == JLT_OK          ? JLT_EXIT_DONE
+           : st == JLT_ERR_IO    ? JLT_EXIT_IO
+           : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL
+                                 : JLT_EXIT_INPUT;
 }
 
 jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set)

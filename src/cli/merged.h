@@ -21,19 +21,19 @@ typedef struct {
     jlt_database *database;
 } jlt_merged;
 
-/** By the ending of a path: .csv, .npy, .sqlite or .db; "-" is CSV. False: it has none of these. */
+/** The kind of file that a path's ending asks for: .csv, .npy, .sqlite or .db; "-" is CSV. False: it has none of these. */
 bool jlt_merged_known(jlt_merged_kind *kind, const char *path);
 
-/** Begin a file, with what stands before its rows. The first `over` columns are those that the study runs over; header: comments of
- *  CSV and NumPy. Says what is wrong; *self is discarded after, whatever is returned. */
+/** Begin a file, and write what stands before its rows. The first `over` columns are those that the study runs over. study: its
+ *  manifest, for SQLite; header: comments, for CSV and NumPy. Discard *self after, whatever is returned. */
 jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study,
                          const char *header);
 
-/** A piece begins; one of its rows. False: it cannot be written. */
+/** Begin the rows of a piece; write one of them, its fields as text in the order of the columns. False: it cannot be written. */
 bool jlt_merged_piece(jlt_merged *self, const jlt_shard_record *record);
 bool jlt_merged_row(jlt_merged *self, const jlt_table_form *form, char *const *fields);
 
-/** Give the file its name. Says what is wrong. */
+/** Give the file its name. */
 jlt_exit jlt_merged_close(jlt_merged *self);
 
 /** Close, and remove what has no name yet. Legal when zeroed, and twice. */

@@ -11,27 +11,32 @@ enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "LEVEL=VALUE,...", 0,
-      "Levels of integrals: of a section that tables describe, with the defaults of its tables; with --section STATE=VALUE of integrals "
-      "that the table claims, beside --solve", 10 },
-    { "section", SECTION, "STATE=VALUE|NAME", 0, "A section of any table, with its other states as coordinates; or NAME, one that the table says with coordinates of its own", 10 },
+      "Levels of integrals. Of a section that tables describe, the others have the defaults of its tables; with --section "
+      "STATE=VALUE, of integrals that the table claims, together with --solve", 10 },
+    { "section", SECTION, "STATE=VALUE|NAME", 0,
+      "The section where a state has this value, with the other states as coordinates; or NAME, one that the table describes, "
+      "with coordinates of its own", 10 },
     { "solve", SOLVE, "STATE=GUESS,...", 0,
-      "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. The "
-      "section's coordinates are the others; starts lie on the branch that is found from there, and a return on another branch is a row "
-      "like others, but has no derivative", 10 },
+      "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. "
+      "The section's coordinates are the others; starts lie on the branch that is found from there, and a return on another branch "
+      "is a row like others, but has no derivative", 10 },
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
-      "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that is "
-      "to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE is met once a turn: of a phase, which sees a forced system once a period", 10 },
+      "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that "
+      "is to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE "
+      "is met once a turn: of a phase, which sees a forced system once a period", 10 },
     { "mirror", MIRROR, "STATE,...", 0,
       "With --section: states whose sign a reversor changes, in place of that which the table proves; an empty list for none", 10 },
     { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 10 },
-    { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
+    { "direction", 'd', "up|down|both", 0,
+      "Crossings that count: where the section's state rises, falls, or either; default up", 11 },
     { 0 },
 };
 
 static const struct argp_option contact_table[] = {
     { "contact", CONTACT, "ignore|report|end", 0,
-      "What to do where the support stops pushing (N <= 0), so that the model no longer holds: go on and say at the end how "
-      "many orbits did (default), tell the least N in a column of its own, or end the orbit as lost_contact", 11 },
+      "What to do where a condition of the model breaks (`valid` in its table; of the top, contact: the plane would have to "
+      "pull): go on and say at the end for how many orbits (default), tell its least value in a column of its own, or end the "
+      "orbit as lost_NAME", 11 },
     { 0 },
 };
 
@@ -123,11 +128,14 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; %s may lie in (%.10g, %.10g)", what,
                                     system->flow.chart->names[k], low, high);
     if (status == JLT_ERR_EMPTY && system != NULL && system->flow.chart->solved_count > 0)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: Newton's method finds no state with these levels there: try another guess in "
-                                "--solve, or other coordinates", what);
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: Newton's method finds no state with these levels there: try another guess in "
+                                "--solve, or other coordinates",
+                                what);
     if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s: %s, or a return left the branch of --solve: try another --direction or section",
-                                what, jlt_status_text(status));
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: %s, or a return left the branch of --solve: try another --direction or section", what,
+                                jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
         return jlt_motion_refuse_point(system, what);
     if (status == JLT_ERR_DOMAIN && system != NULL)
@@ -263,7 +271,8 @@ void jlt_motion_one_start(jlt_motion_options *options, const char *text)
     options->start_count = 1;
 }
 
-jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system, size_t index)
+jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system,
+                              size_t index)
 {
     if (index < options->start_count) return jlt_motion_start(q, system, options->starts[index]);
     jlt_motion_grid_point(q, axes, system, index - options->start_count);

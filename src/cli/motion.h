@@ -1,4 +1,6 @@
-/** What the commands about motion on a section have in common: options, the system they name, headers, messages. */
+/** What the commands about orbits on a section have in common: options, the system that these describe, headers, messages.
+ *  q: shape (dim,), coordinates of a point on the section, in the table's units, angles in radians; dim:
+ *  system->flow.chart->dim. */
 #ifndef JLT_CLI_MOTION_H
 #define JLT_CLI_MOTION_H
 
@@ -11,123 +13,132 @@
 typedef struct {
     jlt_common common;
     jlt_accuracy accuracy; /* refers to flow */
-    const char *section; /* STATE=VALUE, or the name of one that a table says; with the former: */
-    const char *mirror;  /* states whose sign the reversor changes */
-    const char *solve;   /* STATE=GUESS,... of levels */
-    const char *modulo;  /* STATE=PERIOD,... of angles */
+    const char *section; /* STATE=VALUE, or the name of a section that a table describes; the next three go with STATE=VALUE: */
+    const char *mirror;  /* STATE,...: whose signs the reversor changes */
+    const char *solve;   /* STATE=GUESS,...: solved for on the levels of --level */
+    const char *modulo;  /* STATE=PERIOD,...: angles */
     jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
-    size_t threads;      /* of many orbits; these as in motion_many.h */
-    bool project;        /* orbits are put back onto their integrals */
-    bool many;           /* lanes are wanted for orbits */
-    bool in_lanes;       /* many orbits go at once, by a method that --tol chooses */
-    const char *alone;   /* why they do not; NULL: that was not asked for, or they do */
-    bool looks_at_integrals; /* the command asks for those that hold at these parameters alone as well */
-    bool is_random;      /* points are drawn, from: */
+    size_t threads;      /* that follow orbits; the next four are set by motion_many.h */
+    bool project;        /* --project: orbits are put back onto the levels of their integrals */
+    bool many;           /* orbits are to be followed in lanes of vectors, several at once */
+    bool in_lanes;       /* they are, by a method that --tol chooses */
+    const char *alone;   /* why they are not, in words; NULL: they are, or it was not wanted */
+    bool looks_at_integrals; /* the command also needs the integrals that hold only at these parameters */
+    bool is_random;      /* points are drawn at random, from `seed` */
     size_t seed;
-    const jlt_grid_axis *swept; /* parameters and levels that run over the rows, of which headers say nothing */
+    const jlt_grid_axis *swept; /* (swept_count,): parameters and levels that change from row to row; headers leave them out */
     size_t swept_count;
-    const char **starts; /* where orbits begin: (start_count,), as typed, owned; of a command of one, NULL first: none given */
+    const char **starts; /* --start, (start_count,), as typed, owned; a command of one start reads starts[0], NULL: none given */
     size_t start_count;
-    char start[512];     /* the one by default, which is then the first, and not counted */
-    const char *grid;    /* as typed; NULL: */
-    const char *other;   /* where there are no starts either and tables describe the section; NULL: none */
+    char start[512];     /* the default start, which starts[0] may point to; start_count does not count it */
+    const char *grid;    /* --grid as typed; NULL: not given */
+    const char *other;   /* the grid that is taken without --start and --grid where tables describe the section; NULL: none */
 } jlt_motion_options;
 
-/* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
+/* The parser of these options and those of common.h, to be named as a child; its input is a jlt_motion_options. */
 extern const struct argp jlt_motion_argp;
 
-/* Beside it, with the same input, where a command looks at contact. */
+/* The parser of --contact, with the same input, for commands that look at the model's conditions. */
 extern const struct argp jlt_contact_argp;
 
-/** To be called before argp_parse, with its argv; the options must not move after that. Installs the
- *  handler of Ctrl-C. Ends the program where memory is out. */
+/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last; the options must
+ *  not move in between. Ends the program where memory is out. */
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
-/** The system that the options describe. Says what is wrong. Where only its plan is asked for, that is shown: JLT_EXIT_PLANNED. */
+/** Make the system that the options describe: table, parameters, levels, section. Out: *system, for jlt_system_destroy. Where only
+ *  the plan was asked for, it is printed: JLT_EXIT_PLANNED. */
 jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options);
 
-/** What its levels are solved for, behind them in the header. */
+/** Print, in the header behind the levels, which states they are solved for. */
 void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
 
-/** Project orbits on a section of any table back onto its integrals after every step. Says what stands against it. */
+/** From now on put orbits of the system back onto the levels of its integrals after every step. JLT_EXIT_INPUT, JLT_EXIT_USAGE:
+ *  they are not proved, there is none, or there are too many. */
 jlt_exit jlt_motion_project(jlt_system *system);
 
-/** Whether tables describe the section, and say where all of it lies in this coordinate. */
+/** Whether the range of this coordinate over the whole section is known: tables describe the section and bound it. */
 bool jlt_motion_framed(const jlt_system *system, unsigned coordinate);
 
-/** The coordinates that a picture shows: those of --axes, else the first two; of a section of one, that one twice. */
+/** Choose which coordinates a picture shows, by number: those of --axes, else the first two; of a section of one coordinate this
+ *  one twice. */
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system);
 
-/** An axis of a picture, 'x' or 'y', for this range of a coordinate: of an angle the whole period where it is more than half of it.
- *  WHOLE: the section, or where that is not known, and nothing is to be seen, some range. Returns what it is, after --xrange and
- *  --yrange. */
+/** Write the axis 'x' or 'y' of a picture for values of a coordinate in `range`. An angle gets its whole period where the values
+ *  fill more than half of it. JLT_MOTION_WHOLE: the whole section, where its extent is known, else -1 to 1. Returns the range
+ *  drawn, in which --xrange and --yrange win. */
 #define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
 jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
-/** While options are parsed: the one start of a command that takes no more. */
+/** Keep --start of a command that takes one start, while options are parsed. */
 void jlt_motion_one_start(jlt_motion_options *options, const char *text);
 
-/** The start that the section's table has for the purpose, where none was given. Says that one is wanted: "say near which orbit to
- *  begin". */
+/** Where no start was given, take the one that the section's table has for this purpose. JLT_EXIT_USAGE: the table has none; the
+ *  message ends with `wanted`: "say near which orbit to begin". */
 jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
                                   const char *wanted);
 
-/** Name of the method that orbits are followed with: in lanes it is chosen by the tolerance; "each" where all are asked. */
+/** Name of the method that orbits are followed with, for messages and headers; in lanes the tolerance chooses it. */
 const char *jlt_motion_method(const jlt_motion_options *options);
 
-/** Names and values of the levels that the section lies on, shape (JLT_INVARIANTS_MAX,). Returns how many. */
+/** The levels of integrals that the section lies on. Out: names, values, shape (JLT_INVARIANTS_MAX,). Returns how many are
+ *  filled. */
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values);
 
-/** One start, NAME=VALUE,... for all coordinates of the section. */
+/** Read one start, NAME=VALUE,... with a value for every coordinate of the section. Out: q, shape (dim,). */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
 
-/** Whether an orbit can begin at each of these starts, before anything is written. Says what is wrong. */
+/** Check, before anything is written, that an orbit can begin at each of these starts, shape (count,), as typed. */
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
-/** Axes of a grid over the section: as in `text`, by default angles over their period, and bounded coordinates of a section that
- *  tables describe over the interval of its levels. Of other sections every coordinate has to be named, or be an angle where only
- *  counts are typed. */
+/** Read the axes of a grid over the section, shape (dim,), from `text`, the value of `option`. What it leaves out: an angle runs
+ *  over its period, and a coordinate of a section that tables describe over the interval that the levels leave. On other sections
+ *  every coordinate that is no angle has to be named. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
-/** Point number `index` of those of the grid that are meant (the first coordinate runs fastest), or their number. */
+/** Point number `index` of the grid (the first coordinate runs fastest, unlike jlt_grid_point), and how many points there are. A
+ *  grid of which a part was asked for, @FIRST:COUNT, counts the points of this part alone. */
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system);
 
-/** Number `index` of all starts: those as typed, then those of a grid. */
+/** Start number `index` of all: first those of --start, then points of the grid. Out: q, shape (dim,). */
 jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system,
                               size_t index);
 
-/** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
+/** Write the comment lines that a table begins with: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
 
-/* For captions: parameters and levels, but for the one that is swept, if any. */
+/* Write parameters and levels into the caption of a picture, without the one of the name `swept`; NULL: all. */
 void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept);
 
-/** "WHAT: reason", with the exit status that the library's status calls for. */
+/** Print "WHAT: reason". Returns the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
-/** The section that tables describe, and that the options ask for; *has: there is one. Says why it is not one of this table any
- *  more. */
+/** Find the section that tables describe and the options ask for, by its name or by none. Out: *surface, where *has is true; *has
+ *  is false where --section STATE=VALUE asks for one of another kind, or tables describe none. Fails where a claim that the section
+ *  rests on is not proved (any more) of the table asked. */
 jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_options *options, const jlt_descriptor *asked);
 
-/** Its system, with the parameters and levels of the options. Says what is wrong. */
+/** Make the system on it, with the parameters and levels of the options. Out: *system, for jlt_system_destroy. */
 jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface);
 
-/** A start that lies at the end of a coordinate's interval or beyond, or whose orbit ends before it returns. */
+/** Print that the start `what` lies at the end of a coordinate's interval or beyond, or that its orbit ends before it returns, with
+ *  the intervals. Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what);
 
-/** Why none could be made from these values, shape (surface->count,); what: NULL for what speaks for itself. */
+/** Print why jlt_surface_system returned `status` for these values of parameters and levels, shape (surface->count,). what: the
+ *  option or point to name in front; NULL: none. Returns the exit status for it. */
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what);
 
-/** The same for Newton's method, which finds no periodic orbit from `start`. */
+/** Print that Newton's method found no periodic orbit from `start`, and what may help. Returns the exit status for `status`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);
 
-/** Says that the method failed on so many of the orbits, whose rows tell how; the status of that. */
+/** Where failed > 0, print on how many of the orbits the method failed. Returns JLT_EXIT_NUMERICAL then, else JLT_EXIT_DONE. */
 jlt_exit jlt_motion_failures(size_t failed, size_t orbits);
 
+/** Whether a signal has asked the command to finish. */
 bool jlt_motion_interrupted(const jlt_motion_options *options);
 
 #endif

@@ -6,7 +6,8 @@
 
 jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
 {
-    return self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow) : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
+    return self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow)
+                                 : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
 }
 
 static jlt_status make_at(void *context, jlt_system **out, double value)
@@ -26,10 +27,12 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
     size_t used = (size_t)snprintf(where, sizeof where, "%s: at", option);
 
     for (size_t i = 0; i < count && used < sizeof where; i++)
-        used += (size_t)snprintf(where + used, sizeof where - used, "%s %s=%.10g", i == 0 ? "" : ",", axes[i].name, *self->entries[i]);
+        used += (size_t)snprintf(where + used, sizeof where - used, "%s %s=%.10g", i == 0 ? "" : ",", axes[i].name,
+                                 *self->entries[i]);
     if (self->surface != NULL) return jlt_motion_refuse(self->surface, self->values, status, where);
     if (self->no_angle < self->plane.descriptor->state_count)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is no angle any more", where, self->plane.descriptor->states[self->no_angle].name);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is no angle any more", where,
+                                self->plane.descriptor->states[self->no_angle].name);
     if (status == JLT_ERR_DOMAIN && jlt_region_check(&region, &value, self->plane.descriptor, self->plane.params, NULL) == status)
         return jlt_assign_refuse_region(where, self->plane.descriptor, region, value);
     return jlt_motion_fail(status, NULL, where);
@@ -46,12 +49,14 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, c
     }
     for (unsigned i = 0; i < d->integral_count; i++)
         if (strcmp(d->integrals[i].name, name) == 0)
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s: the level of %s runs from a value: --level %s=VALUE, with --solve", option, name, name);
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: the level of %s runs from a value: --level %s=VALUE, with --solve", option,
+                                    name, name);
     fprintf(stderr, "jellett: %s: there is no '%s'; there are the parameters", option, name);
     for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
     fputs(d->param_count == 0 ? " (none)" : "", stderr);
     for (unsigned i = 0; i < self->plane.level_count; i++)
-        fprintf(stderr, "%s %s", i == 0 ? ", and of --level" : ",", self->plane.descriptor->integrals[self->plane.levels[i].integral].name);
+        fprintf(stderr, "%s %s", i == 0 ? ", and of --level" : ",",
+                self->plane.descriptor->integrals[self->plane.levels[i].integral].name);
     fputc('\n', stderr);
     return JLT_EXIT_INPUT;
 }

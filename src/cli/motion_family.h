@@ -1,4 +1,4 @@
-/** The systems that a command line describes while some of its parameters and levels run over their ranges. */
+/** The family of systems that a command line describes while some of its parameters and levels run over ranges. */
 #ifndef JLT_CLI_MOTION_FAMILY_H
 #define JLT_CLI_MOTION_FAMILY_H
 
@@ -7,25 +7,26 @@
 enum { JLT_FAMILY_AXES_MAX = 3 };
 
 typedef struct {
-    jlt_motion_plane plane;
-    const jlt_surface *surface; /* of a section that tables describe instead: its values, and the flow */
+    jlt_motion_plane plane;     /* of a section STATE=VALUE */
+    const jlt_surface *surface; /* of a section that tables describe; NULL: `plane` is in use, and the next two are not */
     double values[JLT_CHART_VALUES_MAX];
     jlt_flow flow;
-    double *entries[JLT_FAMILY_AXES_MAX]; /* the values that run, in the order of the axes; at first those of the options */
-    jlt_system_family systems;            /* as the first of them runs */
-    unsigned no_angle;                    /* the state that was none when the last system was made, else the number of states */
+    double *entries[JLT_FAMILY_AXES_MAX]; /* where the values that run stand, by axis; write there, then call _make */
+    jlt_system_family systems;            /* the same family as a function of the first axis alone, for continuation */
+    unsigned no_angle;                    /* a state said to be an angle that is none for the last system made; else states */
 } jlt_motion_family;
 
-/** system: the one that the options describe; they must stay. axes: what runs, shape (count,), of which names are read; option:
- *  for messages. *out must not move, and is cleared after, whatever is returned. Says what is wrong. */
+/** Open the family. In: system, the one that the options describe; both must outlive the family. axes: shape (count,), of which
+ *  only the names are read: what runs. option: which option named them, for messages. *out must not move; clear it in any case. */
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
                                 const jlt_grid_axis *axes, size_t count, const char *option);
 void jlt_motion_family_clear(jlt_motion_family *family);
 
-/** The system at the entries as they stand, for jlt_system_destroy. Errors: as jlt_motion_plane_make and jlt_surface_system. */
+/** Make the system at the values that stand in `entries`. Out: *out, for jlt_system_destroy. Errors: as jlt_motion_plane_make and
+ *  jlt_surface_system. */
 JLT_CHECKED jlt_status jlt_motion_family_make(jlt_motion_family *family, jlt_system **out);
 
-/** Why that failed: "OPTION: at NAME=VALUE, ...: reason". axes: as for open. */
+/** Print why _make returned `status`: "OPTION: at NAME=VALUE, ...: reason". axes: as in _open. Returns the exit status for it. */
 jlt_exit jlt_motion_family_fail(const jlt_motion_family *family, jlt_status status, const char *option, const jlt_grid_axis *axes,
                                 size_t count);
 

@@ -1,5 +1,6 @@
 #include "cli/motion_many.h"
 
+#include "dynamics/section_flows.h"
 #include "integrate/batch_method.h"
 #include "kernel/batch_isa.h"
 
@@ -39,7 +40,7 @@ void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *syste
 {
     const jlt_descriptor *d = system->instance->descriptor;
 
-    options->alone = options->many ? jlt_section_batch_obstacle(&system->flow, jlt_batch_isa_best(d, 0)) : NULL;
+    options->alone = options->many ? jlt_section_flows_obstacle(&system->flow, jlt_batch_isa_best(d, 0)) : NULL;
     if (options->many && options->project && options->alone == NULL && system->flow.chart->roots > 0)
         options->alone = "with --project its lifted root is put back after every step";
     options->in_lanes = options->many && options->alone == NULL;
@@ -57,13 +58,14 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
     if (!options->in_lanes) return jlt_motion_project(system);
     code = jlt_common_project(d);
     if (code == JLT_EXIT_DONE && d->integral_count == JLT_INVARIANTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals, of which lanes serve fewer", d->model, d->integral_count);
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals, of which lanes serve fewer", d->model,
+                                d->integral_count);
     batch_options->project = system->instance;
     return code;
 }
 
-jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_options *batch_options, const jlt_motion_options *options,
-                              jlt_system *system)
+jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_options *batch_options,
+                              const jlt_motion_options *options, jlt_system *system)
 {
     const jlt_exit code = options->project ? set_projection(batch_options, options, system) : JLT_EXIT_DONE;
 
@@ -78,7 +80,8 @@ void jlt_motion_many_line(FILE *file, const char *before, const jlt_motion_optio
 {
     const jlt_kernel_batch *kernels = jlt_batch_isa_best(system->instance->descriptor, 0);
 
-    if (options->alone != NULL) fprintf(file, "%s one orbit at a time by %s: %s\n", before, options->flow.method->name, options->alone);
+    if (options->alone != NULL)
+        fprintf(file, "%s one orbit at a time by %s: %s\n", before, options->flow.method->name, options->alone);
     if (!options->in_lanes) return;
     fprintf(file, "%s many orbits at once by %s on %s, lanes %u%s; %s from where an orbit comes near a pole\n", before,
             jlt_batch_method_for(options->flow.tolerance)->name, kernels->isa, kernels->lanes,

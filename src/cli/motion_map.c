@@ -13,8 +13,9 @@ jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *opt
     unsigned count = 0;
     jlt_exit code;
 
-    *self = (jlt_motion_map){ .system = system, .axes = grid != NULL ? axes : NULL, .whole = grid != NULL && strchr(grid, '=') == NULL,
-                              .shown = { 0, 1 }, .values = JLT_EXTENT_NONE, .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
+    *self = (jlt_motion_map){ .system = system, .axes = grid != NULL ? axes : NULL,
+                              .whole = grid != NULL && strchr(grid, '=') == NULL, .shown = { 0, 1 },
+                              .values = JLT_EXTENT_NONE, .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     if (options->common.plot == NULL) return JLT_EXIT_DONE;
     if (chart->dim < 2)
         return jlt_command_fail(JLT_EXIT_INPUT, "--plot: a map is drawn over two coordinates, and the section has one");
@@ -25,8 +26,9 @@ jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *opt
     code = jlt_plot_shown(self->shown, &options->common, chart->names, chart->dim);
     for (unsigned k = 0; code == JLT_EXIT_DONE && grid != NULL && k < chart->dim; k++)
         if (axes[k].count > 1 && k != self->shown[0] && k != self->shown[1])
-            return jlt_command_fail(JLT_EXIT_USAGE, "--plot: a map is drawn over two coordinates, %s and %s: give %s one value, or choose by --axes",
-                                    chart->names[self->shown[0]], chart->names[self->shown[1]], chart->names[k]);
+            return jlt_command_fail(
+                JLT_EXIT_USAGE, "--plot: a map is drawn over two coordinates, %s and %s: give %s one value, or choose by --axes",
+                chart->names[self->shown[0]], chart->names[self->shown[1]], chart->names[k]);
     for (unsigned k = 0; grid != NULL && k < 2; k++) {
         const jlt_grid_axis *axis = &axes[self->shown[k]];
         const double period = chart->period[self->shown[k]];
@@ -72,8 +74,8 @@ void jlt_motion_map_add(jlt_motion_map *self, const double *q, double value)
     else jlt_look_row(self->points, at, 3);
 }
 
-/* Between which values cells are drawn, and by how many dots: some hundreds, as viewers of SVG blur the edges of dots, and an even number to
- * the cell, as an angle's cells are cut in halves at the ends. */
+/* Between which values cells are drawn, and by how many dots: some hundreds, as viewers of SVG blur the edges of dots, and an even
+ * number to the cell, as an angle's cells are cut in halves at the ends. */
 static jlt_extent dots(unsigned *count, const jlt_motion_map *self, unsigned k, jlt_extent range)
 {
     const jlt_grid_axis *axis = &self->axes[self->shown[k]];
@@ -121,7 +123,8 @@ void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot)
         jlt_extent range = jlt_extent_wider(self->extent[k]);
         if (self->whole) range = JLT_MOTION_WHOLE;
         else if (self->cell[k] > 0)
-            range = (jlt_extent){ fmin(axis->low, axis->high) - self->cell[k] / 2, fmax(axis->low, axis->high) + self->cell[k] / 2 };
+            range = (jlt_extent){ fmin(axis->low, axis->high) - self->cell[k] / 2,
+                                  fmax(axis->low, axis->high) + self->cell[k] / 2 };
         self->frame[k] = jlt_motion_axis(plot, self->system, k == 0 ? 'x' : 'y', self->shown[k], range);
     }
     fputs("set tics out nomirror\n", plot->stream);

@@ -13,7 +13,9 @@ static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *op
     jlt_exit code;
 
     if (text == NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE; no proved record 'section' describes one", d->model);
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "say which section of %s: --section STATE=VALUE; no proved record 'section' describes one",
+                                d->model);
     if (strchr(text, '=') == NULL || strchr(text, ':') != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE)", text);
     code = jlt_grid_axis_parse(&out->section, text, strlen(text), "--section");
@@ -97,8 +99,10 @@ static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_d
         if (!(numbers[i] >= 0))
             return jlt_command_fail(JLT_EXIT_INPUT, "--modulo: the period of %s must be positive, or 0 for none", name);
         if (numbers[i] > 0 && is_solved_for(out, states[i]))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
-                                    "state", name);
+            return jlt_command_fail(JLT_EXIT_INPUT,
+                                    "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
+                                    "state",
+                                    name);
     }
     return code;
 }
@@ -127,7 +131,8 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
         return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s is %s integral of this table: %s", name,
                                 claim->verdict == JLT_REFUTED ? "no" : "not proved to be an", claim->reason);
     if (*index == d->integral_count)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s is an integral of %s when %s alone: --set that, with a variant of it in the table",
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--level: %s is an integral of %s when %s alone: --set that, with a variant of it in the table",
                                 name, d->model, claim->condition);
     return JLT_EXIT_DONE;
 }
@@ -149,8 +154,10 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     if (code == JLT_EXIT_DONE) code = read_states(states, guesses, &count, options->solve, d, "--solve");
     if (code != JLT_EXIT_DONE) return code;
     if (count != list->count)
-        return jlt_command_fail(JLT_EXIT_USAGE, "levels determine as many states: --level names %zu, and --solve %zu (write --solve "
-                                "STATE=GUESS,...)", list->count, count);
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "levels determine as many states: --level names %zu, and --solve %zu (write --solve "
+                                "STATE=GUESS,...)",
+                                list->count, count);
     for (size_t i = 0; i < count; i++) {
         out->levels[i].state = (unsigned)states[i];
         out->levels[i].guess = guesses[i];
@@ -158,11 +165,11 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
             return jlt_command_fail(JLT_EXIT_INPUT, "--solve: %s is fixed by --section already", d->states[states[i]].name);
     }
     if (d->state_count < 2)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s has one state; a section has a coordinate beside the state that --section fixes",
-                                d->model);
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "%s has one state; a section has a coordinate beside the state that --section fixes", d->model);
     if (count + 1 >= d->state_count)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u states, and the section would have no coordinate left", d->model,
-                                d->state_count);
+        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u states, and the section would have no coordinate left",
+                                d->model, d->state_count);
     return JLT_EXIT_DONE;
 }
 
@@ -266,7 +273,8 @@ jlt_exit jlt_motion_project(jlt_system *system)
 
     if (code != JLT_EXIT_DONE) return code;
     if (system->flow.method != NULL && system->flow.method->multistep)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method", system->flow.method->name);
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method",
+                                system->flow.method->name);
     const jlt_status st = jlt_system_invariants(&system->flow.kept, system);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--project");
 }

@@ -23,14 +23,19 @@ static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, c
     const jlt_section_chart *section = surface->section;
     char text[512];
     double level;
-    int used = snprintf(text, sizeof text, "no state with %s = %.10g has", surface->table->states[section->column].name, section->level);
+    int used = snprintf(text, sizeof text, "no state with %s = %.10g has", surface->table->states[section->column].name,
+                        section->level);
 
     for (unsigned i = surface->params; i < surface->count && used < (int)sizeof text; i++)
-        used += snprintf(text + used, sizeof text - (size_t)used, "%s %s = %.10g", i == surface->params ? "" : i + 1 == surface->count ? " and" : ",",
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s %s = %.10g",
+                         i == surface->params      ? ""
+                         : i + 1 == surface->count ? " and"
+                                                   : ",",
                          surface->names[i], values[i]);
     if (!jlt_surface_nearest_level(surface, values, &level)) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s", what, text);
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: %s %s %s %.10g, or take others", what, text, level > values[surface->params] ? "raise" : "lower",
-                            surface->names[surface->params], level > values[surface->params] ? "above" : "below", level);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: %s %s %s %.10g, or take others", what, text,
+                            level > values[surface->params] ? "raise" : "lower", surface->names[surface->params],
+                            level > values[surface->params] ? "above" : "below", level);
 }
 
 /* Sections of tables have bounds that those of the table itself have not. */
@@ -48,9 +53,10 @@ static jlt_exit refuse_large(const jlt_surface *surface)
     else snprintf(what, sizeof what, "has %u derivatives, of %u states by %u coordinates and levels, and %d are the limit",
                   table->state_count * (coordinates + section->level_count), table->state_count, coordinates + section->level_count,
                   (int)JLT_CHART_SLOPES_MAX);
-    return jlt_command_fail(JLT_EXIT_INPUT, "the section %s of %s %s of sections that tables describe: ask for one of the table itself, "
-                            "--section %s=%.10g, with all other states as coordinates", section->name, table->model, what,
-                            table->states[section->column].name, section->level);
+    return jlt_command_fail(JLT_EXIT_INPUT,
+                            "the section %s of %s %s of sections that tables describe: ask for one of the table itself, "
+                            "--section %s=%.10g, with all other states as coordinates",
+                            section->name, table->model, what, table->states[section->column].name, section->level);
 }
 
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what)
@@ -64,16 +70,22 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
     for (unsigned i = 0; status == JLT_ERR_DOMAIN && i < surface->params; i++) {
         const jlt_quantity *q = &surface->table->params[surface->entries[i]];
         const double v = values[i];
-        const bool fits = q->sign == JLT_ANY_SIGN || v > 0 || (q->sign == JLT_NONNEGATIVE && v == 0) || (q->sign == JLT_NONZERO && v != 0);
-        if (!fits) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model, q->name, conditions[q->sign]);
+        const bool fits = q->sign == JLT_ANY_SIGN || v > 0 || (q->sign == JLT_NONNEGATIVE && v == 0)
+                          || (q->sign == JLT_NONZERO && v != 0);
+        if (!fits)
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model,
+                                    q->name, conditions[q->sign]);
     }
     if (status == JLT_ERR_ARG)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s is one half of %s = %.10g, and somewhere it is the other half that is crossed in this --direction", where,
-                                surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
+        return jlt_command_fail(
+            JLT_EXIT_INPUT,
+            "%sthe section %s is one half of %s = %.10g, and somewhere it is the other half that is crossed in this --direction",
+            where, surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
     if (status == JLT_ERR_DOMAIN)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe parameters are so far apart that products of them leave the range of doubles", where);
-    return jlt_command_fail(jlt_command_exit(status), "%sthe section %s of %s: %s", where, surface->section->name, surface->table->model,
-                            jlt_status_text(status));
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "%sthe parameters are so far apart that products of them leave the range of doubles", where);
+    return jlt_command_fail(jlt_command_exit(status), "%sthe section %s of %s: %s", where, surface->section->name,
+                            surface->table->model, jlt_status_text(status));
 }
 
 jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
@@ -86,11 +98,14 @@ jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
         const jlt_quantity *q = &section->coordinates[k];
         if (section->is_angle[k] || (isinf(q->low) && isinf(q->high))) continue;
         if (isinf(q->low) || isinf(q->high))
-            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie %s %.10g, and ", q->name, isinf(q->low) ? "below" : "above",
-                                     isinf(q->low) ? q->high : q->low);
-        else used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name, q->low, q->high);
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie %s %.10g, and ", q->name,
+                                     isinf(q->low) ? "below" : "above", isinf(q->low) ? q->high : q->low);
+        else
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name,
+                                     q->low, q->high);
     }
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s: %sthe orbit return before it ends at a pole or at rest", what, used > 0 ? text : "");
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: %sthe orbit return before it ends at a pole or at rest", what,
+                            used > 0 ? text : "");
 }
 
 /* A section is one of motion while what its levels fix are integrals, and its table stands for the asked one. */
@@ -106,10 +121,12 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
         jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
         told = true;
     }
-    if (!told) jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
+    if (!told)
+        jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
     list_names(levels, sizeof levels, surface, surface->params, surface->count, " and ");
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section%s%s, then: ask for one of the table itself, --section %s=%.10g, "
-                            "with all other states as coordinates", *levels != '\0' ? " on levels of " : "", levels, table->states[surface->section->column].name, surface->section->level);
+                            "with all other states as coordinates", *levels != '\0' ? " on levels of " : "", levels,
+                            table->states[surface->section->column].name, surface->section->level);
 }
 
 /* Orbits on the section are followed in its own table, which must know where the model asked for ends to hold. */
@@ -121,8 +138,10 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
     for (unsigned i = 0; i < asked->valid_count; i++) {
         for (k = 0; k < table->valid_count && strcmp(table->valids[k].name, asked->valids[i].name) != 0; k++) { }
         if (k == table->valid_count)
-            return jlt_command_fail(JLT_EXIT_INPUT, "the section %s is one of %s, which does not say where %s of this table is lost: write "
-                                    "'valid %s : ...' in its coordinates there, or ask for a section of the table itself, --section %s=%.10g",
+            return jlt_command_fail(JLT_EXIT_INPUT,
+                                    "the section %s is one of %s, which does not say where %s of this table is lost: write "
+                                    "'valid %s : ...' in its coordinates there, or ask for a section of the table itself, "
+                                    "--section %s=%.10g",
                                     surface->section->name, table->model, asked->valids[i].name, asked->valids[i].name,
                                     table->states[surface->section->column].name, surface->section->level);
     }
@@ -141,7 +160,8 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
             const jlt_assignment *item = &lists[k]->items[i];
             const unsigned index = jlt_surface_value(surface, item->name);
             if (index == surface->count || (index >= surface->params) != (k == 1)) {
-                list_names(text, sizeof text, surface, k == 0 ? 0 : surface->params, k == 0 ? surface->params : surface->count, ", ");
+                list_names(text, sizeof text, surface, k == 0 ? 0 : surface->params, k == 0 ? surface->params : surface->count,
+                           ", ");
                 return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
                                         k == 0 ? "parameter" : "level", item->name, *text != '\0' ? text : "none");
             }
@@ -162,8 +182,12 @@ jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options
 
     if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL) {
         list_names(text, sizeof text, surface, surface->params, surface->count, " and ");
-        return jlt_command_fail(JLT_EXIT_USAGE, "--%s goes with --section STATE=VALUE: the table says all there is to know of levels of %s",
-                                options->mirror != NULL ? "mirror" : options->solve != NULL ? "solve" : "modulo", text);
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "--%s goes with --section STATE=VALUE: the table says all there is to know of levels of %s",
+                                options->mirror != NULL  ? "mirror"
+                                : options->solve != NULL ? "solve"
+                                                         : "modulo",
+                                text);
     }
     code = read_values(values, options, surface);
     if (code != JLT_EXIT_DONE) return code;
@@ -187,7 +211,8 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     *has = st == JLT_OK;
     if (!is_plane && !*has && surface->table != NULL) return refuse_large(surface);
     if (!is_plane && !*has && options->section != NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
                                 options->section, asked->model);
     if (*has && broken != NULL) return refuse_broken(surface, broken, asked);
     return *has ? refuse_unwatched(surface, asked) : JLT_EXIT_DONE;
@@ -199,7 +224,8 @@ static const char *start_name(jlt_surface_start purpose)
     return names[purpose];
 }
 
-jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose, const char *wanted)
+jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
+                                  const char *wanted)
 {
     const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
     const char **start = &options->starts[0];

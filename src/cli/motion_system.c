@@ -15,7 +15,8 @@ jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options)
     if (code != JLT_EXIT_DONE) return code;
     code = jlt_motion_surface(&surface, &has_surface, options, descriptor);
     if (code != JLT_EXIT_DONE) return code;
-    code = has_surface ? jlt_motion_surface_system(system, options, &surface) : jlt_motion_plane_system(system, options, descriptor);
+    code = has_surface ? jlt_motion_surface_system(system, options, &surface)
+                       : jlt_motion_plane_system(system, options, descriptor);
     if (code == JLT_EXIT_DONE) jlt_motion_many_settle(options, *system);
     return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
 }

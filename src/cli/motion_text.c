@@ -26,7 +26,8 @@ unsigned jlt_motion_levels(const jlt_system *system, const char **names, double 
 
     for (unsigned k = 0; k < count; k++) {
         const jlt_level *level = surface == NULL ? &system->chart.level.levels[k] : NULL;
-        names[k] = surface != NULL ? surface->names[surface->params + k] : system->instance->descriptor->integrals[level->integral].name;
+        names[k] = surface != NULL ? surface->names[surface->params + k]
+                                   : system->instance->descriptor->integrals[level->integral].name;
         values[k] = surface != NULL ? system->values[surface->params + k] : level->value;
     }
     return count;
@@ -58,12 +59,14 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     free(params);
     if (level_count > 0) {
         fputs("# levels", stream);
-        for (unsigned k = 0; k < level_count; k++) jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
+        for (unsigned k = 0; k < level_count; k++)
+            jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
         if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
         fputc('\n', stream);
     }
-    fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
-            chart->level, directions[options->flow.direction + 1], method, options->flow.tolerance);
+    fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g",
+            system->instance->descriptor->states[chart->column].name, chart->level, directions[options->flow.direction + 1], method,
+            options->flow.tolerance);
     if (jlt_observed_conditions(system->observed) > 0)
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
     if (options->is_random) fprintf(stream, "; seed %zu\n", options->seed);
@@ -121,7 +124,8 @@ jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, 
 
     jlt_look_label(label, system->flow.chart->names[coordinate], unit_of(system, coordinate));
     if (period != 0 && range.high - range.low > period / 2) range = (jlt_extent){ -period / 2, period / 2 };
-    else if (isinf(range.low)) range = jlt_motion_framed(system, coordinate) ? bounds_of(system, coordinate) : (jlt_extent){ -1, 1 };
+    else if (isinf(range.low))
+        range = jlt_motion_framed(system, coordinate) ? bounds_of(system, coordinate) : (jlt_extent){ -1, 1 };
     return jlt_plot_axis(plot, axis, label, range, period);
 }
 

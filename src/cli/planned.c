@@ -29,7 +29,10 @@ static void show_candidate(const jlt_plan *plan, unsigned index, const char *why
     }
     printf("  %c %-14s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', c->tier.name, c->tier.dimension, kernel, counts);
     if (index == plan->chosen)
-        printf("taken: %s\n", why != NULL ? why : plan->forced ? "asked for by name" : plan->count == 1 ? "the model's own field" : "the smallest that answers");
+        printf("taken: %s\n", why != NULL        ? why
+                              : plan->forced     ? "asked for by name"
+                              : plan->count == 1 ? "the model's own field"
+                                                 : "the smallest that answers");
     else if (c->refusal[0] != '\0') {
         jlt_plan_refusal(refusal, sizeof refusal, c);
         printf("no: %s\n", refusal);
@@ -97,14 +100,19 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     if (code == JLT_EXIT_DONE && options->common.model != NULL)
         code = jlt_table_others(&others, asked, options->common.model, "reduction", options->common.lanes);
     if (code == JLT_EXIT_DONE) {
-        jlt_plan plan = { .count = 1, .candidates = { { .tier = { .name = "model", .dimension = system->instance->descriptor->state_count },
-                                                        .descriptor = system->instance->descriptor } } };
+        jlt_plan plan = { .count = 1,
+                          .candidates = { { .tier = { .name = "model", .dimension = system->instance->descriptor->state_count },
+                                            .descriptor = system->instance->descriptor } } };
         jlt_tier whole;
         jlt_tier_whole(&whole, asked); /* integrals are watched in all states */
-        const jlt_question question = { .model = asked, .others = &others, .params = params, .section = !options->looks_at_integrals,
+        const jlt_question question = { .model = asked,
+                                        .others = &others,
+                                        .params = params,
+                                        .section = !options->looks_at_integrals,
                                         .tier = options->looks_at_integrals ? whole.name : NULL };
         const jlt_status st = system->surface != NULL ? jlt_plan_make(&plan, &question) : JLT_OK;
-        if (st == JLT_OK) jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
+        if (st == JLT_OK)
+            jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
         code = st == JLT_OK ? JLT_EXIT_PLANNED : jlt_motion_fail(st, system, asked->model);
     }
     free(params);
@@ -124,4 +132,21 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
            options->in_lanes ? "" : ", one orbit at a time");
     jlt_motion_many_line(stdout, " ", options, system);
     return code;
+}
+
+/* Of the asked table's own tiers the last is meant to answer, whatever the others need. */
+jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_descriptor *asked)
+{
+    const jlt_candidate *own = NULL;
+    char refusal[1024];
+
+    for (unsigned i = 0; i < plan->count; i++) {
+        const jlt_candidate *c = &plan->candidates[i];
+        if (c->tier.way_count == 0 && !c->tier.by_name && c->refusal[0] != '\0') own = c;
+    }
+    if (own == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "no tier of %s can answer", asked->model);
+    jlt_plan_refusal(refusal, sizeof refusal, own);
+    return jlt_command_fail(JLT_EXIT_INPUT,
+                            "no tier of %s can answer; its own, %s: %s (use units in which parameters are nearer one)",
+                            asked->model, own->tier.name, refusal);
 }

@@ -5,16 +5,18 @@
 #include "cli/motion.h"
 #include "scene/plan.h"
 
-/** A line for each candidate: the chosen one marked, its kernel with the operations of one call of its right-hand side, and the
- *  reason. */
-/* why: the chosen one is taken; NULL: as the plan has it. */
+/** Print a line for each candidate: a mark on the chosen one, its kernel with the operations of one call of its right-hand side,
+ *  and why it is taken or not. why: the reason of the chosen one; NULL: the plan's own. */
 void jlt_planned_show(const jlt_plan *plan, const char *why);
 
-/** The line of the chosen one alone. */
+/** Print the line of the chosen candidate alone. */
 void jlt_planned_chosen(const jlt_plan *plan);
 
-/** For a command on a section of `asked`: the candidates, the section with its levels, and what is proved of these; where orbits
- *  begin, and by what they are followed. Returns JLT_EXIT_PLANNED, or what is wrong. */
+/** Print the plan of a command on a section of the model `asked`: the candidates, the section with its levels and what is proved of
+ *  them, where orbits begin, and what follows them. Returns JLT_EXIT_PLANNED on success. */
 jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options, const jlt_descriptor *asked);
+
+/** Say that no tier of the asked table can answer, and why its own cannot. */
+jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_descriptor *asked);
 
 #endif

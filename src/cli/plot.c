@@ -15,11 +15,14 @@ enum { SIZE = 1200, FONT, XRANGE, YRANGE, TITLE, STYLE, AXES };
 
 static const struct argp_option option_table[] = {
     { NULL, 0, NULL, 0, "The picture, beside --plot:", 13 },
-    { "size", SIZE, "WIDTHxHEIGHT", 0, "Its size in cm, or with mm or in behind; default 18x13cm", 13 },
-    { "font", FONT, "NAME[,POINTS]", 0, "Its letters; default Helvetica, of 8 points at a width of 8 cm, of 11 at 18 cm", 13 },
-    { "xrange", XRANGE, "LOW:HIGH", 0, "Where the x axis begins and ends, such as -pi:pi; of all panels", 13 },
+    { "size", SIZE, "WIDTHxHEIGHT", 0, "Size of the picture in cm, or with mm or in behind; default 18x13cm", 13 },
+    { "font", FONT, "NAME[,POINTS]", 0,
+      "Font of the picture; default Helvetica, of 8 points at a width of 8 cm, of 11 at 18 cm", 13 },
+    { "xrange", XRANGE, "LOW:HIGH", 0,
+      "Where the x axis of all panels begins and ends, such as -pi:pi; default: what there is to see", 13 },
     { "yrange", YRANGE, "LOW:HIGH", 0, "The same of the y axis", 13 },
-    { "title", TITLE, "TEXT", 0, "The text above it, to the letter; an empty one for none", 13 },
+    { "title", TITLE, "TEXT", 0,
+      "Text above the picture, to the letter; an empty one for none; default: model, parameters and levels", 13 },
     { "style", STYLE, "WORD,...", 0,
       "grey (for print: black and greys, told apart by dashes and marks), dots (points as small as can be), nokey (no key), "
       "points=FACTOR, lines=FACTOR (their size, times what it is otherwise)", 13 },
@@ -27,7 +30,7 @@ static const struct argp_option option_table[] = {
 };
 
 static const struct argp_option axes_table[] = {
-    { "axes", AXES, "NAME,NAME", 0, "What the axes of the picture are, x and y, by the names of columns", 13 },
+    { "axes", AXES, "NAME,NAME", 0, "Columns of the table that the picture has as x and y axis", 13 },
     { 0 },
 };
 
@@ -52,7 +55,8 @@ static void parse_size(jlt_look *look, const char *value, const struct argp_stat
             length -= 2;
             break;
         }
-    if (by == NULL || !number(&look->width, value, (size_t)(by - value)) || !number(&look->height, by + 1, (size_t)(value + length - by) - 1))
+    if (by == NULL || !number(&look->width, value, (size_t)(by - value))
+        || !number(&look->height, by + 1, (size_t)(value + length - by) - 1))
         argp_error(state, "--size: '%s' is no size (write WIDTHxHEIGHT, such as 8x6cm)", value);
     look->width *= cm;
     look->height *= cm;
@@ -117,7 +121,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case XRANGE:
     case YRANGE: parse_range(look, key == YRANGE, value, state); break;
     case TITLE:
-        if (!jlt_look_text_fits(value)) argp_error(state, "--title: this is no text in UTF-8, or there are control characters in it");
+        if (!jlt_look_text_fits(value))
+            argp_error(state, "--title: this is no text in UTF-8, or there are control characters in it");
         look->title = value;
         break;
     case STYLE: parse_style(look, value, state); break;
@@ -269,7 +274,8 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     fprintf(stream, "set multiplot layout %u,%u title ", self->rows, self->columns);
     const unsigned lines = write_title(stream, self);
     if (self->stacked)
-        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - 6 * x, 3.8 * y, 1 - (1.1 + 1.2 * lines) * y, 0.8 * y);
+        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - 6 * x, 3.8 * y, 1 - (1.1 + 1.2 * lines) * y,
+                0.8 * y);
     fputc('\n', stream);
 }
 

@@ -4,14 +4,15 @@
 
 #include "cli/command.h"
 
-/** Before anything else: standard descriptors, signals, memory that runs out, and that standard output arrives. */
+/** Call it first: it opens standard descriptors that are closed, takes over signals, makes exhausted memory an error, and sees to
+ *  it that a failure of standard output is noticed at the end. */
 jlt_exit jlt_program_begin(void);
 
 /* Run it, with its name for argv[0]. A command that was interrupted does not return: it has finished its row, and ends the
  * program by the signal. */
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv);
 
-/** The path of a file, named from the folder of this program. False: it cannot be known. */
+/** The path of the file `name` beside this program's own. Out: path, shape (size,). False: that folder cannot be found out. */
 bool jlt_program_beside(char *path, size_t size, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-/** A line on standard error with share, rate and remaining time; silent where that is no terminal. */
+/** A line of progress on standard error, with share, rate and remaining time; nothing is written where that is no terminal. */
 #ifndef JLT_CLI_PROGRESS_H
 #define JLT_CLI_PROGRESS_H
 
@@ -13,9 +13,11 @@ typedef struct {
     char showing; /* a thread shows it; set atomically */
 } jlt_progress;
 
+/* Begin; `unit` names what is counted, in the plural. */
 void jlt_progress_start(jlt_progress *self, const char *unit);
 
-/* Cheap: the line is renewed five times a second at most. all: 0 where not known. Several threads may call it at once. */
+/* Show that `done` of `all` are done; all: 0 where that is not known. Cheap to call often: the line is renewed five times a second
+ * at most. Several threads may call it at once. */
 void jlt_progress_show(jlt_progress *self, size_t done, size_t all);
 
 /* Wipe the line. */

@@ -52,7 +52,8 @@ void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate)
 }
 
 /* The whole section, a third more than the grid that was named in a part of it, or what the points cover. */
-static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_system *system, const char *grid, const jlt_grid_axis *axes)
+static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_system *system, const char *grid,
+                  const jlt_grid_axis *axes)
 {
     for (unsigned k = 0; k < 2; k++) {
         const unsigned c = self->shown[k];

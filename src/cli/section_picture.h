@@ -4,7 +4,7 @@
 
 #include "cli/motion.h"
 
-/** Zeroed, one that is not drawn. */
+/** All zeros are a picture that nobody asked for: adding to it and drawing it do nothing. */
 typedef struct {
     FILE *stream; /* of `text`: the points of the orbits before; NULL: there is no picture */
     char *text;
@@ -16,17 +16,17 @@ typedef struct {
     jlt_extent extent[2];    /* of the points */
 } jlt_section_picture;
 
-/** Says what is wrong. */
+/** Begin a picture where --plot asks for one, of the coordinates that --axes names. */
 jlt_exit jlt_section_picture_open(jlt_section_picture *self, const jlt_motion_options *options, const jlt_system *system);
 void jlt_section_picture_close(jlt_section_picture *self); /* legal when zeroed */
 
-/** A point of the orbit that runs; NaN: none. Errors: NOMEM. */
+/** Add a point q (dim,) of the current orbit; one with NaN is left out. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_section_picture_add(jlt_section_picture *self, const double *q);
 
-/** That orbit is at its end. */
+/** End the current orbit, which gets the colour of its fate. */
 void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate);
 
-/** Draw it, once. grid: as typed, NULL for none, with its axes. Says what is wrong. */
+/** Draw the picture, once. grid: as typed, with its axes (dim,); NULL: none. returns: how many were asked of each orbit. */
 jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *common, const jlt_system *system, const char *grid,
                                   const jlt_grid_axis *axes, size_t returns);
 

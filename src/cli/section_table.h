@@ -17,7 +17,7 @@ typedef struct {
     size_t checked, unchecked;        /* returns whose DP was computed, and could not be */
 } jlt_section_table;
 
-/* What of a return the table shows. */
+/* What the table shows of one return. */
 typedef struct {
     size_t orbit, number;
     double t, least;
@@ -26,21 +26,23 @@ typedef struct {
     double values[]; /* q (dim,); x (states,); the point before (dim,), which is read by check and not for number 0 */
 } jlt_section_row;
 
-/** Bytes of a row; filling one, before (dim,) or NULL. */
+/** Bytes of a row for sections of this chart, and filling one: `at` is return number at->number of orbit number `orbit`; before,
+ *  shape (dim,), is the point whose return it is, for check alone, else NULL. */
 size_t jlt_section_row_size(const jlt_chart *chart);
 void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t orbit, const jlt_return *at, const double *before);
 
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table);
 
-/** As jlt_writer_text: table is a jlt_section_table, row a jlt_section_row. With check for one thread at a time. */
+/** Write a row, as a jlt_writer_text: table is a jlt_section_table, row a jlt_section_row. With check, not from several threads at
+ *  once. */
 void jlt_section_table_row(FILE *stream, void *table, const void *row);
 
-/** Says on standard error what the check found. False: a determinant is beyond its bound, or there were returns and none of them
- *  could be checked. */
+/** Print on standard error what the check of DP found. False: a determinant is beyond its bound, or there were returns and DP of
+ *  none of them could be computed. */
 bool jlt_section_table_verdict(const jlt_section_table *table);
 
-/** Which conditions are lost: "contact", or "contact (2) or grip (1)". orbits, shape (JLT_OBSERVED_CONDITIONS_MAX,): how many lose each,
- *  of `all` that lose one. */
+/** Name the conditions that orbits lose: "contact", or "contact (2) or grip (1)". Out: text, `size` bytes. orbits, shape
+ *  (JLT_OBSERVED_CONDITIONS_MAX,): how many orbits lose each condition, of `all` that lose one. */
 void jlt_section_table_lost(char *text, size_t size, const size_t *orbits, size_t all, const jlt_observed *observed);
 
 #endif

@@ -20,26 +20,27 @@ typedef struct {
     double *params, *x;               /* owned */
 } jlt_session;
 
-/* Child parser: the options of common.h and --start; its input is a jlt_session. */
+/* The parser of --start and the options of common.h, to be named as a child; its input is a jlt_session. */
 extern const struct argp jlt_session_argp;
 
-/** To be called before argp_parse, with its argv; the session must not move after that. Installs the
- *  handler of Ctrl-C. */
+/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last; the session must
+ *  not move in between. */
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
 void jlt_session_end(jlt_session *self);
 
-/** Parameters, checked against the table. Says what is wrong. */
+/** Open the model and check the parameters: sets descriptor, others, and params, shape (param_count,). */
 jlt_exit jlt_session_open(jlt_session *self);
 
-/** The start: every state named, in the model's domain. Says what is wrong. */
+/** Read --start into x, shape (state_count,), in the table's units: it must name every state and lie in the model's domain. */
 jlt_exit jlt_session_start(jlt_session *self);
 
+/** Whether a signal has asked the command to finish. */
 bool jlt_session_interrupted(const jlt_session *self);
 
-/* For captions: the parameters. */
+/* Write the parameters into the caption of a picture. */
 void jlt_session_caption(jlt_plot *plot, const jlt_session *self);
 
-/** "what: reason", with the exit status that the library's status calls for. */
+/** Print "WHAT: reason". Returns the exit status that the library's status calls for. */
 jlt_exit jlt_session_fail(jlt_status status, const char *what);
 
 #endif

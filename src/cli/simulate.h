@@ -8,15 +8,15 @@ enum { JLT_SIMULATE_COURSES_MAX = 9 };
 
 typedef struct {
     jlt_session session;
-    const char *times_text, *tier, *compare;
-    double until, every; /* NaN: not given */
+    const char *times_text, *tier, *compare; /* options as typed; NULL: not given */
+    double until, every; /* times, in the table's unit; NaN: not given */
     bool track, project;
 
     double *times; /* shape (time_count,), owned */
     size_t time_count, rows;
     jlt_plan plans[JLT_SIMULATE_COURSES_MAX]; /* the orbit's own first, then those of --compare */
     jlt_course *courses[JLT_SIMULATE_COURSES_MAX];
-    jlt_status broken[JLT_SIMULATE_COURSES_MAX]; /* why a tier compared gave up */
+    jlt_status broken[JLT_SIMULATE_COURSES_MAX]; /* why a course that is compared could not go on; OK: it does */
     size_t course_count;
     jlt_course_row last;
 
@@ -24,13 +24,13 @@ typedef struct {
     unsigned shown[2];   /* those of --axes */
 } jlt_simulate_request;
 
-/** What --axes asks for. Says what is wrong. */
+/** Read --axes into `shown`. */
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request);
 
-/* One row for the picture. */
+/* Add a row to the picture's data. */
 void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row);
 
-/** Draw what was collected. Says what is wrong. */
+/** Draw what was collected. */
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request);
 
 #endif

@@ -8,29 +8,43 @@
 
 enum { PANELS_MAX = 4 };
 
-/* Of the columns: t, states, drifts, and with --track what the larger table tells. */
+/* Of the columns: t, states, drifts, what the table observes, and with --track what the larger table tells. */
 static unsigned first_drift(const jlt_simulate_request *r)
 {
     return 1 + r->session.descriptor->state_count;
 }
 
-static unsigned first_of_more(const jlt_simulate_request *r)
+static unsigned first_observed(const jlt_simulate_request *r)
 {
     return first_drift(r) + jlt_course_integrals(r->courses[0]);
+}
+
+static unsigned first_of_more(const jlt_simulate_request *r)
+{
+    return first_observed(r) + jlt_course_observes(r->courses[0], NULL);
+}
+
+static double value_of(const jlt_simulate_request *r, const jlt_course_row *row, unsigned column)
+{
+    const unsigned drift = first_drift(r), observed = first_observed(r), more = first_of_more(r);
+
+    if (column == 0) return row->t;
+    if (column < drift) return row->x[column - 1];
+    if (column < observed) return fmax(row->drift[column - drift], 1e-17);
+    return column < more ? row->observed[column - observed] : row->more[column - more];
 }
 
 void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row)
 {
     FILE *points = request->session.common.points;
-    const unsigned drift = first_drift(request), first = first_of_more(request);
-    const unsigned count = first + jlt_course_tells_more(request->courses[0], NULL, NULL);
+    const unsigned count = first_of_more(request) + jlt_course_tells_more(request->courses[0], NULL, NULL);
 
     if (request->extents == NULL) {
         request->extents = malloc(count * sizeof *request->extents);
         for (unsigned k = 0; request->extents != NULL && k < count; k++) request->extents[k] = JLT_EXTENT_NONE;
     }
     for (unsigned k = 0; request->extents != NULL && k < count; k++) {
-        const double value = k == 0 ? row->t : k < drift ? row->x[k - 1] : k < first ? fmax(row->drift[k - drift], 1e-17) : row->more[k - first];
+        const double value = value_of(request, row, k);
         if (k > 0) fputc(' ', points);
         jlt_look_value(points, value);
         jlt_extent_add(&request->extents[k], value);
@@ -111,8 +125,8 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
     }
-    fprintf(plot->stream, "set ylabel 'drift'\nset yrange [%.3g:%.3g]\nset ytics 100\nset logscale y\nset format y '10^{%%T}'\n", drift.low / 2,
-            drift.high * 2);
+    fprintf(plot->stream, "set ylabel 'drift'\nset yrange [%.3g:%.3g]\nset ytics 100\nset logscale y\nset format y '10^{%%T}'\n",
+            drift.low / 2, drift.high * 2);
     for (unsigned i = 0; i < drifts; i++) curve(plot, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
     fputc('\n', plot->stream);
 }
@@ -127,14 +141,16 @@ static void curve_in_plane(jlt_plot *plot, unsigned x, unsigned y)
     fputs(" title 'start'\n", plot->stream);
 }
 
-/* Of a column that is no drift: t, a state, or what the larger table tells. */
+/* Of a column that is no drift: t, a state, or what one of the tables tells. */
 static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
 {
-    const jlt_quantity *more;
+    const jlt_quantity *observed, *more;
 
+    jlt_course_observes(r->courses[0], &observed);
     jlt_course_tells_more(r->courses[0], &more, NULL);
     if (column == 0) return (jlt_quantity){ .name = "t", .unit = "s" };
-    return column < first_drift(r) ? r->session.descriptor->states[column - 1] : more[column - first_of_more(r)];
+    if (column < first_drift(r)) return r->session.descriptor->states[column - 1];
+    return column < first_of_more(r) ? observed[column - first_observed(r)] : more[column - first_of_more(r)];
 }
 
 static bool has_values(const jlt_simulate_request *r, unsigned column) { return r->extents[column].low <= r->extents[column].high; }
@@ -178,11 +194,11 @@ static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
     for (unsigned i = 0; i < count; i++) draw_pair(plot, r, (unsigned[]){ pairs[i], pairs[i] + 1 }, true);
 }
 
-/* t, states, and what the larger table tells may be shown: neither drifts nor what the asked table observes itself. */
+/* All columns but drifts may be shown. */
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
 {
-    const unsigned drift = first_drift(request), drifts = first_of_more(request) - drift;
-    const unsigned count = drift + jlt_course_tells_more(request->courses[0], NULL, NULL);
+    const unsigned drift = first_drift(request), drifts = first_observed(request) - drift;
+    const unsigned count = first_of_more(request) - drifts + jlt_course_tells_more(request->courses[0], NULL, NULL);
     const char **names = calloc(count, sizeof *names);
     jlt_exit code;
 
@@ -195,11 +211,23 @@ jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
     return code;
 }
 
+/* Of an axis there is nothing to draw where its column has no value in any row. */
+static jlt_exit check_shown(const jlt_simulate_request *r)
+{
+    for (unsigned k = 0; r->session.common.axes != NULL && k < 2; k++)
+        if (!has_values(r, r->shown[k]))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--axes: %s has no value in any row: nothing is drawn",
+                                    quantity_of(r, r->shown[k]).name);
+    return JLT_EXIT_DONE;
+}
+
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
 {
+    const jlt_exit code = request->extents == NULL ? jlt_command_no_memory() : check_shown(request);
     jlt_plot plot;
 
-    if (request->extents == NULL || jlt_plot_open(&plot, &request->session.common) != JLT_OK) return jlt_command_no_memory();
+    if (code != JLT_EXIT_DONE) return code;
+    if (jlt_plot_open(&plot, &request->session.common) != JLT_OK) return jlt_command_no_memory();
     fputs(JLT_LOOK_GRID, plot.stream);
     jlt_plot_block(&plot, "ROWS", request->session.common.drawn);
     caption(&plot, request);

@@ -1,5 +1,5 @@
-/** Rows written as they come: to standard output, or to a file that appears under its name when it is closed; as text, or, where the
- *  name ends in .npy, as an array of NumPy. */
+/** Rows written as they come: to standard output, or to a file that appears under its name when it is closed; as text, or, where
+ *  the name ends in .npy, as an array of NumPy. */
 #ifndef JLT_CLI_STREAM_H
 #define JLT_CLI_STREAM_H
 
@@ -9,23 +9,24 @@
 #include "report/npy.h"
 
 typedef struct {
-    FILE *file;    /* takes text, whatever becomes of it */
-    jlt_npy *array; /* NULL: none */
-    int reason;     /* errno when the array failed first; 0: it did not */
-    jlt_file place; /* zeroed for standard output */
+    FILE *file;     /* callers write CSV here, whatever it becomes */
+    jlt_npy *array; /* NULL: the file is text */
+    int reason;     /* errno when writing the array failed first; 0: it has not */
+    jlt_file place; /* all zeros for standard output */
     const char *path;
 } jlt_stream;
 
-/** Whether a file of this name is written as an array. */
+/** Whether a file of this name is written as an array of NumPy. NULL is legal. */
 bool jlt_stream_is_array(const char *path);
 
-/** path NULL or "-": standard output. Says what is wrong on standard error. The stream must not move after that. */
+/** Open a stream to a file, or to standard output where path is NULL or "-". It must not move after that. */
 jlt_exit jlt_stream_open(jlt_stream *self, const char *path);
 
-/** Flush, and give a file its name. Where not all could be written, a file takes the whole rows that were; says so. */
+/** Flush, and give the file its name. Where not all could be written, the file has the whole rows that were, and the message says
+ *  so. */
 jlt_exit jlt_stream_close(jlt_stream *self);
 
-/** A table that is all there, as jlt_command_deliver. */
+/** Write a finished table, as jlt_command_deliver does, or as an array where the path asks for one. */
 jlt_exit jlt_stream_deliver(jlt_command_output *output, const char *path);
 
 /* Give up: remove the temporary file. Legal on a closed or zeroed stream. */

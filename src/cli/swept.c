@@ -1,5 +1,6 @@
 #include "cli/swept.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,8 +14,8 @@ enum { SWEEP = 2900 };
 
 static const struct argp_option option_table[] = {
     { "sweep", SWEEP, "PARAM|LEVEL=LOW:HIGH:COUNT,...", 0,
-      "All this at every point of a grid in these, whose values stand first in each row; the picture is then of a column over "
-      "another one, by default over the first of these", 10 },
+      "Compute all this at every point of a grid of parameters and levels, whose values stand first in each row; a picture then "
+      "shows a column over another one, by default over the first of these", 10 },
     { 0 },
 };
 
@@ -91,6 +92,11 @@ static char **arguments(const void *context, size_t point, int *argc)
     return NULL;
 }
 
+static size_t next_point(const void *context, size_t point)
+{
+    return point + 1 < ((const sweep *)context)->all ? point + 1 : SIZE_MAX;
+}
+
 /* ---- what a point wrote ---- */
 
 /* What a point said, unless it is what the last one said. */
@@ -163,7 +169,7 @@ static jlt_exit plan(const sweep *self)
 
 static jlt_exit compute_all(sweep *self)
 {
-    const jlt_work work = { self->form->command, arguments, self };
+    const jlt_work work = { self->form->command, arguments, self, next_point };
     jlt_progress progress;
     jlt_exit code = jlt_worker_open(&self->worker, &work);
     const volatile sig_atomic_t *const interrupt = self->worker.interrupt;

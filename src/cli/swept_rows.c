@@ -144,7 +144,7 @@ static char *row_of(const column_map *map, const char *values, const char *row, 
 }
 
 /* A row for the picture: two of its columns, where both are numbers. The row is cut. */
-static void draw_row(const jlt_swept_rows *self, char *row)
+static void draw_row(jlt_swept_rows *self, char *row)
 {
     char *fields[COLUMNS_MAX], *end;
     const unsigned count = cut(fields, row);
@@ -154,8 +154,11 @@ static void draw_row(const jlt_swept_rows *self, char *row)
         if (self->shown[k] >= count) continue;
         at[k] = strtod(fields[self->shown[k]], &end);
         if (end == fields[self->shown[k]] || *end != '\0') at[k] = NAN;
+        self->has_numbers[k] |= isfinite(at[k]);
     }
-    if (isfinite(at[0]) && isfinite(at[1])) jlt_look_row(self->common->points, at, 2);
+    if (!isfinite(at[0]) || !isfinite(at[1])) return;
+    self->has_points = true;
+    jlt_look_row(self->common->points, at, 2);
 }
 
 /* text: what the command wrote, from its first comment on; names: where its names of columns stand. */
@@ -264,21 +267,33 @@ jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *tex
     return write_rows(self, point, text, names);
 }
 
+static jlt_exit refuse_picture(const jlt_swept_rows *self, const char *x, const char *y)
+{
+    if (!self->has_numbers[0] || !self->has_numbers[1])
+        return jlt_command_fail(JLT_EXIT_INPUT, "--axes: %s has no value in any row: nothing is drawn",
+                                self->has_numbers[0] ? y : x);
+    return jlt_command_fail(JLT_EXIT_INPUT, "--axes: no row has values of both %s and %s: nothing is drawn", x, y);
+}
+
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
 {
     char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[COLUMNS_MAX];
+    const char *names[2];
     jlt_plot plot;
 
-    if (text == NULL || jlt_plot_open(&plot, self->common) != JLT_OK) {
-        free(text);
-        return jlt_command_no_memory();
-    }
+    if (text == NULL) return jlt_command_no_memory();
     (void)cut(columns, text);
+    for (unsigned k = 0; k < 2; k++)
+        names[k] = self->shown[k] < self->count ? self->axes[self->shown[k]].name : columns[self->shown[k] - self->count];
+    if (!self->has_points || jlt_plot_open(&plot, self->common) != JLT_OK) {
+        const jlt_exit code = self->has_points ? jlt_command_no_memory() : refuse_picture(self, names[0], names[1]);
+        free(text);
+        return code;
+    }
     jlt_plot_block(&plot, "POINTS", self->common->drawn);
     jlt_plot_words(&plot, "%s", self->what);
     for (unsigned k = 0; k < 2; k++) {
-        const unsigned column = self->shown[k];
-        jlt_look_label(label, column < self->count ? self->axes[column].name : columns[column - self->count], "");
+        jlt_look_label(label, names[k], "");
         jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, JLT_EXTENT_OPEN, 0);
     }
     fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);

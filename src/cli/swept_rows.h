@@ -1,4 +1,5 @@
-/** The table of a sweep: rows of each of its points behind the values of that point, under one header; and its picture. */
+/** The table of a sweep, under one header: the rows of every point, each with the values of that point in front; and its
+ *  picture. */
 #ifndef JLT_CLI_SWEPT_ROWS_H
 #define JLT_CLI_SWEPT_ROWS_H
 
@@ -7,10 +8,10 @@
 
 enum { JLT_SWEPT_AXES_MAX = 8, JLT_SWEPT_PLACE_MAX = 512 };
 
-/* The first three are to be set. */
+/* The caller sets the first five members. */
 typedef struct {
     jlt_common *common; /* whose table is written to */
-    const char *what;   /* the command's name */
+    const char *what;   /* the command's name, for messages */
     unsigned lead;      /* columns that only number the rows; a picture shows the next one where --axes says nothing */
     jlt_grid_axis axes[JLT_SWEPT_AXES_MAX];
     size_t count;
@@ -20,22 +21,22 @@ typedef struct {
     char *names;       /* columns of the first point's rows, which are those of the table; NULL: no point has had rows */
     char *held;        /* what the first point wrote, while the second is not there */
     size_t held_point;
-    char *odd;         /* names of the last point that had others */
+    char *odd;         /* column names of the last point whose names were others than these */
     unsigned shown[2]; /* columns of the picture, x and y */
+    bool has_numbers[2], has_points; /* of those columns, in rows so far; rows in which both have */
 } jlt_swept_rows;
 
 /** "k=0.1, E=2", for messages. */
 void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point);
 
 /** What the command wrote at a point: comments, names of columns, rows; "" is nothing. Comments of this point alone stay with
- *  its rows. Columns that the first point had not are left out, and those that this one has not are empty; says so. Says what
- *  is wrong. */
+ *  its rows. Columns that the first point had not are left out, and those that this one has not are empty; says so. */
 jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text);
 
 /** After all points. */
 jlt_exit jlt_swept_rows_finish(jlt_swept_rows *self);
 
-/** Draw one column over another, when the table is saved. Says what is wrong. */
+/** Draw one column over another, when the table is saved. */
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self);
 
 void jlt_swept_rows_clear(jlt_swept_rows *self);

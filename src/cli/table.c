@@ -156,7 +156,8 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
             char path[PATH_MAX];
             if (kind != NULL && strcmp(way->kind, kind) != 0) continue;
             if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_target(way, others) != NULL) continue;
-            if (!beside(path, sizeof path, model, way->file)) return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
+            if (!beside(path, sizeof path, model, way->file))
+                return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
             const jlt_exit code = load(&others->tables[others->count], &(bool){ false }, path, lanes);
             if (code != JLT_EXIT_DONE) return code;
             others->count++;

@@ -5,20 +5,23 @@
 #include "cli/command.h"
 #include "kernel/way.h"
 
-/** Whether this names a table, by a slash or by ending in .tt, and not a model that is built in. */
+/** Whether this is the path of a table, with a slash or ending in .tt, and not the name of a model that is built in. */
 bool jlt_table_is_file(const char *model);
 
-/** The model's general field. A table is read, proved and compiled by ttc, unless its kernels are in the cache; lanes: with kernels on
- *  vectors, which take longer. Says what is wrong; ttc has said what is wrong with a table. *has_said: it has said also what is not
- *  proved, as it does when it compiles. */
+/** Open a model: *descriptor is its general field. A table of the user's own is read, proved and compiled by ttc, unless its
+ *  kernels are in the cache; lanes: also kernels on vectors, which take longer to compile. What is wrong with a table ttc prints.
+ *  *has_said:
+ *  ttc has compiled, and printed the claims that are not proved, so that the caller need not. */
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes);
 
-/** Tables beside the user's own that proved ways lead to, and that are not built in: read, proved and compiled like it. model, lanes: as
- *  in jlt_table_open; none are looked for where the model is built in. kind: "reduction", those with fewer states alone; NULL: all.
- *  Out: *others. Says what is wrong. */
+/** Open the tables that the user's own table leads to by proved records, as `reduction` or `lift`, and that are not built in: they
+ *  are read, proved and compiled as it is. of: that table's field; model, lanes: as for jlt_table_open. A model that is built in
+ *  has none. kind: "reduction", only tables with fewer states; NULL: all.
+ *  Out: *others. */
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes);
 
-/** As a scene opens its model. Errors: EMPTY, none of this name is built in; IO, ARG, NOMEM, a table that cannot be used, which has been told. */
+/** Open a model for a scene, as jlt_scene_program.open. Errors: EMPTY, no model of this name is built in; IO, ARG, NOMEM, a table
+ *  cannot be used, and why has been printed. */
 jlt_status jlt_table_of(const jlt_descriptor **out, const char *model);
 
 #endif

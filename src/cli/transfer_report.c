@@ -95,9 +95,9 @@ static json_t *eigenvalues_json(const jlt_transfer_spectrum *s)
     json_t *array = json_array();
 
     for (size_t i = 0; i < s->count; i++)
-        json_array_append_new(array, json_pack("{s:o,s:o,s:o}", "re", jlt_json_number(s->re[i]), "im", jlt_json_number(s->im[i]),
-                                               "residual",
-                                               jlt_json_number(s->residual[i])));
+        json_array_append_new(array, json_pack("{s:o,s:o,s:o,s:o,s:b}", "re", jlt_json_number(s->re[i]), "im",
+                                               jlt_json_number(s->im[i]), "residual", jlt_json_number(s->residual[i]), "spread",
+                                               jlt_json_number(s->spread[i]), "told", (int)(i < s->told)));
     return array;
 }
 
@@ -169,11 +169,15 @@ static void write_spectrum(FILE *stream, const jlt_transfer_report *r, const jlt
     char name[JLT_FATE_TEXT_MAX];
 
     fputs("jellett:   eigenvalues", stream);
-    for (size_t i = 0; i < s->count; i++) {
+    for (size_t i = 0; i < s->told; i++) {
         fprintf(stream, " %.10g", s->re[i]);
         if (s->im[i] != 0) fprintf(stream, "%+.10gi", s->im[i]);
     }
     fputc('\n', stream);
+    if (s->told < s->count)
+        fprintf(stream, "jellett:   %zu more, up to %.2g in magnitude, are not told: computed once more they are others (0 but for "
+                        "rounding, or some of many)\n",
+                s->count - s->told, hypot(s->re[s->told], s->im[s->told]));
     if (s->count == 1 && r->wanted > 1 && c->transfer->count > 3)
         fputs("jellett:   no more of them converge: they lie together on a disc or a circle\n", stream);
     if (f->multiplicity > 1)

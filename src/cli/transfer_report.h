@@ -26,13 +26,13 @@ typedef struct {
     size_t candidate_count;
 } jlt_transfer_report;
 
-/** Names of the columns, and a row for each box of the first operator. */
+/** Write the names of the columns, and a row for each box of the first operator. */
 void jlt_transfer_report_rows(FILE *file, const jlt_transfer_report *report);
 
-/** The same comparison as below, for programs. Errors: NOMEM. */
+/** Write in JSON, for programs, what jlt_transfer_report_text says. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_transfer_report_json(FILE *file, const jlt_transfer_report *report);
 
-/** Lines for a reader: each operator, what it tells, and where to look. */
+/** Write lines for a reader: each operator, what it tells, and where to look. */
 void jlt_transfer_report_text(FILE *stream, const jlt_transfer_report *report);
 
 #endif

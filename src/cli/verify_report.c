@@ -109,12 +109,14 @@ void jlt_verify_report_text(FILE *stream, const jlt_verify_run *run)
     for (size_t i = 0; i < run->family_count; i++) write_family(stream, &run->families[i]);
     if (run->family_count > 0)
         fprintf(stream,
-                "\n  Shown is the error that comes closest to its bound. An ulp is 2^-53 of all that is rounded on the way to a number,\n"
+                "\n  Shown is the error that comes closest to its bound. An ulp is 2^-53 of all that is rounded on the way to a "
+                "number,\n"
                 "  in modulus and with the weight it has there, so that errors count roundings. Bounds are derived at each point:\n"
                 "  4 ulp for an expression rearranged, 8 for two, 16 in complex arithmetic, 4k(n+3) for the k-th coefficient of a\n"
                 "  polynomial, and for eigenvalues what their condition numbers give, which is much where two nearly meet.\n"
                 "  Digits lost: those that an ulp has more than 2^-53 of the number itself, where it has most, because terms\n"
-                "  cancel in the table's own formula. The points come within 1e-12 of the poles, and sizes range over 1e-8 to 1e8.\n");
+                "  cancel in the table's own formula. The points come within 1e-12 of the poles, and sizes range over 1e-8 to "
+                "1e8.\n");
     if (run->certificate_count > 0) fprintf(stream, "\n  certificates that no invariant measure has a smooth positive density\n\n");
     else fprintf(stream, "\n  no family is claimed to exclude an invariant measure, and no certificate is sought\n");
     for (size_t i = 0; i < run->certificate_count; i++) write_certificate(stream, &run->certificates[i]);

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
-#include "cli/program.h"
 
 /* Then the process is begun again, so that nothing that a command forgets to give back adds up. */
 enum { PIECES_MAX = 1024 };
@@ -41,18 +40,21 @@ static bool receive_all(int line, void *data, size_t size)
     return got == (ssize_t)size;
 }
 
+/* What is sent to the process. */
+typedef struct {
+    size_t piece;
+    size_t alone; /* 0 or 1; no byte of a request is unset */
+} request;
+
 /* What the process does until the line is closed. */
 _Noreturn static void serve(const jlt_worker *self, int line)
 {
-    size_t piece;
+    static jlt_shelf shelf;
+    request wanted;
 
     if (dup2(self->output, STDOUT_FILENO) < 0 || dup2(self->error, STDERR_FILENO) < 0) _exit(JLT_EXIT_IO);
-    while (receive_all(line, &piece, sizeof piece)) {
-        int argc = 0, status = JLT_EXIT_NUMERICAL;
-        char **argv = self->work->arguments(self->work->context, piece, &argc);
-        if (argv == NULL) (void)jlt_command_no_memory();
-        else status = (int)jlt_program_run(self->work->command, argc, argv);
-        jlt_command_free(argv, argc);
+    while (receive_all(line, &wanted, sizeof wanted)) {
+        const int status = (int)jlt_shelf_run(&shelf, self->work, wanted.piece, wanted.alone != 0);
         if (fflush(stdout) != 0 || !send_all(line, &status, sizeof status)) _exit(JLT_EXIT_IO);
     }
     _exit(JLT_EXIT_DONE);
@@ -122,7 +124,8 @@ static bool take(char **text, size_t *size, int descriptor)
     return ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0;
 }
 
-jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece)
+/* One piece, by a process that is there or is begun. */
+static jlt_exit ask(jlt_worker *self, jlt_exit *status, int *by, const request *wanted)
 {
     int answer = 0;
     jlt_exit code = JLT_EXIT_DONE;
@@ -132,12 +135,28 @@ jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piec
     if (self->line < 0) code = begin(self);
     if (code != JLT_EXIT_DONE) return code;
     self->computed++;
-    if (!send_all(self->line, &piece, sizeof piece) || !receive_all(self->line, &answer, sizeof answer)) {
+    if (!send_all(self->line, wanted, sizeof *wanted) || !receive_all(self->line, &answer, sizeof answer)) {
         const int ending = end(self); /* by a signal, or by itself, as where options are wrong */
         if (WIFSIGNALED(ending)) *by = WTERMSIG(ending);
         answer = WEXITSTATUS(ending);
     }
     *status = (jlt_exit)answer;
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece)
+{
+    const bool alone = self->work->command->together == NULL || self->alone > 0;
+    jlt_exit code = ask(self, status, by, &(request){ .piece = piece, .alone = alone });
+
+    if (self->alone > 0) self->alone--;
+    if (code == JLT_EXIT_DONE && *by != 0 && !alone && *self->interrupt == 0) {
+        self->alone = JLT_SHELF_RUNS;
+        if (ftruncate(self->output, 0) == 0 && ftruncate(self->error, 0) == 0 && lseek(self->output, 0, SEEK_SET) == 0 &&
+            lseek(self->error, 0, SEEK_SET) == 0)
+            code = ask(self, status, by, &(request){ .piece = piece, .alone = 1 });
+    }
+    if (code != JLT_EXIT_DONE) return code;
     if (take(&self->rows, &self->rows_size, self->output) && take(&self->words, &self->words_size, self->error))
         return JLT_EXIT_DONE;
     return jlt_command_fail(JLT_EXIT_IO, "a file in memory cannot be read: %s", strerror(errno));

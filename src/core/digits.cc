@@ -84,9 +84,8 @@ extern "C" char *jlt_digits_shortest(char *text, double value)
     return end;
 }
 
-extern "C" bool jlt_digits_read(double *value, const char *text)
+extern "C" bool jlt_digits_read(double *value, const char *text, const char *end)
 {
-    const char *end = text + std::strlen(text);
     const std::from_chars_result read = std::from_chars(text, end, *value);
 
     return read.ec == std::errc() && read.ptr == end;

@@ -10,8 +10,8 @@ enum { JLT_MEMORY_ALIGNMENT = 64 };
  *  always means that memory is out or count * size exceeds SIZE_MAX. The caller frees it with free(). */
 void *jlt_memory_array(size_t count, size_t size);
 
-/** Room for one more item of an array that holds `count`, by realloc() where that is no item or a power of two: the array, moved or not.
- *  NULL: memory is out, and the array is as it was. */
+/** Room for one more item of an array that holds `count`, by realloc() where that is no item or a power of two: the array, moved or
+ *  not. NULL: memory is out, and the array is as it was. */
 void *jlt_memory_more(void *array, size_t count, size_t size);
 
 #endif

@@ -4,8 +4,8 @@
  *  manifold) and v its unit eigenvector,
  *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = ceil(sigma),   sigma >= 0:
  *  one unit of sigma is one fundamental domain. No start is farther from the saddle than the seed, however large lambda is: its
- *  distance from the manifold is O(seed^2), and every F contracts it by the other multiplier; along the manifold it only shifts sigma
- *  by O(seed). */
+ *  distance from the manifold is O(seed^2), and every F contracts it by the other multiplier; along the manifold it only shifts
+ *  sigma by O(seed). */
 #ifndef JLT_DYNAMICS_BRANCH_H
 #define JLT_DYNAMICS_BRANCH_H
 
@@ -32,8 +32,9 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
  *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 
-/** Many points and tangents at once, by another map of the same section, of several branches: branches, sigma, status, shape (count,), what
- *  jlt_branch_point would return for each; q, tangent, shape (count, 2), untouched where that is not OK. Errors: as jlt_map_batch_apply. */
+/** Many points and tangents at once, by another map of the same section, of several branches: branches, sigma, status, shape
+ *  (count,), what jlt_branch_point would return for each; q, tangent, shape (count, 2), untouched where that is not OK. Errors: as
+ *  jlt_map_batch_apply. */
 JLT_CHECKED jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q,
                                          double *tangent, const double *sigma, size_t count);
 

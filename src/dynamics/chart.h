@@ -21,8 +21,8 @@ struct jlt_chart {
     double level;
     const char *names[JLT_CHART_DIM_MAX]; /* of the coordinates; a single one is followed by "", since pictures show two */
     double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
-    double turn;                         /* period of x[column] where it is an angle: the section is x[column] = level + k turn for every
-                                            integer k; 0: it is none */
+    double turn;                         /* period of x[column] where it is an angle: the section is x[column] = level + k turn for
+                                            every integer k; 0: it is none */
     unsigned solved_count;               /* states that the levels determine, and which they are */
     unsigned solved[JLT_INVARIANTS_MAX];
     unsigned roots;                      /* the last states, which are lifted roots and follow from the others; of plane sections */

@@ -37,8 +37,8 @@ bool jlt_chart_section_holds(const jlt_chart_section *self, const double *q)
     return within(self, q) && in_region(self, q);
 }
 
-/* The nearest numbers to multiples of pi/2 mean these themselves: a velocity of rounding size would decide how an orbit goes on that
- * runs through a pole. */
+/* The nearest numbers to multiples of pi/2 mean these themselves: a velocity of rounding size would decide how an orbit goes on
+ * that runs through a pole. */
 static void clear_rounding(const jlt_chart_section *self, double *x, const double *q, const double *slopes)
 {
     const unsigned width = self->base.dim + self->section->level_count;
@@ -87,7 +87,8 @@ static void lower(const jlt_chart *base, double *q, double *slope, const double 
         const double a = back[2 * k], b = back[2 * k + 1], *da = slopes + 2 * k * n, *db = da + n;
         const bool is_angle = self->section->is_angle[k] != 0;
         q[k] = is_angle ? atan2(a, b) : bounded(&self->section->coordinates[k], a);
-        for (unsigned i = 0; slope != NULL && i < n; i++) slope[k * n + i] = is_angle ? (b * da[i] - a * db[i]) / (a * a + b * b) : da[i];
+        for (unsigned i = 0; slope != NULL && i < n; i++)
+            slope[k * n + i] = is_angle ? (b * da[i] - a * db[i]) / (a * a + b * b) : da[i];
     }
     jlt_chart_wrap(base, q);
 }
@@ -220,7 +221,8 @@ static void find_reversor(jlt_chart_section *self)
     for (unsigned i = 0; i < general->reversor_count && !self->base.reversible; i++) {
         const jlt_reversor *reversor = &general->reversors[i];
         const bool keeps = self->base.level == 0 && reversor->signs[self->base.column] < 0;
-        if (keeps && general->claims[reversor->claim].verdict == JLT_PROVED) self->base.reversible = changes_signs(self, reversor->signs);
+        if (keeps && general->claims[reversor->claim].verdict == JLT_PROVED)
+            self->base.reversible = changes_signs(self, reversor->signs);
     }
 }
 
@@ -230,7 +232,8 @@ jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *
     const unsigned count = table->param_count + section->level_count, width = section->coordinate_count + section->level_count;
     const unsigned plain = table->family[0]->state_count;
 
-    if (count > JLT_CHART_VALUES_MAX || section->coordinate_count > Q || table->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_UNSUPPORTED;
+    if (count > JLT_CHART_VALUES_MAX || section->coordinate_count > Q || table->state_count > JLT_CHART_STATES_MAX)
+        return JLT_ERR_UNSUPPORTED;
     if (table->state_count * width > JLT_CHART_SLOPES_MAX || table->state_count * section->coordinate_count > JLT_CHART_SLOPES_MAX)
         return JLT_ERR_UNSUPPORTED;
     if (width + 1 != plain || section->region_count > JLT_CHART_STATES_MAX) return JLT_ERR_UNSUPPORTED;

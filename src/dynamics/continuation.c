@@ -13,7 +13,7 @@ typedef jlt_continuation_place place;
 static const double turn = 0.3;         /* radians of a step at most, */
 static const double turn_across = 0.15; /* and of each half of one across a branch point */
 static const double same_place = 1e-6;
-static const double noise_of_determinant = 1e-9; /* about 1, where the map keeps areas: that of DP at its tolerance, and amplified */
+static const double noise_of_determinant = 1e-9; /* about 1, where the map keeps areas: DP's at its tolerance, amplified */
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
 {
@@ -32,8 +32,8 @@ typedef struct {
     double low, high; /* of the value, at the places on both sides */
 } bracket;
 
-/* Where to look next for a zero between a and b, fa and fb having two signs: where the secant has it; twice as far from the end that is
- * nearer, so that both ends close in (Alefeld, Potra, Shi, ACM TOMS 21 (1995) 327-344); and every third time halfway. */
+/* Where to look next for a zero between a and b, fa and fb having two signs: where the secant has it; twice as far from the end
+ * that is nearer, so that both ends close in (Alefeld, Potra, Shi, ACM TOMS 21 (1995) 327-344); and every third time halfway. */
 static double look(int count, double a, double fa, double b, double fb)
 {
     const double middle = a + (b - a) / 2, slope = (fb - fa) / (b - a), end = fabs(fa) < fabs(fb) ? a : b;

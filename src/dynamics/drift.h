@@ -39,20 +39,21 @@ typedef struct {
     bool stopped;
 } jlt_drift;
 
-/** Whether an integral of the kernel, by its index, has another value where the section's angle has turned once from the start q: at
- *  returns, which count no turns, it then tells nothing of drift. Errors: as the chart's lift; NOMEM. */
+/** Whether an integral of the kernel, by its index, has another value where the section's angle has turned once from the start q:
+ *  at returns, which count no turns, it then tells nothing of drift. Errors: as the chart's lift; NOMEM. */
 JLT_CHECKED jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral);
 
-/** Follow the orbit from self->q with one method, for all returns or to its end. The drift is divided by |F(start)|, or not where that is
- *  0 or no more than rounding. Errors: NONFINITE, an integral; those of the section. */
+/** Follow the orbit from self->q with one method, for all returns or to its end. The drift is divided by |F(start)|, or not where
+ *  that is 0 or no more than rounding. Errors: NONFINITE, an integral; those of the section. */
 JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method);
 
 /** Power of the returns with which the drift of the integral k grows: the slope of a line through the logarithms of the last
  *  four doublings; NaN where fewer than three of the rows (count,) have one. */
 double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k);
 
-/** The parts of jlt_drift_section, for callers that follow the orbit themselves. Call _begin before the first return, with first and
- *  sizes set; _note after each return, with `now`, shape (integral_count,), the kernel's integrals at that point; _finish after the last.
+/** The parts of jlt_drift_section, for callers that follow the orbit themselves. Call _begin before the first return, with first
+ *  and sizes set; _note after each return, with `now`, shape (integral_count,), the kernel's integrals at that point; _finish after
+ *  the last.
  *  Errors of _note: NONFINITE. */
 void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end);
 JLT_CHECKED jlt_status jlt_drift_note(jlt_drift *self, size_t returns, double t, size_t evaluations, const double *now);

@@ -83,8 +83,10 @@ static void clear_trials(trials *self)
 
 static jlt_status make_trials(trials *self, size_t count)
 {
-    *self = (trials){ .index = calloc(count + 1, sizeof *self->index), .status = calloc(2 * count + 1, sizeof *self->status),
-                      .branches = calloc(2 * count + 1, sizeof(jlt_branch *)), .sigma = calloc(10 * count + 1, sizeof *self->sigma) };
+    *self = (trials){ .index = calloc(count + 1, sizeof *self->index),
+                      .status = calloc(2 * count + 1, sizeof *self->status),
+                      .branches = calloc(2 * count + 1, sizeof(jlt_branch *)),
+                      .sigma = calloc(10 * count + 1, sizeof *self->sigma) };
     self->q = self->sigma + 2 * count;
     self->tangent = self->q + 4 * count;
     if (self->index != NULL && self->branches != NULL && self->status != NULL && self->sigma != NULL) return JLT_OK;
@@ -129,8 +131,8 @@ done:
     return st;
 }
 
-/* What sigma of a branch is less by on another one that differs in its seed: by the logarithm, as far as the branch is straight, and by
- * terms of the size of the seed, which are the same everywhere on it. They are found where few returns lead to. */
+/* What sigma of a branch is less by on another one that differs in its seed: by the logarithm, as far as the branch is straight,
+ * and by terms of the size of the seed, which are the same everywhere on it. They are found where few returns lead to. */
 static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
@@ -149,10 +151,10 @@ static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_br
     return JLT_OK;
 }
 
-/* The same crossings by other maps, from branches whose seeds are so many times as large. Errors become the largest change of each angle so
- * far, NaN where one cannot be found again. Newton's method ends at three times the residuals that the points have. */
-static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, double seeds,
-                               refinement *room)
+/* The same crossings by other maps, from branches whose seeds are so many times as large. Errors become the largest change of each
+ * angle so far, NaN where one cannot be found again. Newton's method ends at three times the residuals that the points have. */
+static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps,
+                               double seeds, refinement *room)
 {
     jlt_branch u = *branches[0], s = *branches[1];
     const jlt_branch *const others[] = { &u, &s };
@@ -254,8 +256,8 @@ static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_
     return along < 1e-7 || (along < 1 && jlt_chart_distance(chart, a->q, b->q) < blur(a) + blur(b));
 }
 
-/* Where sides of the polygons meet: the list, for free(). Where one polygon is the mirror image of the other, sides i and j meet where
- * j and i do: without those with i < j. */
+/* Where sides of the polygons meet: the list, for free(). Where one polygon is the mirror image of the other, sides i and j meet
+ * where j and i do: without those with i < j. */
 static jlt_status find_candidates(refinement **out, size_t *count, const jlt_manifold *unstable, const jlt_manifold *stable,
                                   bool mirrored, const jlt_chart *chart)
 {
@@ -283,8 +285,8 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
     return JLT_OK;
 }
 
-/* The image under the reversor, which takes the unstable branch to the stable one and back: lines change places as it changes the sense in
- * which angles are counted. */
+/* The image under the reversor, which takes the unstable branch to the stable one and back: lines change places as it changes the
+ * sense in which angles are counted. */
 static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *chart)
 {
     jlt_homoclinic image = *point;

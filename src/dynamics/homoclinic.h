@@ -15,19 +15,22 @@ typedef struct {
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
  *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there
- *  are none. *touching, unless NULL: crossings of the polygons that are none of the branches as far as errors tell, and are left out:
+ *  are none. *touching, unless NULL: crossings of the polygons that are none of the branches as far as errors tell, and are left
+ *  out:
  *  their angle is within its error of 0, or so small that where they lie is not known to JLT_MANIFOLD_FINEST.
- *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that crossings
- *  come in pairs, of which one is refined; fine, maps of the branches' section; coarse, such of ten times the tolerance, from which
- *  angle_error is found.
+ *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
+ *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, such of ten times the tolerance,
+ *  from which angle_error is found.
  *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 24 branch points a crossing that is
  *  refined, all crossings at once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,
-                                           const jlt_branch *stable_branch, bool mirrored, jlt_map_batch *fine, jlt_map_batch *coarse);
+                                           const jlt_branch *stable_branch, bool mirrored, jlt_map_batch *fine,
+                                           jlt_map_batch *coarse);
 
-/** The crossings of the images of two branches under their chart's reversor, from the branches' own, shape (count,); as near to either
- *  branch as their residuals say. Out: *out, shape (count,), as of jlt_homoclinic_find. In: unstable, stable, polygons of the images.
+/** The crossings of the images of two branches under their chart's reversor, from the branches' own, shape (count,); as near to
+ *  either branch as their residuals say. Out: *out, shape (count,), as of jlt_homoclinic_find. In: unstable, stable, polygons of
+ *  the images.
  *  Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
                                               const jlt_manifold *unstable, const jlt_manifold *stable, const jlt_chart *chart);

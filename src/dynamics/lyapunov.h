@@ -1,11 +1,11 @@
 /** Lyapunov exponents of a return map: growth rates of its derivative, by repeated QR (Benettin et al. 1980, Dieci et al.).
  *
- *  The sum is known from the flux and the divergence, whatever a return stretches: the last exponent is what the others leave of it.
- *  Section coordinates leave out the direction of the flow and those across the levels, whose exponents are zero. */
+ *  The sum is known from the flux and the divergence, whatever a return stretches: the last exponent is what the others leave of
+ *  it. Section coordinates leave out the direction of the flow and those across the levels, whose exponents are zero. */
 #ifndef JLT_DYNAMICS_LYAPUNOV_H
 #define JLT_DYNAMICS_LYAPUNOV_H
 
-#include "dynamics/map.h"
+#include "dynamics/map_batch.h"
 
 typedef struct {
     size_t returns;
@@ -23,6 +23,13 @@ typedef int (*jlt_lyapunov_observer)(void *context, const jlt_lyapunov_state *st
  *  Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
                                         jlt_lyapunov_observer observer, void *context);
+
+/** The same for orbits side by side, from q, shape (count, dim), each of its own flow, flow_of, shape (count,), after `skip`
+ *  returns that do not count. Out: states and statuses, shape (count,), of each what jlt_lyapunov_run gives, by the method of the
+ *  maps; they depend neither on the other orbits nor on the number of threads. An interrupt of the flows leaves NO_CONVERGENCE to
+ *  those under way. Errors: NOMEM; as jlt_map_batch_apply. */
+JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
+                                             const size_t *flow_of, size_t count, size_t skip, size_t returns);
 
 /** Logarithm of the 2-norm of a derivative, shape (d, d): divided by the time, the finite-time exponent. */
 double jlt_lyapunov_growth(const double *slope, unsigned d);

@@ -57,15 +57,16 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     if (self == NULL) return JLT_ERR_NOMEM;
     self->orbit = NULL;
     self->section = NULL;
+    self->varied.spread = NULL;
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
     JLT_TRY(jlt_varied_make(&self->varied, self->flow.field, self->flow.rhs_jacobian, self->flow.chart->dim));
     /* The varied field has no jet. */
-    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_method_find(NULL) : self->flow.method, &self->varied.field,
-                             &(jlt_options){ .tolerance = flow->tolerance,
-                                             .max_steps = self->flow.max_steps,
-                                             .interrupt = flow->interrupt }));
+    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_method_find(NULL) : self->flow.method,
+                             &self->varied.field,
+                             &(jlt_options){
+                                 .tolerance = flow->tolerance, .max_steps = self->flow.max_steps, .interrupt = flow->interrupt }));
     jlt_orbit_observe(self->orbit, watch, self);
     JLT_TRY(jlt_section_create(&self->section, &self->flow));
     *out = self;
@@ -80,6 +81,7 @@ void jlt_map_destroy(jlt_map *self)
     if (self == NULL) return;
     jlt_orbit_destroy(self->orbit);
     jlt_section_destroy(self->section);
+    jlt_varied_clear(&self->varied);
     free(self);
 }
 
@@ -107,8 +109,8 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
 
 /* Of a return's defect, whose terms are at most `part` of DP's size. Every step errs by a tolerance in everything, relative to its
  * size or 1; errors grow on the way as tangent vectors do, those made where these were small with them. The section's rate f_c, of
- * the flux and of the time of return, is off by its gradient times those of states, which is much of it where the section is crossed
- * slowly; tangent vectors are off by f/f_c times as much along the flow. */
+ * the flux and of the time of return, is off by its gradient times those of states, which is much of it where the section is
+ * crossed slowly; tangent vectors are off by f/f_c times as much along the flow. */
 static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
 {
     const jlt_chart *chart = self->flow.chart;

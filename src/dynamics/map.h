@@ -14,7 +14,8 @@
 
 typedef struct {
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return in coordinates of the section */
-    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* DP, (dim, dim), dq_i/dq_j(start) in row i; of P^count by the chain rule */
+    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* DP, (dim, dim), dq_i/dq_j(start) in row i; of P^count by the chain
+                                                            rule */
     double T;                /* [time] that all returns took, negative backwards */
     double determinant;      /* of slope: product over the returns */
     double told;             /* what flux and divergence say of the determinant's size, also where DP has lost it to rounding */
@@ -49,8 +50,8 @@ JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double
  *  NaN. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
-/** Follow a varied state (map_return.h) to the section, forwards or backwards. In/out: varied, shape (states*(1 + dim) + 1,). Out: *t, the
- *  time that this took, in the flow's unit. Errors: as jlt_map_apply. */
+/** Follow a varied state (map_return.h) to the section, forwards or backwards. In/out: varied, shape (states*(1 + dim) + 1,). Out:
+ *  *t, the time that this took, in the flow's unit. Errors: as jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_map_resume(jlt_map *self, double *varied, double *t, int time_direction);
 
 #endif

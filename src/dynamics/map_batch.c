@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/linear.h"
 #include "dynamics/map_return.h"
+#include "dynamics/section_flows.h"
 #include "integrate/batch.h"
 
 enum { D = JLT_CHART_DIM_MAX };
@@ -19,19 +21,26 @@ enum { BLOCK = 256 };
 typedef struct {
     const jlt_map_batch *batch;
     const jlt_map_images *out;
+    const size_t *flow_of; /* of every point; NULL: the first */
     const int *directions; /* of time, of every point; NULL: `direction` */
     const size_t *each;    /* returns of every point; NULL: `returns` */
+    jlt_map_batch_observer observer; /* NULL: none */
+    void *context;
     size_t returns;
     int direction;         /* what is being computed */
-    jlt_map *alone;  /* for orbits that go on by themselves */
+    jlt_map *alone;  /* for orbits that go on by themselves, */
+    size_t alone_of; /* of this flow */
     size_t *point;   /* in each lane, shape (BLOCK,) as those that follow */
+    size_t *case_of; /* its flow */
     double *starts;  /* (BLOCK, columns) */
     double *flux;    /* at the starts */
     bool *is_on_way; /* the lane has ended before its return, at the point that is now its start */
 } worker;
 
 struct jlt_map_batch {
-    jlt_flow flow;
+    jlt_flow *flows;       /* (flow_count,) */
+    jlt_batch_case *cases; /* (flow_count,): of these */
+    size_t flow_count;
     jlt_batch_map map;
     unsigned columns;
     worker *workers; /* (threads,) */
@@ -39,30 +48,6 @@ struct jlt_map_batch {
 };
 
 bool jlt_map_batch_in_lanes(const jlt_map_batch *self) { return self->map.kernels != NULL; }
-
-jlt_status jlt_map_batch_images(jlt_map_images *out, unsigned d, size_t count)
-{
-    double *block = malloc(count * ((size_t)d * (d + 1) + 4) * sizeof *block);
-
-    *out = (jlt_map_images){ .status = malloc(count * sizeof *out->status), .q = block };
-    if (block == NULL || out->status == NULL) {
-        jlt_map_batch_images_clear(out);
-        return JLT_ERR_NOMEM;
-    }
-    out->slope = block + count * d;
-    out->T = out->slope + count * d * d;
-    out->determinant = out->T + count;
-    out->expansion = out->determinant + count;
-    out->defect = out->expansion + count;
-    return JLT_OK;
-}
-
-void jlt_map_batch_images_clear(jlt_map_images *self)
-{
-    free(self->q);
-    free(self->status);
-    *self = (jlt_map_images){ 0 };
-}
 
 /* Whether lanes can go the way: a section that has no other turns, without an end in time, of not too many states. */
 static bool serves(const jlt_flow *flow)
@@ -81,8 +66,31 @@ static jlt_status hire(worker *out, const jlt_map_batch *batch)
     out->starts = calloc((size_t)BLOCK * batch->columns, sizeof *out->starts);
     out->flux = calloc(BLOCK, sizeof *out->flux);
     out->is_on_way = calloc(BLOCK, sizeof *out->is_on_way);
-    if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL) return JLT_ERR_NOMEM;
-    return jlt_map_create(&out->alone, &batch->flow);
+    out->case_of = calloc(BLOCK, sizeof *out->case_of);
+    if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL || out->case_of == NULL)
+        return JLT_ERR_NOMEM;
+    return jlt_map_create(&out->alone, batch->flows);
+}
+
+static jlt_status append(jlt_map_batch *self, const jlt_flow *flow)
+{
+    jlt_flow *flows = jlt_memory_more(self->flows, self->flow_count, sizeof *flows);
+    jlt_batch_case *cases;
+
+    if (flows == NULL) return JLT_ERR_NOMEM;
+    self->flows = flows;
+    cases = jlt_memory_more(self->cases, self->flow_count, sizeof *cases);
+    if (cases == NULL) return JLT_ERR_NOMEM;
+    self->map.cases = self->cases = cases;
+    cases[self->flow_count] = (jlt_batch_case){ .p = flow->field->p, .level = flow->chart->level };
+    flows[self->flow_count++] = *flow;
+    return JLT_OK;
+}
+
+jlt_status jlt_map_batch_add(jlt_map_batch *self, size_t *index, const jlt_flow *flow)
+{
+    *index = self->flow_count;
+    return jlt_section_flows_fit(self->flows, flow) ? append(self, flow) : JLT_ERR_ARG;
 }
 
 jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
@@ -94,20 +102,26 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
     const jlt_batch_map map = {
-        .kernels = kernels != NULL && serves(flow) ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states, .tangents = flow->chart->dim,
-        .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
-        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .method = method, .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
+        .kernels = kernels != NULL && serves(flow) ? kernels : NULL,
+        .dim = flow->chart->states,
+        .tangents = flow->chart->dim,
+        .column = flow->chart->column,
+        .direction = (int)flow->direction,
+        .root = flow->field->root,
+        .root_floor = root_floor,
+        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL,
+        .method = method,
+        .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
         .max_steps = flow->max_steps != 0 && flow->max_steps < most_steps ? flow->max_steps : most_steps,
         .interrupt = flow->interrupt,
     };
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
-    self->flow = *flow;
     self->map = map;
     self->columns = jlt_batch_columns(&map);
     self->threads = threads > 1 ? threads : 1;
     self->workers = calloc(self->threads, sizeof *self->workers);
-    st = self->workers == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    st = self->workers == NULL ? JLT_ERR_NOMEM : append(self, flow);
     for (unsigned i = 0; st == JLT_OK && i < self->threads; i++) st = hire(&self->workers[i], self);
     if (st == JLT_OK) {
         *out = self;
@@ -127,18 +141,39 @@ void jlt_map_batch_destroy(jlt_map_batch *self)
         free(w->starts);
         free(w->flux);
         free(w->is_on_way);
+        free(w->case_of);
     }
     free(self->workers);
+    free(self->flows);
+    free(self->cases);
     free(self);
 }
 
-/* A return multiplied onto what is known of its point, whose image is there already. */
-static void add(const jlt_map_images *out, size_t point, unsigned d, const double *slope, double T, double expansion, double determinant,
-                double defect)
+static size_t flow_index(const worker *self, size_t point) { return self->flow_of != NULL ? self->flow_of[point] : 0; }
+
+static const jlt_flow *flow_of(const worker *self, size_t point) { return &self->batch->flows[flow_index(self, point)]; }
+
+/* The map by which this point goes alone. */
+static jlt_status alone(worker *self, size_t point)
 {
-    jlt_linear_multiply(out->slope + point * d * d, slope, out->slope + point * d * d, d);
-    out->T[point] += T;
-    out->expansion[point] += expansion;
+    const size_t flow = flow_index(self, point);
+
+    if (self->alone != NULL && self->alone_of == flow) return JLT_OK;
+    jlt_map_destroy(self->alone);
+    self->alone_of = flow;
+    return jlt_map_create(&self->alone, &self->batch->flows[flow]);
+}
+
+/* A return multiplied onto what is known of its point, whose image is there already. */
+static void add(const worker *self, size_t point, const jlt_map_batch_return *made, double determinant, double defect)
+{
+    const jlt_map_images *out = self->out;
+    const unsigned d = self->batch->flows->chart->dim;
+
+    if (self->observer != NULL) self->observer(self->context, point, made);
+    jlt_linear_multiply(out->slope + point * d * d, made->slope, out->slope + point * d * d, d);
+    out->T[point] += made->T;
+    out->expansion[point] += made->expansion;
     out->determinant[point] *= determinant;
     if (fabs(defect) > fabs(out->defect[point])) out->defect[point] = defect;
 }
@@ -147,16 +182,17 @@ static void add(const jlt_map_images *out, size_t point, unsigned d, const doubl
 static void arrive(const worker *self, size_t lane, const double *varied, double t)
 {
     const jlt_map_images *out = self->out;
-    const jlt_flow *flow = &self->batch->flow;
-    const unsigned n = flow->chart->states, d = flow->chart->dim;
     const size_t point = self->point[lane];
+    const jlt_flow *flow = flow_of(self, point);
+    const unsigned n = flow->chart->states, d = flow->chart->dim;
     double slope[D * D];
     jlt_map_return arrival;
 
     out->status[point] = jlt_map_return_end(&arrival, out->q + point * d, slope, flow, varied, self->flux[lane]);
     if (out->status[point] != JLT_OK) return;
-    add(out, point, d, slope, ldexp(t, flow->units.time), varied[n * (1 + d)], arrival.determinant,
-        (fabs(arrival.determinant) - arrival.told) / arrival.size);
+    add(self, point,
+        &(jlt_map_batch_return){ out->q + point * d, slope, arrival.told, ldexp(t, flow->units.time), varied[n * (1 + d)] },
+        arrival.determinant, (fabs(arrival.determinant) - arrival.told) / arrival.size);
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
@@ -180,27 +216,30 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
 }
 
 /* A lane that has ended before its return. */
-static void go_on(const worker *self, size_t lane)
+static void go_on(worker *self, size_t lane)
 {
     double *varied = self->starts + lane * self->batch->columns, t = 0;
-    const jlt_status st = jlt_map_resume(self->alone, varied, &t, self->direction);
+    jlt_status st = alone(self, self->point[lane]);
 
+    if (st == JLT_OK) st = jlt_map_resume(self->alone, varied, &t, self->direction);
     self->out->status[self->point[lane]] = st;
     if (st == JLT_OK) arrive(self, lane, varied, varied[self->batch->columns - 1] + t);
 }
 
 /* A point that no lane serves. */
-static void go_alone(const worker *self, size_t point)
+static void go_alone(worker *self, size_t point)
 {
     const jlt_map_images *out = self->out;
-    const unsigned d = self->batch->flow.chart->dim;
+    const unsigned d = flow_of(self, point)->chart->dim;
     jlt_image image;
 
-    if (out->status[point] != JLT_OK) return;
-    out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->direction);
+    if (out->status[point] == JLT_OK) out->status[point] = alone(self, point);
+    if (out->status[point] == JLT_OK)
+        out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->direction);
     if (out->status[point] != JLT_OK) return;
     memcpy(out->q + point * d, image.q, d * sizeof *image.q);
-    add(out, point, d, image.slope, image.T, image.expansion, image.determinant, image.defect);
+    add(self, point, &(jlt_map_batch_return){ out->q + point * d, image.slope, image.told, image.T, image.expansion },
+        image.determinant, image.defect);
 }
 
 /* Whether a point goes the way that is being computed, and has not made all its returns. */
@@ -214,16 +253,17 @@ static bool is_due(const worker *self, size_t point, size_t number)
 static size_t lift(const worker *self, size_t first, size_t count, size_t number)
 {
     const jlt_map_images *out = self->out;
-    const unsigned d = self->batch->flow.chart->dim, columns = self->batch->columns;
+    const unsigned d = self->batch->flows->chart->dim, columns = self->batch->columns;
     size_t lanes = 0;
 
     for (size_t i = first; i < first + count; i++) {
         double *start = self->starts + lanes * columns;
         if (out->status[i] != JLT_OK || !is_due(self, i, number)) continue;
-        out->status[i] = jlt_map_return_start(start, &self->flux[lanes], &self->batch->flow, out->q + i * d);
+        out->status[i] = jlt_map_return_start(start, &self->flux[lanes], flow_of(self, i), out->q + i * d);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
         self->is_on_way[lanes] = false;
+        self->case_of[lanes] = flow_index(self, i);
         self->point[lanes++] = i;
         out->status[i] = JLT_ERR_NO_CONVERGENCE; /* until it has its return */
     }
@@ -235,6 +275,7 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
     jlt_batch_map map = self->batch->map;
 
     map.backwards = self->direction < 0;
+    map.case_of = self->case_of;
     for (size_t i = first; map.kernels == NULL && i < first + count; i++)
         if (is_due(self, i, number)) go_alone(self, i);
     if (map.kernels == NULL) return JLT_OK;
@@ -263,27 +304,37 @@ static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
     jlt_status st = JLT_OK;
 
     for (;;) {
-        const size_t first = __atomic_fetch_add(next, block, __ATOMIC_RELAXED), size = count - first < block ? count - first : block;
+        const size_t first = __atomic_fetch_add(next, block, __ATOMIC_RELAXED),
+                     size = count - first < block ? count - first : block;
         if (first >= count || st != JLT_OK) return st;
         for (int way = 1; way >= -1 && st == JLT_OK; way -= 2)
             if (self->directions != NULL || way == only) st = follow(self, first, size, way);
     }
 }
 
-const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self) { return &self->flow; }
+const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self) { return self->flows; }
 
-/* returns: the most of any point; direction, unless directions tell. */
-static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns, const size_t *each,
-                        int direction, const int *directions)
+/* What points are asked for: the most returns of any; of each its flow, its returns, its direction of time, NULL where that is the
+ * first, the most, and `direction`. */
+typedef struct {
+    size_t returns;
+    const size_t *flow_of, *each;
+    int direction;
+    const int *directions;
+    jlt_map_batch_observer observer; /* NULL: none */
+    void *context;
+} request;
+
+static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, const request *wanted)
 {
-    const unsigned d = self->flow.chart->dim;
+    const unsigned d = self->flows->chart->dim;
     const unsigned threads = count < self->threads ? (unsigned)count : self->threads;
     const size_t share = (count + self->threads - 1) / self->threads, block = share < BLOCK ? share : BLOCK;
     size_t next = 0;
     int failure = JLT_OK;
 
     for (size_t i = 0; i < count; i++) {
-        const int way = directions != NULL ? directions[i] : direction;
+        const int way = wanted->directions != NULL ? wanted->directions[i] : wanted->direction;
         if (way != 1 && way != -1) return JLT_ERR_ARG;
     }
     if (count == 0) return JLT_OK;
@@ -300,10 +351,13 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
     for (unsigned thread = 0; thread < threads; thread++) {
         worker *w = &self->workers[thread];
         w->out = out;
-        w->direction = direction;
-        w->directions = directions;
-        w->each = each;
-        w->returns = returns;
+        w->direction = wanted->direction;
+        w->directions = wanted->directions;
+        w->flow_of = wanted->flow_of;
+        w->each = wanted->each;
+        w->observer = wanted->observer;
+        w->context = wanted->context;
+        w->returns = wanted->returns;
         const int st = (int)work(w, count, block, &next);
         if (st > failure) failure = st;
     }
@@ -313,15 +367,23 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
 jlt_status jlt_map_batch_apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, size_t returns,
                                int time_direction)
 {
-    return returns == 0 ? JLT_ERR_ARG : apply(self, out, q, count, returns, NULL, time_direction, NULL);
+    return returns == 0 ? JLT_ERR_ARG : apply(self, out, q, count, &(request){ .returns = returns, .direction = time_direction });
 }
 
-jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, const size_t *returns,
-                                    const int *time_direction)
+jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count,
+                                    const size_t *returns, const int *time_direction)
 {
     size_t most = 0;
 
     for (size_t i = 0; i < count; i++)
         if (returns[i] > most) most = returns[i];
-    return apply(self, out, q, count, most, returns, 0, time_direction);
+    return apply(self, out, q, count, &(request){ .returns = most, .each = returns, .directions = time_direction });
+}
+
+jlt_status jlt_map_batch_apply_flows(jlt_map_batch *self, const jlt_map_images *out, const double *q, const size_t *flow_of,
+                                     size_t count, size_t returns, int time_direction, jlt_map_batch_observer observer,
+                                     void *context)
+{
+    return returns == 0 ? JLT_ERR_ARG
+                        : apply(self, out, q, count, &(request){ returns, flow_of, NULL, time_direction, NULL, observer, context });
 }

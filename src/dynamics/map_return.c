@@ -57,7 +57,8 @@ static double hadamard(const double *slope, unsigned d)
     return product;
 }
 
-jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied, double flux)
+jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
+                              double flux)
 {
     const jlt_chart *chart = flow->chart;
     const unsigned n = chart->states, d = chart->dim;

@@ -12,7 +12,7 @@ enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
 static const double longest_step = 0.5;    /* in section coordinates */
 static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
 static const double accepted_most = 1e-9;  /* and absolute */
-static const double null_cutoff = 1e-11;   /* singular values of I - DP under this, relative to I or to itself, are a family of orbits */
+static const double null_cutoff = 1e-11;   /* singular values of I - DP under this, relative to I or to itself, are a family's */
 
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
 static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
@@ -38,7 +38,8 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     if (count == 0) return JLT_ERR_ARG;
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
-    st = jlt_eigen_least_squares(free_delta, system, carried, d, count, null_cutoff / fmin(1, jlt_shooting_norm(system, d * count)));
+    st = jlt_eigen_least_squares(free_delta, system, carried, d, count,
+                                 null_cutoff / fmin(1, jlt_shooting_norm(system, d * count)));
     if (st != JLT_OK) return st;
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
@@ -51,7 +52,8 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     return JLT_OK;
 }
 
-jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart, const double *points, size_t period, const unsigned char *held)
+jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart, const double *points, size_t period,
+                             const unsigned char *held)
 {
     const size_t size = period * chart->dim;
     jlt_status st = JLT_ERR_NOMEM;

@@ -221,7 +221,9 @@ static jlt_status open_search(grid_search *self)
 
 jlt_status jlt_orbits_grid(jlt_orbits *list, jlt_map *map, const jlt_orbits_options *options)
 {
-    grid_search self = { .list = list, .map = map, .options = options, .flow = *jlt_map_flow(map), .chart = jlt_map_flow(map)->chart };
+    grid_search self = {
+        .list = list, .map = map, .options = options, .flow = *jlt_map_flow(map), .chart = jlt_map_flow(map)->chart
+    };
     const unsigned d = self.chart->dim;
     double *q = malloc(BLOCK * d * sizeof *q);
     size_t all = 1;

@@ -95,11 +95,29 @@ static void note_conditions(jlt_section *self, const double *x)
     self->condition = which;
 }
 
+/* A condition that holds at both ends of the last step, but not in between; once one is lost there is nothing more to tell, and
+ * where orbits end by losing one that is an event. */
+static void look_within(jlt_section *self, jlt_orbit *orbit)
+{
+    const bool ends = self->event_count > self->crossings;
+    const unsigned count = self->flow.observed != NULL && !ends ? jlt_observed_conditions(self->flow.observed) : 0;
+
+    for (unsigned i = 0; !(self->least <= 0) && i < count; i++) {
+        condition one = { self->flow.observed, i };
+        const jlt_event event = { .value = condition_value, .context = &one };
+        double theta, least;
+        if (jlt_orbit_loss(orbit, &theta, &least, &event) != JLT_OK || theta > 1) continue;
+        self->least = least;
+        self->condition = i;
+    }
+}
+
 static int watch(void *context, jlt_orbit *orbit)
 {
     jlt_section *self = context;
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
 
+    look_within(self, orbit);
     note_conditions(self, stepper->x);
     return jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
@@ -112,7 +130,8 @@ static jlt_status add_conditions(jlt_section *self, const jlt_observed *observed
     if (self->event_count + count > JLT_ORBIT_EVENTS_MAX) return JLT_ERR_UNSUPPORTED;
     for (unsigned i = 0; i < count; i++) {
         self->conditions[i] = (condition){ observed, i };
-        self->events[self->event_count++] = (jlt_event){ .value = condition_value, .context = &self->conditions[i], .direction = JLT_BOTH };
+        self->events[self->event_count++] =
+            (jlt_event){ .value = condition_value, .context = &self->conditions[i], .direction = JLT_BOTH };
     }
     return JLT_OK;
 }
@@ -246,8 +265,8 @@ static void end(jlt_section *self, jlt_return *row, double t, const double *x, j
     set_fate(row, self, x, fate);
 }
 
-/* Whether an orbit that stands still does so at a pole, which methods whose steps hold its root relative to itself come as near to as
- * they like. */
+/* Whether an orbit that stands still does so at a pole, which methods whose steps hold its root relative to itself come as near to
+ * as they like. */
 static bool is_pole(const jlt_section *self)
 {
     const int root = self->flow.field->root;

@@ -71,7 +71,8 @@ typedef struct {
     bool interrupted;            /* flow->interrupt became nonzero before the next return; the row holds the point reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
-    double least;                /* least value of the model's conditions over accepted steps since the start; INFINITY: none; NaN: as
+    double least;                /* least value of the model's conditions since the start, at ends of steps, or within one at whose
+                                    ends they hold, if it is not positive; INFINITY: none; NaN: as
                                     far as is known all held, and one of them had no value */
 } jlt_return;
 

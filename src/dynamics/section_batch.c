@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "core/spool.h"
+#include "dynamics/section_flows.h"
 #include "integrate/rest.h"
 
-/* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. A row has the states, t, the least value of the model's
- * conditions, and whose it is. */
+/* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. A row has the states, t, the least value of the
+ * model's conditions, and whose it is. */
 enum { WATCHED = 2, COLUMNS_MAX = JLT_CHART_STATES_MAX + 1 + WATCHED, ROOM = 1024, BYTES = 1 << 28 };
 
 /* What is known of an orbit beside its rows. */
@@ -24,12 +25,10 @@ typedef struct {
 } course;
 
 struct jlt_section_batch {
-    jlt_flow flow;
+    jlt_section_flows flows; /* by whose sections orbits go alone, and the first thread reads */
     jlt_batch_map map; /* kernels NULL: no lanes */
     jlt_batch_watch watch;
-    double unit[JLT_BATCH_STATES_MAX]; /* of it */
     jlt_section_batch_options options;
-    jlt_section **sections; /* (threads,): for orbits that go alone; the first one reads */
     unsigned threads;
     unsigned columns;   /* of lanes: states, and t */
     unsigned width;     /* of a row */
@@ -37,6 +36,7 @@ struct jlt_section_batch {
     jlt_status *lifted; /* (count,): what the chart says of the starts */
     size_t *lane;       /* (count,): of starts that have a state */
     double *starts;     /* (lanes, columns); as follows */
+    size_t *flow_of;    /* (lanes,) */
     course *courses;    /* (lanes,) */
     double *last, *end; /* (lanes, width): the last row; where the lane or the orbit ended */
     size_t count, lanes, returns;
@@ -45,58 +45,28 @@ struct jlt_section_batch {
     int failure; /* of the spool; set atomically */
     struct {
         size_t lane;
+        jlt_section *section; /* of its flow */
         bool is_done; /* all its rows have been read */
     } reading;
 };
 
-/* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error is no
- * power of the step: 400 at a tolerance of 1e-12, where returns take some 40, and at looser ones fewer, 100 at least. */
+/* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error is
+ * no power of the step: 400 at a tolerance of 1e-12, where returns take some 40, and at looser ones fewer, 100 at least. */
 static size_t most_steps(double tolerance)
 {
     const double steps = 400 * pow(tolerance / 1e-12, -0.2);
     return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
 }
 
-/* The rates at which the end at a pole is known at once: what is left of the way then has a square below a hundredth of the tolerance
- * (integrate/approach.h). Explicit methods, at their limit of stability there, hold at some tolerances what has decayed. */
+/* The rates at which the end at a pole is known at once: what is left of the way then has a square below a hundredth of the
+ * tolerance (integrate/approach.h). Explicit methods, at their limit of stability there, may hold what has decayed. */
 static double rest_at_pole(double tolerance) { return fmax(0.01 * sqrt(tolerance), 10 * tolerance); }
-
-static unsigned conditions_of(const jlt_flow *flow) { return flow->observed != NULL ? jlt_observed_conditions(flow->observed) : 0; }
-
-const char *jlt_section_batch_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels)
-{
-    const unsigned conditions = conditions_of(flow);
-    const double *p;
-    const int *exponents;
-
-    if (kernels == NULL) return "there are no kernels on vectors";
-    if (flow->chart->states > JLT_BATCH_STATES_MAX) return "there are more states than lanes take";
-    if (flow->chart->turn != 0) return "the section's state is an angle";
-    if (flow->end_where_invalid && conditions > 0) return "orbits end where the model loses its conditions, between steps too";
-    if (flow->t_max != 0) return "returns have an end in time";
-    if (conditions > JLT_BATCH_CONDITIONS_MAX || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX) return "there are more conditions than lanes watch";
-    if (conditions > 0 && jlt_observed_lanes(flow->observed, &p, &exponents, kernels->lanes) == NULL)
-        return "its conditions have no kernels on vectors";
-    return NULL;
-}
-
-static void set_watch(jlt_section_batch *self)
-{
-    const int *exponents;
-
-    self->watch = (jlt_batch_watch){ .count = conditions_of(&self->flow) };
-    if (self->map.kernels == NULL || self->watch.count == 0) return;
-    self->watch.values = jlt_observed_lanes(self->flow.observed, &self->watch.p, &exponents, self->map.kernels->lanes);
-    for (unsigned i = 0; exponents != NULL && i < self->map.dim; i++) self->unit[i] = ldexp(1, exponents[i]);
-    if (exponents != NULL) self->watch.unit = self->unit;
-    self->map.watch = &self->watch;
-}
 
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
 {
-    static const double root_floor = 1e-9; /* where the flow's own method judges whether an orbit ends at a pole; few come deeper that */
-    static const double root_least = 1e-12; /* do not */
+    /* At the first the flow's own method judges whether an orbit ends at a pole; few that do not come as deep as the second. */
+    static const double root_floor = 1e-9, root_least = 1e-12;
     jlt_section_batch *self = NULL;
     jlt_status st = JLT_OK;
 
@@ -104,7 +74,6 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     if (flow->chart == NULL || flow->field == NULL) return JLT_ERR_ARG;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
-    self->flow = *flow;
     self->options = *options;
     self->threads = options->threads > 1 ? options->threads : 1;
     self->columns = flow->chart->states + 1;
@@ -113,17 +82,19 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     const size_t steps_max = most_steps(tolerance);
     self->slow = jlt_rest_slow(tolerance);
     self->map = (jlt_batch_map){
-        .kernels = jlt_section_batch_obstacle(flow, kernels) == NULL ? kernels : NULL, .p = flow->field->p, .dim = flow->chart->states,
-        .clock = true, .column = flow->chart->column, .level = flow->chart->level, .direction = (int)flow->direction,
+        .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states,
+        .clock = true, .column = flow->chart->column, .direction = (int)flow->direction,
         .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_rest = rest_at_pole(tolerance),
         .root_least = root_least, .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
-        .project = options->project, .interrupt = flow->interrupt,
+        .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
     };
-    set_watch(self);
-    self->sections = calloc(self->threads, sizeof(jlt_section *));
-    st = self->sections == NULL ? JLT_ERR_NOMEM : JLT_OK;
-    for (unsigned i = 0; st == JLT_OK && i < self->threads; i++) st = jlt_section_create(&self->sections[i], flow);
+    self->watch = (jlt_batch_watch){ .count = jlt_section_flows_conditions(flow) };
+    if (self->map.kernels != NULL && self->watch.count > 0) {
+        self->watch.kernels = jlt_section_flows_watching(flow, kernels);
+        self->map.watch = &self->watch;
+    }
+    st = jlt_section_flows_open(&self->flows, flow, options->project, self->threads);
     if (st == JLT_OK) {
         *out = self;
         self = NULL; /* ownership moved to the caller */
@@ -132,18 +103,25 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     return st;
 }
 
+jlt_status jlt_section_batch_add(jlt_section_batch *self, size_t *index, const jlt_flow *flow, const jlt_instance *project)
+{
+    if (index != NULL) *index = self->flows.count;
+    return jlt_section_flows_add(&self->flows, flow, project);
+}
+
 static void forget(jlt_section_batch *self)
 {
     jlt_spool_destroy(self->rows);
     free(self->lifted);
     free(self->lane);
     free(self->starts);
+    free(self->flow_of);
     free(self->courses);
     free(self->last);
     free(self->end);
     self->rows = NULL;
     self->lifted = NULL;
-    self->lane = NULL;
+    self->lane = self->flow_of = NULL;
     self->courses = NULL;
     self->starts = self->last = self->end = NULL;
     self->count = self->lanes = self->made = 0;
@@ -154,10 +132,11 @@ void jlt_section_batch_destroy(jlt_section_batch *self)
 {
     if (self == NULL) return;
     forget(self);
-    for (unsigned i = 0; self->sections != NULL && i < self->threads; i++) jlt_section_destroy(self->sections[i]);
-    free(self->sections);
+    jlt_section_flows_clear(&self->flows);
     free(self);
 }
+
+static const jlt_flow *flow_of(const jlt_section_batch *self, size_t lane) { return &self->flows.all[self->flow_of[lane]].flow; }
 
 /* One more row (width,) of an orbit. */
 static jlt_status keep(jlt_section_batch *self, size_t lane, const double *row)
@@ -186,7 +165,7 @@ static int keep_row(void *context, size_t lane, size_t number, const double *x)
     double row[COLUMNS_MAX];
 
     (void)number;
-    at->is_slow = at->is_slow || jlt_rest_is_slower(self->flow.field, x, self->slow);
+    at->is_slow = at->is_slow || jlt_rest_is_slower(flow_of(self, lane)->field, x, self->slow);
     if (at->is_slow) return 0;
     row_of(self, row, x);
     const jlt_status st = keep(self, lane, row);
@@ -206,27 +185,28 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
 }
 
 /* A section's row (width,), in the units of lanes. */
-static void from_section(const jlt_section_batch *self, double *row, const jlt_return *at)
+static void from_section(const jlt_section_batch *self, double *row, const jlt_return *at, size_t lane)
 {
-    const unsigned n = self->flow.chart->states;
+    const jlt_flow *flow = flow_of(self, lane);
+    const unsigned n = flow->chart->states;
 
-    for (unsigned k = 0; k < n; k++) row[k] = ldexp(at->x[k], -self->flow.units.state[k]);
-    row[n] = ldexp(at->t, -self->flow.units.time);
+    for (unsigned k = 0; k < n; k++) row[k] = ldexp(at->x[k], -flow->units.state[k]);
+    row[n] = ldexp(at->t, -flow->units.time);
     row[self->columns] = at->least;
     row[self->columns + 1] = at->lost;
 }
 
 static jlt_status begin(const jlt_section_batch *self, jlt_section *section, jlt_return *row, size_t lane)
 {
+    const jlt_flow *flow = flow_of(self, lane);
     double x[JLT_CHART_STATES_MAX];
 
-    for (unsigned k = 0; k < self->flow.chart->states; k++)
-        x[k] = ldexp(self->starts[lane * self->columns + k], self->flow.units.state[k]);
+    for (unsigned k = 0; k < flow->chart->states; k++) x[k] = ldexp(self->starts[lane * self->columns + k], flow->units.state[k]);
     return jlt_section_start_state(section, row, x, self->options.backwards ? -1 : 1);
 }
 
-/* Where an orbit goes on alone from: near a pole and at the end of an interval from where the lane ended, else from its last return, for
- * a lane that stalls may have gone astray. */
+/* Where an orbit goes on alone from: near a pole and at the end of an interval from where the lane ended, else from its last
+ * return, for a lane that stalls may have gone astray. */
 static void resume(const jlt_section_batch *self, jlt_section *section, size_t lane)
 {
     const course *at = &self->courses[lane];
@@ -234,26 +214,28 @@ static void resume(const jlt_section_batch *self, jlt_section *section, size_t l
     double *from = (goes_on ? self->end : self->last) + lane * self->width;
 
     if (!goes_on && at->rows == 0) return;
-    if (at->lane_end == JLT_LANE_ROOT && goes_on) from[self->map.root] = fabs(from[self->map.root]); /* rounding may have gone past 0 */
+    if (at->lane_end == JLT_LANE_ROOT && goes_on) from[self->map.root] = fabs(from[self->map.root]); /* rounded past 0 */
     jlt_section_note(section, from[self->columns], (unsigned)from[self->columns + 1]);
     jlt_section_resume(section, at->rows, from[self->columns - 1], from);
 }
 
 /* What lanes have left of an orbit, by the flow's own method. */
-static jlt_status finish(jlt_section_batch *self, jlt_section *section, size_t lane)
+static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
 {
     course *at = &self->courses[lane];
     double kept[COLUMNS_MAX];
+    jlt_section *section;
     jlt_return row;
     jlt_status st = JLT_OK;
 
     if (at->has_lane_end && at->lane_end == JLT_LANE_DONE && !at->is_slow) return JLT_OK;
+    JLT_TRY(jlt_section_flows_section(&self->flows, &section, thread, self->flow_of[lane]));
     JLT_TRY(begin(self, section, &row, lane));
     if (row.fate != JLT_FATE_ALIVE) return JLT_OK; /* readers see that it has ended at its start */
     resume(self, section, lane);
     while (row.fate == JLT_FATE_ALIVE && !row.interrupted && at->rows < self->returns) {
         JLT_TRY(jlt_section_next(section, &row));
-        from_section(self, kept, &row);
+        from_section(self, kept, &row, lane);
         if (row.fate == JLT_FATE_ALIVE && !row.interrupted) JLT_TRY(keep(self, lane, kept));
     }
     at->has_end = row.fate != JLT_FATE_ALIVE || row.interrupted;
@@ -280,7 +262,7 @@ static jlt_status finish_all(jlt_section_batch *self)
         while (st == JLT_OK) {
             const size_t lane = __atomic_fetch_add(&next, 1, __ATOMIC_RELAXED);
             if (lane >= self->lanes) break;
-            st = finish(self, self->sections[thread], lane);
+            st = finish(self, thread, lane);
         }
         if ((int)st > failure) failure = (int)st;
     }
@@ -297,15 +279,16 @@ static size_t rows_in_memory(const jlt_section_batch *self, size_t count, size_t
 }
 
 /* What orbits begin as, without those that have no state. */
-static jlt_status lift_starts(jlt_section_batch *self, const double *q, size_t count)
+static jlt_status lift_starts(jlt_section_batch *self, const double *q, const size_t *flows, size_t count)
 {
-    const jlt_chart *chart = self->flow.chart;
-
     self->lifted = calloc(count, sizeof *self->lifted);
     self->lane = calloc(count, sizeof *self->lane);
     self->starts = calloc(count, self->columns * sizeof *self->starts);
-    if (self->lifted == NULL || self->lane == NULL || self->starts == NULL) return JLT_ERR_NOMEM;
+    self->flow_of = calloc(count, sizeof *self->flow_of);
+    if (self->lifted == NULL || self->lane == NULL || self->starts == NULL || self->flow_of == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) {
+        self->flow_of[self->lanes] = flows != NULL ? flows[i] : 0;
+        const jlt_chart *chart = flow_of(self, self->lanes)->chart;
         self->lifted[i] = chart->lift(chart, self->starts + self->lanes * self->columns, NULL, q + i * chart->dim);
         if (self->lifted[i] == JLT_OK) self->lane[i] = self->lanes++;
     }
@@ -319,16 +302,32 @@ static jlt_status lift_starts(jlt_section_batch *self, const double *q, size_t c
     return jlt_spool_create(&self->rows, self->width, self->lanes, rows_in_memory(self, self->lanes, self->returns));
 }
 
+static jlt_status follow_in_lanes(jlt_section_batch *self)
+{
+    jlt_batch_map map = self->map;
+    jlt_batch_case *cases = jlt_section_flows_cases(&self->flows, map.kernels, map.watch != NULL);
+    jlt_status st = JLT_ERR_NOMEM;
+
+    map.cases = cases, map.case_of = self->flow_of;
+    if (cases != NULL) st = jlt_batch_section(&map, self->starts, self->lanes, self->returns, keep_row, keep_end, self, NULL);
+    free(cases);
+    return st;
+}
+
 jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns)
+{
+    return jlt_section_batch_run_each(self, q, NULL, count, returns);
+}
+
+jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, const size_t *flows, size_t count, size_t returns)
 {
     jlt_status st = JLT_OK;
 
     if (count == 0 || returns == 0) return JLT_ERR_ARG;
     forget(self);
     self->returns = returns;
-    JLT_TRY(lift_starts(self, q, count));
-    if (self->lanes > 0 && self->map.kernels != NULL)
-        JLT_TRY(jlt_batch_section(&self->map, self->starts, self->lanes, returns, keep_row, keep_end, self, NULL));
+    JLT_TRY(lift_starts(self, q, flows, count));
+    if (self->lanes > 0 && self->map.kernels != NULL) JLT_TRY(follow_in_lanes(self));
     st = (jlt_status)self->failure;
     if (st == JLT_OK) st = finish_all(self);
 done:
@@ -340,7 +339,7 @@ size_t jlt_section_batch_begun(const jlt_section_batch *self)
 {
     size_t begun = self->count;
 
-    if (self->flow.interrupt == NULL || !*self->flow.interrupt) return begun;
+    if (self->map.interrupt == NULL || !*self->map.interrupt) return begun;
     while (begun > 0 && (self->lifted[begun - 1] != JLT_OK || self->courses[self->lane[begun - 1]].rows == 0)) begun--;
     return begun;
 }
@@ -351,7 +350,8 @@ jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, siz
     self->reading.lane = self->lane[orbit];
     self->reading.is_done = false;
     if (self->rows != NULL) jlt_spool_rewind(self->rows, self->reading.lane);
-    return begin(self, self->sections[0], row, self->reading.lane);
+    const jlt_status st = jlt_section_flows_section(&self->flows, &self->reading.section, 0, self->flow_of[self->reading.lane]);
+    return st != JLT_OK ? st : begin(self, self->reading.section, row, self->reading.lane);
 }
 
 static void read_end(jlt_section_batch *self, jlt_return *row)
@@ -359,27 +359,27 @@ static void read_end(jlt_section_batch *self, jlt_return *row)
     const course *at = &self->courses[self->reading.lane];
     const double *x = self->end + self->reading.lane * self->width;
 
-    jlt_section_note(self->sections[0], x[self->columns], (unsigned)x[self->columns + 1]);
-    jlt_section_end(self->sections[0], row, x[self->columns - 1], x, at->fate, at->lost);
+    jlt_section_note(self->reading.section, x[self->columns], (unsigned)x[self->columns + 1]);
+    jlt_section_end(self->reading.section, row, x[self->columns - 1], x, at->fate, at->lost);
     row->interrupted = at->is_interrupted;
 }
 
 static void read_row(jlt_section_batch *self, jlt_return *row, const double *x)
 {
-    jlt_section_note(self->sections[0], x[self->columns], (unsigned)x[self->columns + 1]);
-    jlt_section_accept(self->sections[0], row, x[self->columns - 1], x);
+    jlt_section_note(self->reading.section, x[self->columns], (unsigned)x[self->columns + 1]);
+    jlt_section_accept(self->reading.section, row, x[self->columns - 1], x);
 }
 
 jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row)
 {
     double x[COLUMNS_MAX];
 
-    if (self->reading.is_done) return jlt_section_next(self->sections[0], row);
+    if (self->reading.is_done) return jlt_section_next(self->reading.section, row);
     const jlt_status st = self->rows != NULL ? jlt_spool_read(self->rows, x) : JLT_ERR_ARG;
     if (st == JLT_OK) read_row(self, row, x);
     if (st != JLT_ERR_EMPTY) return st;
     self->reading.is_done = true;
-    if (!self->courses[self->reading.lane].has_end) return jlt_section_next(self->sections[0], row);
+    if (!self->courses[self->reading.lane].has_end) return jlt_section_next(self->reading.section, row);
     read_end(self, row);
     return JLT_OK;
 }
@@ -392,7 +392,7 @@ jlt_status jlt_section_batch_last(jlt_section_batch *self, jlt_return *row, size
     const course *at = &self->courses[self->reading.lane];
     const double *last = self->last + self->reading.lane * self->width;
     if (at->rows > 0) {
-        jlt_section_resume(self->sections[0], at->rows - 1, last[self->columns - 1], last);
+        jlt_section_resume(self->reading.section, at->rows - 1, last[self->columns - 1], last);
         read_row(self, row, last);
     }
     if (at->has_end) read_end(self, row);

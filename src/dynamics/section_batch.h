@@ -7,10 +7,11 @@
  *          while (row.fate == JLT_FATE_ALIVE && row.number < returns) JLT_TRY(jlt_section_batch_next(batch, &row));
  *      }
  *
- *  A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest. Such an
- *  orbit is followed on by the flow's own method, alone, so that its fate is the one that a jlt_section finds. So are all orbits where
- *  no lanes can go: on sections of a state with turns, where orbits end as the model loses its conditions, with an end in time, of many
- *  states. Rows depend neither on the other orbits nor on the number of threads. */
+ *  A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest. Such
+ *  an orbit is followed on by the flow's own method, alone, so that its fate is the one that a jlt_section finds. So are all orbits
+ *  where no lanes can go: on sections of a state with turns, where orbits end as the model loses its conditions, with an end in
+ *  time, of many states. Rows depend neither on the other orbits nor on the number of threads. Orbits of several flows, such as
+ *  those of one model under different parameters, go side by side: jlt_section_batch_add. */
 #ifndef JLT_DYNAMICS_SECTION_BATCH_H
 #define JLT_DYNAMICS_SECTION_BATCH_H
 
@@ -19,7 +20,8 @@
 
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
-    const jlt_instance *project; /* the flow's: its integrals, and the relation of a root, are restored by lanes at crossings; NULL: not */
+    const jlt_instance *project; /* the flow's: its integrals, and the relation of a root, are restored by lanes at crossings; NULL:
+                                    not */
     bool backwards;   /* in time */
     bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
     /* Told how many returns have been made since the run began, by all threads; NULL: nobody. */
@@ -29,20 +31,28 @@ typedef struct {
 
 typedef struct jlt_section_batch jlt_section_batch;
 
-/** Create a batch. kernels: those of the flow's field, see jlt_batch_isa_best; NULL: all orbits go alone, by the flow's method. What
- *  the flow points to must live as long as the batch. Errors: as jlt_section_create; NOMEM. */
+/** Create a batch. kernels: those of the flow's field, see jlt_batch_isa_best; NULL: all orbits go alone, by the flow's method.
+ *  What the flow points to must live as long as the batch. Errors: as jlt_section_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                                 const jlt_section_batch_options *options);
 void jlt_section_batch_destroy(jlt_section_batch *self); /* NULL is legal */
 
-/** Why orbits of this flow go alone, a clause such as "the section's state is an angle"; NULL: they go in lanes. */
-const char *jlt_section_batch_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
+/** One more flow, whose orbits jlt_section_batch_run_each follows beside those of the others: in parameters, levels and units alone
+ *  it may differ from the first. project: its own, where that of the options is given. What it points to must live as long. Out:
+ *  *index, unless NULL: 1, 2, ...; the flow of creation is 0. Errors: ARG, it differs in more; NOMEM. */
+JLT_CHECKED jlt_status jlt_section_batch_add(jlt_section_batch *self, size_t *index, const jlt_flow *flow,
+                                             const jlt_instance *project);
 
 /** Follow the orbits from starts q, shape (count, dim), on the section for `returns` returns each; the orbits of an earlier run
  *  are dropped. An interrupt ends the run early, with OK. Errors: ARG; as jlt_batch_section; IO, the temporary file.
  *  Memory: some 200 bytes an orbit, and unless last_only count * min(returns, 1024) rows, 256 MiB or a row each at most; older rows
  *  wait in a temporary file (core/spool.h). */
 JLT_CHECKED jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns);
+
+/** The same of orbits each of which has its own flow, by index; flow_of, shape (count,). Those of one flow had best stand
+ *  together. */
+JLT_CHECKED jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, const size_t *flow_of, size_t count,
+                                                  size_t returns);
 
 /** How many orbits, from the first on, can be read: all of them, or after an interrupt those up to the last that has a
  *  return. */

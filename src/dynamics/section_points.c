@@ -30,7 +30,8 @@ bool jlt_section_points_none(const jlt_chart_section *chart)
 /* Whether there is a point with one coordinate given: points are counted over the others. */
 static bool holds_at(const jlt_chart_section *chart, unsigned coordinate, double value)
 {
-    const size_t places = jlt_chart_section_places(chart, coordinate, ANGLES), others = jlt_chart_section_points(chart, ANGLES) / places;
+    const size_t places = jlt_chart_section_places(chart, coordinate, ANGLES),
+                 others = jlt_chart_section_points(chart, ANGLES) / places;
     double q[JLT_CHART_COORDINATES_MAX];
     size_t stride = 1;
 

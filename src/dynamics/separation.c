@@ -69,7 +69,8 @@ static jlt_status follow(cells *self, size_t *alive, const jlt_flow *flow, const
     jlt_section_batch *batch = NULL;
     jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_section_batch_create(&batch, flow, o->kernels, &(jlt_section_batch_options){ .threads = threads, .backwards = backwards }));
+    JLT_TRY(jlt_section_batch_create(&batch, flow, o->kernels,
+                                     &(jlt_section_batch_options){ .threads = threads, .backwards = backwards }));
     for (size_t first = 0; first < count; first += BLOCK * threads) {
         const size_t here = count - first < BLOCK * threads ? count - first : BLOCK * threads;
         JLT_TRY(jlt_section_batch_run(batch, starts + 2 * first, here, o->settle + o->returns));

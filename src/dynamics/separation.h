@@ -29,7 +29,8 @@ typedef struct {
 /** Count the cells visited. Out: a row of `out`, which has room for 48, for each power of two of returns up to
  *  options->returns; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends
  *  is counted up to its end.
- *  Errors: ARG, a section of more than two coordinates or without reversor; NO_CONVERGENCE (interrupted); as jlt_section_batch_run. */
+ *  Errors: ARG, a section of more than two coordinates or without reversor; NO_CONVERGENCE (interrupted); as
+ *  jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow,
                                               const double *starts, size_t count,
                                               const jlt_separation_options *options);

@@ -68,7 +68,8 @@ jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt
     (void)threads;
 #endif
     for (int k = 0; k < JLT_SEPARATRICES; k++) {
-        const int failed = self->original[k] < JLT_SEPARATRICES ? (int)JLT_OK : (int)grow(&self->curve[k], &self->branch[k], options);
+        const int failed = self->original[k] < JLT_SEPARATRICES ? (int)JLT_OK
+                                                                : (int)grow(&self->curve[k], &self->branch[k], options);
         if (failed > failure) failure = failed;
     }
     st = (jlt_status)failure;
@@ -90,11 +91,11 @@ static jlt_status cross(jlt_separatrices *self, int u, int s, jlt_map_batch *con
         if (self->original[2 + i] != u) continue;
         self->count[u][s] = self->count[unstable_of_s][i];
         self->touching[u][s] = self->touching[unstable_of_s][i];
-        return jlt_homoclinic_reflect(out, self->crossings[unstable_of_s][i], self->count[u][s], &self->curve[u], &self->curve[2 + s],
-                                      self->chart);
+        return jlt_homoclinic_reflect(out, self->crossings[unstable_of_s][i], self->count[u][s], &self->curve[u],
+                                      &self->curve[2 + s], self->chart);
     }
-    return jlt_homoclinic_find(out, &self->count[u][s], &self->touching[u][s], &self->curve[u], &self->branch[u], &self->curve[2 + s],
-                               &self->branch[2 + s], mirrored, maps[0], maps[1]);
+    return jlt_homoclinic_find(out, &self->count[u][s], &self->touching[u][s], &self->curve[u], &self->branch[u],
+                               &self->curve[2 + s], &self->branch[2 + s], mirrored, maps[0], maps[1]);
 }
 
 jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads)

@@ -10,18 +10,19 @@ typedef struct {
     const jlt_chart *chart;
     jlt_branch branch[JLT_SEPARATRICES];
     jlt_manifold curve[JLT_SEPARATRICES];
-    int original[JLT_SEPARATRICES]; /* the unstable branch that a stable one is the mirror image of; JLT_SEPARATRICES: there is none */
+    int original[JLT_SEPARATRICES]; /* the unstable branch that a stable one is the mirror image of; JLT_SEPARATRICES: there is
+                                       none */
     jlt_homoclinic *crossings[2][2]; /* owned: by the side of the unstable branch, of the stable one */
     size_t count[2][2], touching[2][2]; /* as of jlt_homoclinic_find */
 } jlt_separatrices;
 
-/** Grow all four, each on a thread; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map must
- *  outlive it. Errors: those of jlt_branch_init and jlt_manifold_grow. */
+/** Grow all four, each on a thread; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map
+ *  must outlive it. Errors: those of jlt_branch_init and jlt_manifold_grow. */
 JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
                                              const jlt_manifold_options *options, unsigned threads);
 
-/** Find where the grown branches cross, by the batches of jlt_map_batch_create: fills crossings, count and touching. Of crossings that
- *  are mirror images of each other one is refined. Errors: those of jlt_homoclinic_find. */
+/** Find where the grown branches cross, by the batches of jlt_map_batch_create: fills crossings, count and touching. Of crossings
+ *  that are mirror images of each other one is refined. Errors: those of jlt_homoclinic_find. */
 JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads);
 void jlt_separatrices_clear(jlt_separatrices *self); /* legal when zeroed */
 

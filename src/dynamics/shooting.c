@@ -31,8 +31,8 @@ void jlt_shooting_reset(jlt_shooting *self)
     self->scale = self->determinant = 1;
 }
 
-void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index, const double *q,
-                      const double *slope, const double measured[4])
+void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index,
+                      const double *q, const double *slope, const double measured[4])
 {
     const unsigned d = chart->dim;
 

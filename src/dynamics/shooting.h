@@ -18,8 +18,8 @@ void jlt_shooting_clear(jlt_shooting *self); /* legal on a zeroed one */
 void jlt_shooting_reset(jlt_shooting *self);
 
 /** Add return `index` of points (period, d): its image q and DP, time, expansion, determinant and defect as in jlt_image. */
-void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index, const double *q,
-                      const double *slope, const double measured[4]);
+void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index,
+                      const double *q, const double *slope, const double measured[4]);
 
 /** Fill all returns by a map. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_shooting_of(jlt_shooting *out, jlt_map *map, const double *points, size_t period);

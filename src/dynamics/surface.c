@@ -48,12 +48,14 @@ static jlt_status list_values(jlt_surface *out, const jlt_descriptor *asked)
     size_t index;
 
     for (unsigned i = 0; i < table->param_count; i++)
-        if (jlt_descriptor_param(asked, table->params[i].name, &index)) JLT_TRY(add(out, &table->params[i], asked->params[index].value, i));
+        if (jlt_descriptor_param(asked, table->params[i].name, &index))
+            JLT_TRY(add(out, &table->params[i], asked->params[index].value, i));
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)
         JLT_TRY(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
     for (unsigned i = 0; i < table->param_count; i++)
-        if (!jlt_descriptor_param(asked, table->params[i].name, &index)) JLT_TRY(add(out, &table->params[i], table->params[i].value, i));
+        if (!jlt_descriptor_param(asked, table->params[i].name, &index))
+            JLT_TRY(add(out, &table->params[i], table->params[i].value, i));
 done:
     return st;
 }
@@ -79,7 +81,10 @@ jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jl
     *out = (jlt_surface){ .asked = asked };
     *broken = NULL;
     for (size_t i = 0; i < own + jlt_descriptor_count() && !found; i++) { /* the asked table itself, others, and those built in */
-        const jlt_descriptor *table = widest((i == 0 ? asked : i < own ? others->tables[i - 1] : jlt_descriptor_at(i - own))->family[0]);
+        const jlt_descriptor *table = widest((i == 0    ? asked
+                                              : i < own ? others->tables[i - 1]
+                                                        : jlt_descriptor_at(i - own))
+                                                 ->family[0]);
         for (unsigned k = 0; k < table->section_count && !found; k++) {
             const jlt_section_chart *section = &table->sections[k];
             if (name != NULL && strcmp(section->name, name) != 0) continue;
@@ -140,8 +145,8 @@ static jlt_units units_of(const jlt_chart_section *chart)
     return units;
 }
 
-/* Whether the coordinates mean the same states in these units, in which the flow's chart is: a coordinate without a unit may be lifted to a
- * state by a number of metres. */
+/* Whether the coordinates mean the same states in these units, in which the flow's chart is: a coordinate without a unit may be
+ * lifted to a state by a number of metres. */
 static bool lifts_alike(const jlt_chart_section *rows, const jlt_chart_section *flow, const jlt_units *units)
 {
     const size_t all = jlt_chart_section_points(rows, 8), some = all < 64 ? all : 64;
@@ -260,7 +265,8 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
     jlt_chart_section chart;
 
     arrange(arranged, surface, values);
-    if (surface->count == surface->params || jlt_chart_section_init(&chart, surface->table, surface->section, arranged) != JLT_OK) return false;
+    if (surface->count == surface->params || jlt_chart_section_init(&chart, surface->table, surface->section, arranged) != JLT_OK)
+        return false;
     double *entry = &chart.values[surface->entries[surface->params]];
     for (int i = 0; i < 64 && isnan(full); i++) {
         *entry = given + (i % 2 == 0 ? size : -size);

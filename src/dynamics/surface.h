@@ -1,5 +1,5 @@
-/** Surfaces of section that tables describe by the record `section`: which one an asked table leads to, what it is made from, and the
- *  system of a flow with that section.
+/** Surfaces of section that tables describe by the record `section`: which one an asked table leads to, what it is made from, and
+ *  the system of a flow with that section.
  *
  *  Where the record stands in another table than the asked one, a chain of proved claims leads there (kernel/link.h). Parameters of
  *  that table which the asked one has not are values of integrals of the latter: levels, like those that the record names. */
@@ -24,21 +24,22 @@ typedef struct jlt_surface {
     unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels */
 } jlt_surface;
 
-/** The section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those that are
- *  built in, NULL for none. *broken: where there is none but a claim
+/** The section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those that
+ *  are built in, NULL for none. *broken: where there is none but a claim
  *  would lead to it that is not proved, that claim, and *out the section all the same; else NULL.
  *  Errors: UNSUPPORTED, none, or one with more values than there is room for. */
-JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked, const jlt_way_tables *others,
-                                        const char *name);
+JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
+                                        const jlt_way_tables *others, const char *name);
 
 /** The index of a value; surface->count where there is none of this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
 
 /** The most special kernel that serves values, shape (count,), both copied, in units of the problem. options: chart, field and
  *  rhs_jacobian are not read; NULL: all defaults (upward crossings).
- *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the direction of
- *  options; NOMEM; as jlt_chart_section_init. */
-JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options);
+ *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the
+ *  direction of options; NOMEM; as jlt_chart_section_init. */
+JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,
+                                          const jlt_flow *options);
 
 /** A family of systems in one of the values: jlt_surface_at is the `make` of a jlt_system_family, with this as its context. */
 typedef struct {
@@ -57,8 +58,8 @@ JLT_CHECKED jlt_status jlt_surface_at(void *surface_family, jlt_system **out, do
 /** The chart, in the table's units, of a system that jlt_surface_system made; its flow.chart is in the flow's units. */
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system);
 
-/** The values of one coordinate for which the section has a point, whatever the others are: an interval with ends refined by bisection,
- *  the widest one where there are several. False: the coordinate is an angle, or not bounded; or there are none. */
+/** The values of one coordinate for which the section has a point, whatever the others are: an interval with ends refined by
+ *  bisection, the widest one where there are several. False: the coordinate is an angle, or not bounded; or there are none. */
 bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high);
 
 /** What is shown beside the coordinates, and at the end of an orbit: shape (section->beside_count,), (section->ending_count,), at a

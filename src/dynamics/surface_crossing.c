@@ -24,7 +24,8 @@ static void integrals_at(const jlt_system *self, double *values, double *slopes,
     }
 }
 
-/* Whether x with another value of one state lies over the same point, on the same levels, and is crossed in the flow's direction. */
+/* Whether x with another value of one state lies over the same point, on the same levels, and is crossed in the flow's
+ * direction. */
 static bool is_over(const jlt_system *self, const double *x, const double *q, unsigned state, double value)
 {
     static const double same = 1e-9;
@@ -45,11 +46,12 @@ static bool is_over(const jlt_system *self, const double *x, const double *q, un
     return self->flow.direction == JLT_BOTH ? fabs(rate) > 0 : self->flow.direction == JLT_RISING ? rate > 0 : rate < 0;
 }
 
-/* Whether the flow crosses another state over the same point on the same levels, which differs in one state alone: in its sign, or by
- * the other root of an integral that is quadratic in it. The lift took one of the two. */
+/* Whether the flow crosses another state over the same point on the same levels, which differs in one state alone: in its sign, or
+ * by the other root of an integral that is quadratic in it. The lift took one of the two. */
 static bool has_other_root(const jlt_system *self, const double *x, const double *q, unsigned state)
 {
-    double beyond[JLT_CHART_STATES_MAX], values[JLT_CHART_INTEGRALS_MAX], slopes[JLT_CHART_INTEGRALS_MAX], farther[JLT_CHART_INTEGRALS_MAX];
+    double beyond[JLT_CHART_STATES_MAX], values[JLT_CHART_INTEGRALS_MAX], slopes[JLT_CHART_INTEGRALS_MAX],
+        farther[JLT_CHART_INTEGRALS_MAX];
     bool found = is_over(self, x, q, state, -x[state]);
 
     memcpy(beyond, x, self->field.dim * sizeof *x);
@@ -61,7 +63,10 @@ static bool has_other_root(const jlt_system *self, const double *x, const double
     return found;
 }
 
-static const jlt_chart_section *chart_of(const jlt_system *self) { return (const jlt_chart_section *)(const void *)self->flow.chart; }
+static const jlt_chart_section *chart_of(const jlt_system *self)
+{
+    return (const jlt_chart_section *)(const void *)self->flow.chart;
+}
 
 bool jlt_surface_crossing_met(const jlt_system *self)
 {
@@ -96,7 +101,10 @@ bool jlt_surface_crossing_ends_at_poles(const jlt_system *self)
         if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < section->plain; k++)
             if (x[k] == 0) x[k] = 1; /* any state will do */
+        /* Poles lie where the table says, in its units. */
+        for (unsigned k = 0; k < chart->states; k++) x[k] = ldexp(x[k], self->flow.units.state[k]);
         (void)chart->side(chart, x);
+        for (unsigned k = 0; k < chart->states; k++) x[k] = ldexp(x[k], -self->flow.units.state[k]);
         self->field.call(x, self->field.p, f);
         for (unsigned k = section->plain; k < chart->states; k++)
             if (fabs(f[k]) > 0) return false;

@@ -14,7 +14,7 @@ jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, c
 
     if (descriptor == NULL || descriptor->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
     JLT_TRY(jlt_instance_create_in(&self->instance, descriptor, params, units));
-    JLT_TRY(jlt_field_of(&self->field, descriptor, self->instance->prepared));
+    JLT_TRY(jlt_field_of(&self->field, self->instance));
     if (options != NULL) self->flow = *options;
     else self->flow.direction = JLT_RISING;
     self->flow.field = &self->field;
@@ -168,7 +168,8 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
     return JLT_OK;
 }
 
-/* Whether the reversor of a plane section keeps these integrals, to rounding, at every point: one that it changes leads to another level. */
+/* Whether the reversor of a plane section keeps these integrals, to rounding, at every point: one that it changes leads to another
+ * level. */
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)
 {

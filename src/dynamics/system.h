@@ -23,8 +23,8 @@ typedef struct {
 /** Fill instance, field, observed and flow of a system from a kernel and its parameters, shape (param_count,), in the table's
  *  units; states are counted in `units`. For functions that make systems: the chart is left to them. Errors: UNSUPPORTED, no
  *  Jacobian; DOMAIN, NONFINITE; NOMEM. */
-JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
-                                       const jlt_flow *options);
+JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params,
+                                       const jlt_units *units, const jlt_flow *options);
 
 /** The kernel on which orbits of `descriptor`, of a general field or a variant, are followed to plane sections: in the time
  *  that lifts the root of its poles, where every pole is proved, so that orbits end there; else the same. */

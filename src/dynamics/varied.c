@@ -1,11 +1,13 @@
 #include "dynamics/varied.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "dynamics/varied_batch.h"
 #include "integrate/batch.h"
 #include "integrate/gauss_batch.h"
+#include "kernel/batch_isa.h"
 
 void jlt_varied_linear(const jlt_varied *self, const double *x, double *both)
 {
@@ -57,7 +59,7 @@ static void call_on_lanes(const double *restrict x, const double *restrict p, do
     const jlt_kernel_batch *kernels = self->plain->batch;
     _Alignas(64) double both[JLT_BATCH_STATES_MAX * (1 + JLT_BATCH_STATES_MAX) * JLT_GAUSS_BATCH_NODES];
 
-    kernels->rhs_jacobian(x, self->plain->p, both, stride);
+    kernels->rhs_jacobian(x, self->spread, both, stride);
     self->products->product(x, both, out, stride, self->plain->dim, self->tangents);
 }
 
@@ -65,7 +67,7 @@ static void time_rate_on_lanes(const double *restrict x, const double *restrict 
 {
     const jlt_varied *self = (const jlt_varied *)(const void *)p;
 
-    self->plain->batch->time_factor(x, self->plain->p, out, stride);
+    self->plain->batch->time_factor(x, self->spread, out, stride);
 }
 
 jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian, unsigned tangents)
@@ -76,6 +78,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
     self->plain = plain;
     self->rhs_jacobian = rhs_jacobian;
     self->tangents = tangents;
+    self->spread = NULL;
     self->field = (jlt_field){ .dim = plain->dim * (1 + tangents) + 1,
                                .call = call,
                                .p = (const double *)(const void *)self,
@@ -90,10 +93,18 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                           .time_factor = plain->time_rate != NULL ? time_rate_on_lanes : NULL };
         self->products = jlt_varied_batch_find(kernels);
         self->field.batch = &self->batch;
+        self->spread = jlt_batch_isa_spread(kernels, plain->p, 1);
+        if (self->spread == NULL) return JLT_ERR_NOMEM;
     }
     for (unsigned i = 0; i < self->field.dim; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < plain->dim; i++)
         if (plain->scale != NULL) self->scale[i] = plain->scale[i];
         else if ((int)i == plain->root) self->scale[i] = 0;
     return JLT_OK;
+}
+
+void jlt_varied_clear(jlt_varied *self)
+{
+    free(self->spread);
+    self->spread = NULL;
 }

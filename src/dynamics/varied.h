@@ -13,13 +13,17 @@ typedef struct {
     unsigned tangents;
     jlt_field field;                  /* f and J Y and the trace of J; its parameters are this structure */
     jlt_kernel_batch batch;           /* the same on vectors, for the method gauss, */
+    double *spread;                   /* with the plain field's prepared values in every lane; owned */
     const struct jlt_varied_batch *products; /* and what multiplies there */
     double scale[JLT_VARIED_DIM_MAX]; /* tangent vectors are measured against 1 or their size */
 } jlt_varied;
 
-/** Make the field in place: it points into *self, which must stay where it is, as must `plain`. On vectors it goes where the plain
- *  field has kernels for that and at most JLT_BATCH_STATES_MAX states. Errors: UNSUPPORTED, no Jacobian is known. */
-JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian, unsigned tangents);
+/** Make the field in place, for jlt_varied_clear: it points into *self, which must stay where it is, as must `plain`. On vectors it
+ *  goes where the plain field has kernels for that and at most JLT_BATCH_STATES_MAX states. Errors: UNSUPPORTED, no Jacobian is
+ *  known; NOMEM. */
+JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian,
+                                       unsigned tangents);
+void jlt_varied_clear(jlt_varied *self); /* legal on a zeroed one */
 
 /** Field and Jacobian of the plain field: (n,) and (n, n). */
 void jlt_varied_linear(const jlt_varied *self, const double *x, double *both);

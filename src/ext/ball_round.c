@@ -5,8 +5,8 @@
 
 enum { CONDITION_BITS = 60 };
 
-/* |x| |y| / |y^H x| of a simple eigenvalue: the product of A - mu over all others is a multiple of x y^H. Where this precision does not
- * tell it *sure becomes false. */
+/* |x| |y| / |y^H x| of a simple eigenvalue: the product of A - mu over all others is a multiple of x y^H. Where this precision does
+ * not tell it *sure becomes false. */
 static double condition(bool *sure, const jlt_ball_problem *p, slong which)
 {
     acb_mat_t product, factor;

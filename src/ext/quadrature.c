@@ -41,7 +41,8 @@ jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrat
     gsl = gsl_integration_qag(&function, low, high, absolute, relative, FIRST, GSL_INTEG_GAUSS31, space, &result, &estimate);
     if (gsl != GSL_SUCCESS && c.status == JLT_OK) {
         double extrapolated = 0.0, doubt = 0.0;
-        const int again = gsl_integration_qags(&function, low, high, absolute, relative, SUBINTERVALS, space, &extrapolated, &doubt);
+        const int again = gsl_integration_qags(&function, low, high, absolute, relative, SUBINTERVALS, space, &extrapolated,
+                                               &doubt);
         if (again == GSL_SUCCESS || gsl != GSL_EROUND || doubt < estimate) gsl = again, result = extrapolated, estimate = doubt;
     }
     st = c.status;

@@ -110,7 +110,8 @@ bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
 jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
 {
     const jlt_field *field = stepper->field;
-    double whole[DIM_MAX * DIM_MAX], a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], largest = 0, defect = 0, slope = 0;
+    double whole[DIM_MAX * DIM_MAX], a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], largest = 0, defect = 0,
+                                                                                                   slope = 0;
     unsigned moving[DIM_MAX], count;
 
     *out = (jlt_approach){ .decays = false };

@@ -1,8 +1,8 @@
 /** How an orbit decays onto an equilibrium, judged by the field's Jacobian at the orbit's current point.
  *
  *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to second
- *  order. States that rest exactly and that no moving state pushes (as those across a plane in which the motion stays) are left out: an orbit on such
- *  an invariant plane decays or grows in it alone. */
+ *  order. States that rest exactly and that no moving state pushes (as those across a plane in which the motion stays) are left
+ *  out: an orbit on such an invariant plane decays or grows in it alone. */
 #ifndef JLT_INTEGRATE_APPROACH_H
 #define JLT_INTEGRATE_APPROACH_H
 

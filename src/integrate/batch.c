@@ -32,12 +32,12 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     const unsigned columns = jlt_batch_columns(map);
 
     if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
-        !(map->tolerance < 1) || map->kernels == NULL ||
+        !(map->tolerance < 1) || map->kernels == NULL || map->cases == NULL ||
         map->tangents > JLT_BATCH_COLUMNS_MAX || columns > JLT_BATCH_COLUMNS_MAX ||
         (map->watch != NULL && (map->watch->count == 0 || map->watch->count > JLT_BATCH_CONDITIONS_MAX)) ||
         (map->project != NULL && (map->tangents > 0 || map->kernels->integral_gradients == NULL ||
-                                  map->project->descriptor->integral_count >= JLT_INVARIANTS_MAX ||
-                                  map->project->descriptor->lifted_count != (map->root >= 0))))
+                                  map->project->integral_count >= JLT_INVARIANTS_MAX ||
+                                  map->project->lifted_count != (map->root >= 0))))
         return JLT_ERR_ARG;
     const size_t wide = JLT_BATCH_VECTORS * map->kernels->lanes, filled = (count + wide - 1) / wide;
     const int threads = map->threads < filled ? (int)map->threads : (int)filled; /* others would wait alone, at full speed */

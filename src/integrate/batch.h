@@ -1,7 +1,8 @@
 /** Follows many orbits at once, one in each lane of a vector: section maps by explicit Runge-Kutta methods on batched kernels.
  *
  *  Every lane has its own step, its own error control and its own fate; a finished lane is refilled from the list of
- *  starts, so that none runs empty before the list ends. Crossings are queued and refined a full vector at a time.
+ *  starts, so that none runs empty before the list ends. Crossings are queued and refined a full vector at a time. Orbits
+ *  under different parameters, or on different levels, go side by side.
  *  Lanes do not see each other: an orbit's rows do not depend on its neighbours or on its lane. */
 #ifndef JLT_INTEGRATE_BATCH_H
 #define JLT_INTEGRATE_BATCH_H
@@ -26,51 +27,62 @@ typedef enum {
     JLT_LANE_BUDGET   /* max_steps are spent on one return */
 } jlt_lane_end;
 
-/** Conditions under which the model holds, looked at after every step that is taken: those of a kernel `valid_values`. */
+/** What orbits of one map may differ in. Plain data; what it points to must live as long as it is used. */
 typedef struct {
-    jlt_kernel_lanes values; /* of the instruction set that the map's kernels have */
-    const double *p;
-    unsigned count;          /* 1 .. JLT_BATCH_CONDITIONS_MAX */
-    const double *unit;      /* (dim,), states times these are what the kernel takes; NULL: states as they are */
+    const double *p;       /* prepared values, (kernels->prepared,) */
+    double level;          /* the section is x[column] = level */
+    const double *params;  /* of `project`: what the descriptor's relation of a root takes */
+    const double *watched; /* of `watch`: prepared values, (watch->kernels->prepared,) */
+    const double *unit;    /* of `watch`: (dim,), states times these are what its kernels take; NULL: states as they are */
+} jlt_batch_case;
+
+/** Conditions under which the model holds, looked at after every step that is taken, and within it where they may be lost and come
+ *  back: those of the kernel `valid_values`. */
+typedef struct {
+    const jlt_kernel_batch *kernels; /* of the instruction set that the map's kernels have */
+    unsigned count;                  /* 1 .. JLT_BATCH_CONDITIONS_MAX */
 } jlt_batch_watch;
 
 /** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */
 typedef struct {
     const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_isa_best */
-    const double *p;                 /* prepared values */
+    const jlt_batch_case *cases;     /* the parameters of orbits, and what goes with them */
+    const size_t *case_of;           /* index of each orbit's, shape (count,); NULL: the first is that of all */
     unsigned dim;                    /* states */
     bool clock;                      /* physical time is carried as the last column, in starts, rows and ends */
     unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and
                                         after them the integral of the divergence and, asked for or not, the clock; 0: none */
     unsigned column;                 /* the section is x[column] = level */
-    double level;
     int direction;                   /* of crossings as time grows, +1: upwards; -1: downwards; 0: both */
     bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
-    double root_floor;               /* the lane ends where the root is below, and all rates are below root_rest in units of max(1, |x_i|); */
+    double root_floor;               /* the lane ends where the root is below, and all rates are below root_rest in units of max(1,
+                                        |x_i|); */
     double root_rest;                /* 0: whatever the rates; it ends anyway after max_steps, and below 1e-100 */
-    double root_least;               /* below it the root's error is measured against it: enough for an orbit that ends at the pole; the
-                                        lane of one that comes back is stalled, from where it was less accurate. 0: against itself */
+    double root_least;               /* below it the root's error is measured against it: enough for an orbit that ends at the pole;
+                                        the lane of one that comes back is stalled, from where it was less accurate. 0: against
+                                        itself */
     const jlt_domain *domain;        /* which orbits do not leave, of the map's kernels; at most JLT_BATCH_CONDITIONS_MAX
                                         conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
-    const jlt_instance *project;     /* what the kernels belong to: after every step that crosses the section, unless that would lead
-                                        back across it, orbits are put back onto their starts' levels of its integrals and, with a
-                                        root, of root^2 - radicand; NULL: not */
+    const jlt_descriptor *project;   /* what the kernels belong to: after every step that crosses the section, unless that would
+                                        lead back across it, orbits are put back onto their starts' levels of its integrals and,
+                                        with a root, of root^2 - radicand; NULL: not */
     const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries more: the least value of the conditions at
-                                        the ends of all the orbit's steps so far, that over the section with them, and whose it is */
+                                        the start and the ends of all the orbit's steps so far, that over the section with them, or
+                                        within one at whose ends they hold, if it is not positive; and whose it is */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step, orbits under way without their end; NULL: none */
 } jlt_batch_map;
 
-/** Called at each crossing, for one orbit in order of time: x (columns,), and what is watched; number counts from 1. A nonzero answer ends the run.
- *  With several threads it is called by several at once, though never for the same orbit. */
+/** Called at each crossing, for one orbit in order of time: x (columns,), and what is watched; number counts from 1. A nonzero
+ *  answer ends the run. With several threads it is called by several at once, though never for the same orbit. */
 typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
 
-/** Called once for each orbit, with its last point x (columns,), what is watched, and the number of its returns, unless the run ends before. A
- *  nonzero answer ends the run; threads as above. */
+/** Called once for each orbit, with its last point x (columns,), what is watched, and the number of its returns, unless the run
+ *  ends before. A nonzero answer ends the run; threads as above. */
 typedef int (*jlt_batch_end)(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x);
 
 typedef struct {
@@ -82,8 +94,10 @@ typedef struct {
 /** Columns of the map's starts, rows and ends: dim, and what is carried besides. */
 unsigned jlt_batch_columns(const jlt_batch_map *map);
 
-/** Follow the orbits from starts, shape (count, columns), for `returns` returns each. The error of all that is carried is controlled:
- *  that of integrals like a state's, that of tangent vectors relative to them. A start on the section, x[column] = level, does not count as a crossing.
+/** Follow the orbits from starts, shape (count, columns), for `returns` returns each. The error of all that is carried is
+ *  controlled:
+ *  that of integrals like a state's, that of tangent vectors relative to them. A start on the section, x[column] = level, does not
+ *  count as a crossing.
  *  Out: work, the work done; may be NULL. context is passed to row and end.
  *  Errors: ARG, also tangent vectors to be projected, or too many columns; UNSUPPORTED, no code here has as many lanes as the
  *  kernels; NOMEM.

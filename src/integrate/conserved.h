@@ -1,5 +1,5 @@
-/** The conserved quantities of a generated field, for watching and projecting: its integrals; and, where roots are lifted to states, the
- *  relations root^2 = radicand, which a projection onto the integrals alone would spoil. */
+/** The conserved quantities of a generated field, for watching and projecting: its integrals; and, where roots are lifted to
+ *  states, the relations root^2 = radicand, which a projection onto the integrals alone would spoil. */
 #ifndef JLT_INTEGRATE_CONSERVED_H
 #define JLT_INTEGRATE_CONSERVED_H
 
@@ -12,10 +12,10 @@ typedef struct {
     const double *prepared, *params;
 } jlt_conserved;
 
-/** The invariants of the field of `descriptor`. prepared, shape (prepared_count,), and params, shape (param_count,), are those that it is
- *  integrated with; both must live as long. keep: storage to which *out points. Errors:
+/** The invariants of the field of `descriptor`. prepared, shape (prepared_count,), and params, shape (param_count,), are those that
+ *  it is integrated with; both must live as long. keep: storage to which *out points. Errors:
  *  UNSUPPORTED, there are more than JLT_INVARIANTS_MAX. */
-JLT_CHECKED jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor, const double *prepared,
-                                        const double *params);
+JLT_CHECKED jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor,
+                                        const double *prepared, const double *params);
 
 #endif

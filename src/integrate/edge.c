@@ -89,6 +89,46 @@ bool jlt_edge_is_ahead(const jlt_stepper *stepper)
     return !(distance_of(stepper, x) > 0);
 }
 
+static double along(const double *gradient, const double *f, unsigned count)
+{
+    double sum = 0;
+    for (unsigned i = 0; i < count; i++) sum += gradient[i] * f[i];
+    return sum;
+}
+
+/* When what is `value` now and changes at `rate` comes to zero: 0 where it is beyond, INFINITY where it goes away. */
+static double time_to_zero(double value, double rate)
+{
+    if (!(value > 0)) return 0;
+    return rate < 0 ? -value / rate : INFINITY;
+}
+
+bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
+{
+    const jlt_domain *domain = &stepper->field->domain;
+    const double *x = stepper->x, *f = stepper->f, ahead_of = stepper->direction;
+    double values[JLT_REGION_CONDITIONS_MAX], first = INFINITY;
+
+    for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
+        const double below = time_to_zero(x[i] - domain->intervals[i].low, ahead_of * f[i]);
+        const double above = time_to_zero(domain->intervals[i].high - x[i], -ahead_of * f[i]);
+        if (!(fmin(below, above) < first)) continue;
+        first = fmin(below, above);
+        *out = (jlt_edge_part){ .index = i, .is_upper = above < below };
+    }
+    if (domain->conditions > 0) {
+        domain->values(x, domain->p, values);
+        domain->gradients(x, domain->p, stepper->gradients);
+    }
+    for (unsigned k = 0; k < domain->conditions; k++) {
+        const double time = time_to_zero(values[k], ahead_of * along(stepper->gradients + k * domain->states, f, domain->states));
+        if (!(time < first)) continue;
+        first = time;
+        *out = (jlt_edge_part){ .is_condition = true, .index = k };
+    }
+    return first < INFINITY;
+}
+
 /* The first zero of an event's function within the last step, which begins and ends on one side of it; at most *theta. */
 static jlt_status first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
 {
@@ -123,13 +163,6 @@ static double condition_value(void *context, const double *x)
     return values[self->index];
 }
 
-static double along(const double *gradient, const double *f, unsigned count)
-{
-    double sum = 0;
-    for (unsigned i = 0; i < count; i++) sum += gradient[i] * f[i];
-    return sum;
-}
-
 static double condition_rate(void *context, const double *x, const double *f)
 {
     const condition *self = context;
@@ -148,6 +181,24 @@ static bool stays_above(double w0, double w1, double d0, double d1)
     return least > bend / 32;
 }
 
+static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
+{
+    double x[JLT_FIELD_DIM_MAX + 1];
+
+    jlt_stepper_values(stepper, jlt_smaller(theta, 1), x);
+    return jlt_locate_value(event, x);
+}
+
+/* Whether a step's polynomial is above zero by more than it varies, as seen at both ends and at two places between: a cubic
+ * polynomial through four such values goes below the least of them by a third of that at most. */
+static bool stays_far(jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
+{
+    if (jlt_stepper_dense(stepper) != JLT_OK) return false;
+    const double left = value_at(stepper, event, 0.31), right = value_at(stepper, event, 0.64);
+    const double least = fmin(fmin(w0, w1), fmin(left, right)), most = fmax(fmax(w0, w1), fmax(left, right));
+    return least > most - least;
+}
+
 /* A method whose polynomial is free may take steps over which values and slopes at the ends tell nothing. */
 static bool has_polynomial(const jlt_method *method)
 {
@@ -159,11 +210,27 @@ jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_ev
     const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
 
     if (!(w0 > 0) || !(w1 > 0)) return JLT_OK;
+    if (has_polynomial(stepper->method) && stays_far(stepper, event, w0, w1)) return JLT_OK;
     const double d0 = stepper->h * jlt_locate_slope(event, stepper, stepper->x_start, stepper->f_start);
     const double d1 = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
     const bool moves = d0 != 0 || d1 != 0 || w0 < w1 || w0 > w1;
     if (has_polynomial(stepper->method) ? !moves : stays_above(w0, w1, d0, d1)) return JLT_OK;
     return first_zero(theta, stepper, event, 1);
+}
+
+/* Between thirds, of which the larger end goes. */
+double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta)
+{
+    double low = theta, width = 0x1p-12;
+
+    while (theta + width < 1 && value_at(stepper, event, theta + 2 * width) < value_at(stepper, event, theta + width)) width *= 2;
+    width *= 2;
+    for (int k = 0; k < BISECTIONS; k++) {
+        const double left = value_at(stepper, event, low + width / 3), right = value_at(stepper, event, low + 2 * width / 3);
+        if (left > right) low += width / 3;
+        width *= 2.0 / 3;
+    }
+    return value_at(stepper, event, low);
 }
 
 static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)

@@ -19,6 +19,10 @@ JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
  *  which it is not, if that is below *theta, else *theta as it was. */
 JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);
 
+/** The least value of such a function from theta on, until it rises again, by the polynomial of the last step, which must be
+ *  there. Cost: some 70 values of the function. */
+double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta);
+
 /** Whether the stepper's point is outside. */
 bool jlt_edge_is_outside(const jlt_stepper *stepper);
 
@@ -29,6 +33,17 @@ bool jlt_edge_reached(const jlt_stepper *stepper);
 /** Whether the orbit would be outside after going straight on for 1e-8 of the time that has passed: a field that grows beyond
  *  bounds there, or has no values outside, may let no step come nearer. */
 bool jlt_edge_is_ahead(const jlt_stepper *stepper);
+
+/** One end of the domain: a condition of its field's table, or an end of a state's interval. */
+typedef struct {
+    bool is_condition;
+    unsigned index; /* of the condition, or of the state */
+    bool is_upper;  /* of the interval's ends */
+} jlt_edge_part;
+
+/** Which of them the stepper's point is beyond, or comes to first if it goes straight on. False: the orbit comes to none. Cost:
+ *  the values of all conditions, and their gradients. */
+bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper);
 
 /** In: *theta, from jlt_edge_left. Out: *theta, 0 <= theta < 1: where the polynomial of the last step comes to half of that
  *  distance before it leaves. Cost: that of jlt_stepper_dense. Errors: its own. */

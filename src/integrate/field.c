@@ -22,9 +22,10 @@ static unsigned conditions_of(const jlt_descriptor *descriptor)
     return 0;
 }
 
-jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p)
+jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
 {
-    if (out == NULL || descriptor == NULL) return JLT_ERR_ARG;
+    if (out == NULL || instance == NULL) return JLT_ERR_ARG;
+    const jlt_descriptor *descriptor = instance->descriptor;
     if (descriptor->rhs.call == NULL) return JLT_ERR_UNSUPPORTED;
     if (descriptor->state_count == 0 || descriptor->state_count > JLT_FIELD_DIM_MAX) return JLT_ERR_UNSUPPORTED;
 
@@ -33,17 +34,17 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const 
     *out = (jlt_field){
         .dim = descriptor->state_count,
         .call = descriptor->rhs.call,
-        .p = p,
+        .p = instance->prepared,
         .time_rate = descriptor->time_factor.call,
         .jacobian = descriptor->jacobian.call,
         .jet = descriptor->jet,
         .batch = jlt_batch_isa_best(descriptor, 0),
         .domain = { .states = descriptor->state_count,
-                    .intervals = descriptor->lifted_count == 0 ? descriptor->states : NULL,
+                    .intervals = descriptor->lifted_count == 0 ? instance->states : NULL,
                     .conditions = conditions_of(descriptor),
                     .values = descriptor->domain_values.call,
                     .gradients = descriptor->domain_gradients.call,
-                    .p = p },
+                    .p = instance->prepared },
         .root = has_root ? (int)last : -1,
     };
     return JLT_OK;

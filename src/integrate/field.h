@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "core/status.h"
+#include "kernel/instance.h"
 #include "kernel/region.h"
 
 /* The largest field has 128 states, their derivatives by 128 coordinates, and one integral. */
@@ -47,10 +48,10 @@ typedef struct {
 /** Whether anything of the field's domain is to be watched: a finite interval, or a condition. */
 bool jlt_field_watches(const jlt_field *field);
 
-/** Make the field of a generated kernel. It watches the conditions of the table's domain and the intervals of its states;
- *  the latter not in a time that lifts roots to states, where it need not. The last state is taken for the root that vanishes
- *  at a pole when the kernel has a time of its own and that state is bounded below by 0. In: p, the prepared values, which must
- *  live as long as the field. Errors: UNSUPPORTED, the descriptor has no right-hand side. */
-JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
+/** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the
+ *  conditions of the table's domain and the intervals of its states; the latter not in a time that lifts roots to states, where it
+ *  need not. The last state is taken for the root that vanishes at a pole when the kernel has a time of its own and that state is
+ *  bounded below by 0. Errors: UNSUPPORTED, the descriptor has no right-hand side. */
+JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance);
 
 #endif

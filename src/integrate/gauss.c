@@ -21,6 +21,7 @@
 #include "integrate/gauss_batch.h"
 #include "integrate/gauss_coefficients.h"
 #include "integrate/step_control.h"
+#include "kernel/batch_isa.h"
 
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
 static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
@@ -41,7 +42,9 @@ typedef struct {
     double *end, *end_low;     /* (stride,): the point a step leads to, and what rounding cuts off it */
     double *end_f;             /* (stride,): the slope there */
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states, as binary logarithms */
-    double *scratch;           /* (2 dim,): without batched kernels */
+    double *scratch;           /* (2 dim,): without batched kernels; with them: */
+    double *spread;            /* the field's prepared values in every lane; NULL: there are none */
+    const double *p;           /* these, or what the field passes through */
     double dense_error;
     double rate;               /* what the last sweep of a whole step contracted by */
     bool has_past;
@@ -95,7 +98,10 @@ static jlt_status create(jlt_stepper *stepper)
     place(&self->nodes, &rows, &rest, stepper);
     place(&self->inside, &rows, &rest, stepper);
     self->batch = instance(field->batch);
-    return JLT_OK;
+    self->p = field->p;
+    if (field->batch == NULL || field->batch->prepared == 0) return JLT_OK;
+    self->p = self->spread = jlt_batch_isa_spread(field->batch, field->p, 1);
+    return self->spread == NULL ? JLT_ERR_NOMEM : JLT_OK;
 }
 
 static void destroy(jlt_stepper *stepper)
@@ -103,6 +109,7 @@ static void destroy(jlt_stepper *stepper)
     gauss *self = stepper->state;
     if (self == NULL) return;
     free(self->block);
+    free(self->spread);
     free(self);
 }
 
@@ -127,7 +134,7 @@ static void evaluate(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *n
         evaluate_by_one(self, field, nodes);
         return;
     }
-    for (unsigned i = 0; i < N; i += lanes) field->batch->rhs(nodes->x + i, field->p, nodes->f + i, N);
+    for (unsigned i = 0; i < N; i += lanes) field->batch->rhs(nodes->x + i, self->p, nodes->f + i, N);
 }
 
 /* Legendre coefficients of the solved step. */
@@ -138,7 +145,7 @@ static void expand(gauss *self, const jlt_field *field, const jlt_gauss_nodes *n
     self->batch->transform(legendre, nodes->f, jlt_gauss_legendre, field->dim);
     if (field->time_rate == NULL) return;
     for (unsigned i = 0; field->batch != NULL && i < N; i += self->batch->lanes)
-        field->batch->time_factor(nodes->x + i, field->p, rate + i, N);
+        field->batch->time_factor(nodes->x + i, self->p, rate + i, N);
     for (unsigned i = 0; field->batch == NULL && i < N; i++) {
         for (unsigned c = 0; c < field->dim; c++) self->scratch[c] = nodes->x[c * N + i];
         field->time_rate(self->scratch, field->p, rate + i);

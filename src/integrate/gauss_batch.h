@@ -22,8 +22,8 @@ typedef struct {
     void (*transform)(double *out, const double *in, const double (*table)[JLT_GAUSS_BATCH_NODES], unsigned rows);
     /* x <- origin + h * (sum over m of power[c][m] a^(m + 1)), a = length * node. */
     void (*follow)(const jlt_gauss_nodes *nodes, const double *power, double h, double length);
-    /* out (8,): binary logarithms, within 0.05, of the root of the sum over the rows c of (in[c][k] weight[c])^2; -511 or less for all
-     * that is below 2^-511, and JLT_GAUSS_SIZE_MAX or more for what is that large, infinite or NaN. */
+    /* out (8,): binary logarithms, within 0.05, of the root of the sum over the rows c of (in[c][k] weight[c])^2; -511 or less for
+     * all that is below 2^-511, and JLT_GAUSS_SIZE_MAX or more for what is that large, infinite or NaN. */
     void (*sizes)(double *out, const double *in, const double *weight, unsigned rows);
 } jlt_gauss_batch;
 

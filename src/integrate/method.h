@@ -33,7 +33,8 @@ struct jlt_method {
     unsigned (*bernstein)(jlt_stepper *self, unsigned column, double *b);
 };
 
-extern const jlt_method jlt_method_gauss, jlt_method_dop853, jlt_method_taylor, jlt_method_rk8pd, jlt_method_rkf45, jlt_method_msadams;
+extern const jlt_method jlt_method_gauss, jlt_method_dop853, jlt_method_taylor, jlt_method_rk8pd, jlt_method_rkf45,
+    jlt_method_msadams;
 
 /** The table: gauss (the default: the fastest at every accuracy in `jellett bench`), dop853, taylor, rk8pd, rkf45, msadams.
  *  NULL past the end. */

@@ -103,9 +103,14 @@ const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
     return self->stepper;
 }
 
-jlt_status jlt_orbit_first_loss(jlt_orbit *self, double *theta, const jlt_event *event)
+jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event)
 {
-    return jlt_edge_first_loss(theta, self->stepper, event);
+    *theta = INFINITY;
+    const jlt_status st = jlt_edge_first_loss(theta, self->stepper, event);
+    if (st != JLT_OK || !(*theta <= 1)) return st;
+    *least = jlt_edge_least_after(self->stepper, event, *theta);
+    if (!(*least <= 0)) *theta = INFINITY; /* the polynomial of values that are not all finite tells nothing */
+    return st;
 }
 
 void jlt_orbit_drift(const jlt_orbit *self, double *drift)
@@ -116,7 +121,8 @@ void jlt_orbit_drift(const jlt_orbit *self, double *drift)
 static bool same_event(const jlt_event *a, const jlt_event *b)
 {
     return a->value == b->value && a->context == b->context && a->rate == b->rate && a->longest_step == b->longest_step
-           && a->direction == b->direction && a->grazing == b->grazing && a->column == b->column && !(a->level < b->level) && !(a->level > b->level);
+           && a->direction == b->direction && a->grazing == b->grazing && a->column == b->column && !(a->level < b->level)
+           && !(a->level > b->level);
 }
 
 /* Crossings of all events on the last step, merged in order. */

@@ -85,9 +85,10 @@ JLT_CHECKED jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t 
 
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, the last step, counters */
 
-/** Where in the last step a function first comes to zero that is positive at both ends of it; theta: as jlt_edge_first_loss
- *  (edge.h). The step's polynomial is there then. Errors: as it. */
-JLT_CHECKED jlt_status jlt_orbit_first_loss(jlt_orbit *self, double *theta, const jlt_event *event);
+/** Where in the last step a function first comes to zero that is positive at both ends of it; *theta INFINITY: nowhere. Else *least
+ *  is its least value from there on, until it rises again, and the step's polynomial is there. Errors and cost: those of
+ *  jlt_edge_first_loss, jlt_edge_least_after (edge.h). */
+JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event);
 
 /** Largest |F_i - F_i(start)| / max(1, |F_i(start)|) over accepted points since the start. drift: (invariants.count,). */
 void jlt_orbit_drift(const jlt_orbit *self, double *drift);

@@ -21,8 +21,9 @@ typedef struct {
 } jlt_rest_watch;
 
 /** After an accepted step: whether the orbit is at its end, slow for some turns of a spiral, or nearer to its equilibrium than
- *  crossings of a section are deep (see jlt_locate_noise), where a method at its limit of stability holds speeds of the fastest rate
- *  times its errors for ever. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
+ *  crossings of a section are deep (see jlt_locate_noise), where a method at its limit of stability holds speeds of the fastest
+ *  rate times its errors for ever. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is
+ *  slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);
 
 /** Whether a slow orbit is at its end at the stepper's current point; limit, shape (dim,), then gets the equilibrium. Cost: a

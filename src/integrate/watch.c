@@ -167,7 +167,8 @@ static void bounds(double *least, double *most, const double *b, unsigned degree
 /* Neighbouring zeros between which g is but noise are none: the orbit does not leave the section there. A zero at the start and
  * one at the end count among the neighbours; they are divided out of b, the former `power` times. Returns the side that the orbit
  * is on at first, which was `side`. */
-static int drop_noise(zeros *z, const double *b, unsigned degree, unsigned power, bool at_start, bool at_end, int side, double noise)
+static int drop_noise(zeros *z, const double *b, unsigned degree, unsigned power, bool at_start, bool at_end, int side,
+                      double noise)
 {
     unsigned kept = 0;
     double last = 0;

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
+
 static bool runs(unsigned lanes)
 {
     if (lanes == 2) return true;
@@ -40,4 +42,14 @@ const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, uns
         if (kernels != NULL && kernels->lanes <= lanes && jlt_batch_isa_runs(kernels)) return kernels;
     }
     return NULL;
+}
+
+double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p, unsigned vectors)
+{
+    const size_t rows = (size_t)vectors * kernels->prepared;
+    double *block = jlt_memory_array(rows * kernels->lanes, sizeof *block);
+
+    for (size_t i = 0; block != NULL && i < rows; i++)
+        for (unsigned lane = 0; lane < kernels->lanes; lane++) block[i * kernels->lanes + lane] = p[i % kernels->prepared];
+    return block;
 }

@@ -14,6 +14,17 @@ jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *de
     return jlt_instance_create_in(instance, descriptor, params, &(jlt_units){ 0 });
 }
 
+static void count_states(jlt_quantity *states, const jlt_descriptor *descriptor, const jlt_units *units)
+{
+    for (unsigned i = 0; i < descriptor->state_count; i++) {
+        const int exponent = -jlt_units_exponent(units, descriptor->states[i].unit);
+        states[i] = descriptor->states[i];
+        states[i].low = ldexp(states[i].low, exponent);
+        states[i].high = ldexp(states[i].high, exponent);
+        states[i].period = ldexp(states[i].period, exponent);
+    }
+}
+
 jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
                                   const jlt_units *units)
 {
@@ -33,9 +44,11 @@ jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor 
     self->descriptor = descriptor;
     self->params = jlt_memory_array(descriptor->param_count, sizeof *self->params);
     self->prepared = jlt_memory_array(descriptor->prepared_count, sizeof *self->prepared);
-    if (self->params == NULL || self->prepared == NULL) goto done;
+    self->states = jlt_memory_array(descriptor->state_count, sizeof *self->states);
+    if (self->params == NULL || self->prepared == NULL || self->states == NULL) goto done;
     jlt_units_count(self->params, params, descriptor->params, descriptor->param_count, units);
     JLT_TRY(jlt_kernel_prepare_params(self->prepared, descriptor, self->params));
+    count_states(self->states, descriptor, units);
     memcpy(self->params, params, descriptor->param_count * sizeof *params);
     *instance = self;
     self = NULL; /* ownership moved to the caller */
@@ -49,6 +62,7 @@ void jlt_instance_destroy(jlt_instance *instance)
     if (instance == NULL) return;
     free(instance->params);
     free(instance->prepared);
+    free(instance->states);
     free(instance);
 }
 

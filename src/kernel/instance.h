@@ -11,6 +11,8 @@ typedef struct {
     const jlt_descriptor *descriptor;
     double *params;   /* shape (param_count,), owned, in the table's units */
     double *prepared; /* shape (prepared_count,), owned, made from params */
+    jlt_quantity *states; /* shape (state_count,), owned: those of the descriptor, with intervals and periods in the units in
+                             which states are counted */
 } jlt_instance;
 
 /** Bind a descriptor to parameters, checked against the table's conditions; expressions of parameters alone are evaluated once,

@@ -6,12 +6,13 @@
 
 enum { TABLES_MAX = 64 };
 
-/* The claim by which motions of one table are motions of the other; NULL when it makes none. A lift says where to begin there, and nothing
- * of motion; what holds under a condition on parameters leads nowhere in general. */
+/* The claim by which motions of one table are motions of the other; NULL when it makes none. A lift says where to begin there, and
+ * nothing of motion; what holds under a condition on parameters leads nowhere in general. */
 static const jlt_claim *leads(const jlt_descriptor *from, const jlt_descriptor *to)
 {
     for (const jlt_claim *claim = from->claims; claim->kind != NULL; claim++)
-        if (claim->target != NULL && strcmp(claim->target, to->sha256) == 0 && strcmp(claim->kind, "lift") != 0 && claim->condition[0] == '\0')
+        if (claim->target != NULL && strcmp(claim->target, to->sha256) == 0 && strcmp(claim->kind, "lift") != 0
+            && claim->condition[0] == '\0')
             return claim;
     return NULL;
 }

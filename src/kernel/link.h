@@ -10,9 +10,9 @@
 
 #include "kernel/way.h"
 
-/** Whether a chain of links leads from one table to the other; every table is linked to itself. Only tables that are built in, or among
- *  `others`, NULL for none, may stand between the two. Out: *broken, when the answer is no: a claim of the first that would lead to the other if it were
- *  proved, or NULL. */
+/** Whether a chain of links leads from one table to the other; every table is linked to itself. Only tables that are built in, or
+ *  among `others`, NULL for none, may stand between the two. Out: *broken, when the answer is no: a claim of the first that would
+ *  lead to the other if it were proved, or NULL. */
 bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to, const jlt_way_tables *others);
 
 #endif

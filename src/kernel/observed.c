@@ -19,7 +19,8 @@ jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of
     jlt_observed *self = NULL;
 
     *observed = NULL;
-    if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX || of->state_count > JLT_OBSERVED_STATES_MAX) goto done;
+    if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX || of->state_count > JLT_OBSERVED_STATES_MAX)
+        goto done;
     st = JLT_ERR_NOMEM;
     self = calloc(1, sizeof *self);
     if (self == NULL) goto done;
@@ -97,13 +98,13 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
     return least;
 }
 
-jlt_kernel_lanes jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes)
+const jlt_kernel_batch *jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes)
 {
     const jlt_kernel_batch *kernels = jlt_batch_isa_best(observed->general->descriptor, lanes);
 
     *p = observed->general->prepared;
     *exponents = observed->scaled ? observed->exponents : NULL;
-    return kernels != NULL && kernels->lanes == lanes ? kernels->valid_values : NULL;
+    return kernels != NULL && kernels->lanes == lanes && kernels->valid_values != NULL ? kernels : NULL;
 }
 
 double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x)

@@ -1,5 +1,6 @@
 /** Quantities that a table asks to be watched along orbits (`observe`), and conditions under which its model holds (`valid`).
- *  * The caller has states of some field of the model, in units of a problem (kernel/units.h). They are converted to the
+ *
+ *  The caller has states of some field of the model, in units of a problem (kernel/units.h). They are converted to the
  *  table's units here; values come out in the table's units. */
 #ifndef JLT_KERNEL_OBSERVED_H
 #define JLT_KERNEL_OBSERVED_H
@@ -27,18 +28,19 @@ const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed);
  *  is allocated. */
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x);
 
-/** The least of the values that the `valid` conditions have at x, shape (states,): the model holds where it is positive. NaN where none
- *  is broken and one has no value, so that nobody knows; INFINITY when there are no conditions. Out: *condition, unless NULL: the index
- *  of the condition that this is the value of; it stays as it is when the result is INFINITY. */
+/** The least of the values that the `valid` conditions have at x, shape (states,): the model holds where it is positive. NaN where
+ *  none is broken and one has no value, so that nobody knows; INFINITY when there are no conditions. Out: *condition, unless NULL:
+ *  the index of the condition that this is the value of; it stays as it is when the result is INFINITY. */
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
 /** The value of one of these conditions at x; the index must be below jlt_observed_conditions. */
 double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x);
 
-/** The conditions on vectors, for whoever has states in lanes: their kernel, of states in the table's units, whose values have shape
- *  (conditions,). Out: *p, its block; *exponents, shape (states,): states times 2^these are in those units; NULL: states as they are.
- *  NULL: there are no conditions, or the table has no kernels with so many lanes that the processor runs. */
-jlt_kernel_lanes jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes);
+/** The conditions on vectors, for whoever has states in lanes: kernels with `valid_values`, of states in the table's units, whose
+ *  values have shape (conditions,). Out: *p, prepared values for them; *exponents, shape (states,): states times 2^these are in
+ *  those units; NULL: states as they are. NULL: there are no conditions, or the table has no kernels with so many lanes that the
+ *  processor runs. */
+const jlt_kernel_batch *jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes);
 
 /** How many conditions there are, and the name of one by its index. JLT_OBSERVED_ANY stands for all of them together: its name
  *  is that of the only condition, or "valid" when there are several. */

@@ -48,3 +48,44 @@ bool jlt_region_holds(unsigned count, jlt_kernel_function values, const double *
     for (unsigned i = 0; i < count; i++) hold &= value[i] > 0;
     return hold;
 }
+
+enum { SINGLE_MAX = 64 };
+
+/* The state that alone is in a condition whose gradients, shape (states,), at two places are these, and linearly; states: none
+ * is. */
+static unsigned single_state(const double *here, const double *there, unsigned states)
+{
+    unsigned single = states;
+
+    for (unsigned i = 0; i < states; i++) {
+        if (here[i] != there[i]) return states;
+        if (here[i] == 0) continue;
+        if (single != states) return states;
+        single = i;
+    }
+    return single;
+}
+
+void jlt_region_intervals(double *low, double *high, const jlt_descriptor *descriptor, const double *prepared)
+{
+    const unsigned states = descriptor->state_count, count = descriptor->domain_count;
+    double x[SINGLE_MAX] = { 0 }, value[SINGLE_MAX], gradient[2][SINGLE_MAX * SINGLE_MAX];
+
+    for (unsigned i = 0; i < states; i++) {
+        low[i] = descriptor->states[i].low;
+        high[i] = descriptor->states[i].high;
+    }
+    if (prepared == NULL || count == 0 || count > SINGLE_MAX || states > SINGLE_MAX) return;
+    for (unsigned i = 0; i < states; i++) x[i] = 1 + i / 7.0;
+    descriptor->domain_gradients.call(x, prepared, gradient[1]);
+    for (unsigned i = 0; i < states; i++) x[i] = 0;
+    descriptor->domain_gradients.call(x, prepared, gradient[0]);
+    descriptor->domain_values.call(x, prepared, value);
+    for (unsigned k = 0; k < count; k++) {
+        const unsigned i = single_state(gradient[0] + k * states, gradient[1] + k * states, states);
+        const double end = i < states ? -value[k] / gradient[0][k * states + i] : NAN;
+        if (!isfinite(end)) continue;
+        if (gradient[0][k * states + i] > 0) low[i] = fmax(low[i], end);
+        else high[i] = fmin(high[i], end);
+    }
+}

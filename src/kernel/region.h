@@ -14,10 +14,19 @@
 JLT_CHECKED jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_descriptor *descriptor,
                                         const double *params, const double *x);
 
-enum { JLT_REGION_CONDITIONS_MAX = 512 }; /* 256 records and the ends of 128 intervals */
+enum {
+    JLT_REGION_CONDITIONS_MAX = 512, /* 256 records and the ends of 128 intervals */
+    JLT_REGION_STATES_MAX = 256      /* as in a table, with lifted roots */
+};
 
 /** Whether such conditions hold, shape (count,), at x in the units that the prepared values p are for. values: their kernel;
  *  not called when count is 0. */
 bool jlt_region_holds(unsigned count, jlt_kernel_function values, const double *p, const double *x);
+
+/** Intervals of all states at given parameters, low and high, shape (states,): the table's, within every condition of the domain
+ *  that bounds a single state by a number, as ends do that are no numbers. In: prepared, values of these parameters; NULL: no
+ *  conditions. Of tables with more than 64 states or conditions the table's intervals alone. Cost: values and gradients of the
+ *  conditions, twice. */
+void jlt_region_intervals(double *low, double *high, const jlt_descriptor *descriptor, const double *prepared);
 
 #endif

@@ -41,7 +41,8 @@ void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, un
 static int exponent_of_first(const double *params, const jlt_quantity *of, unsigned count, const char *unit)
 {
     for (unsigned i = 0; i < count; i++)
-        if (of[i].sign == JLT_POSITIVE && strcmp(of[i].unit, unit) == 0 && params[i] > 0 && isfinite(params[i])) return ilogb(params[i]);
+        if (of[i].sign == JLT_POSITIVE && strcmp(of[i].unit, unit) == 0 && params[i] > 0 && isfinite(params[i]))
+            return ilogb(params[i]);
     return 0;
 }
 

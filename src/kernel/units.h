@@ -22,13 +22,13 @@ int jlt_units_exponent(const jlt_units *units, const char *unit);
 void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 
-/** Set the units of mass and length: those in which the first positive parameter in kg, and the first in m, are in [1, 2). params, shape
- *  (count,), are in the table's units. */
+/** Set the units of mass and length: those in which the first positive parameter in kg, and the first in m, are in [1, 2). params,
+ *  shape (count,), are in the table's units. */
 void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count);
 
-/** The largest rate [1/s] that the sizes of states suggest: a state whose unit has the factor s^p, p < 0, gives |x|^(-1/p), in these units
- *  of mass and length. x, shape (count,), in the table's units; derivatives: how often x has been differentiated by time. Returns 0
- *  where no state has such a unit. */
+/** The largest rate [1/s] that the sizes of states suggest: a state whose unit has the factor s^p, p < 0, gives |x|^(-1/p), in
+ *  these units of mass and length. x, shape (count,), in the table's units; derivatives: how often x has been differentiated by
+ *  time. Returns 0 where no state has such a unit. */
 double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives);
 
 /** Set the unit of time so that half the square of this rate is in [1, 4); a rate that is 0 or not finite leaves it. */

@@ -14,7 +14,8 @@ enum { FIELDS = 32 };
 /* A text, or null for none. */
 static json_t *text_or_null(const char *text)
 {
-    json_t *string = text != NULL && text[0] != '\0' ? json_string(text) : NULL; /* NULL too where it is no UTF-8, as files may be called */
+    /* NULL too where it is no UTF-8, as files may be called */
+    json_t *string = text != NULL && text[0] != '\0' ? json_string(text) : NULL;
     return string != NULL ? string : json_null();
 }
 
@@ -27,10 +28,10 @@ static void write_json(FILE *stream, const jlt_csv_settings *s)
         if (!isnan(s->params[i])) (void)json_object_set_new(params, d->params[i].name, jlt_json_number(s->params[i]));
     for (size_t i = 0; i < s->level_count; i++)
         if (!isnan(s->levels[i])) (void)json_object_set_new(levels, s->level_names[i], jlt_json_number(s->levels[i]));
-    whole = json_pack("{s:o, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:o, s:o, s:o, s:o}", "command", text_or_null(s->command), "version",
-                      JLT_VERSION, "model", d->model, "variant", text_or_null(d->variant), "time", text_or_null(d->time),
-                      "elimination", text_or_null(d->elimination), "table", d->sha256, "generator", d->generator, "parameters", params,
-                      "levels", levels, "method", text_or_null(s->method), "tolerance",
+    whole = json_pack("{s:o, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:o, s:o, s:o, s:o}", "command", text_or_null(s->command),
+                      "version", JLT_VERSION, "model", d->model, "variant", text_or_null(d->variant), "time", text_or_null(d->time),
+                      "elimination", text_or_null(d->elimination), "table", d->sha256, "generator", d->generator, "parameters",
+                      params, "levels", levels, "method", text_or_null(s->method), "tolerance",
                       s->method != NULL ? jlt_json_number(s->tolerance) : json_null());
     char *text = whole != NULL ? json_dumps(whole, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
     if (text != NULL) fprintf(stream, "# %s\n", text);

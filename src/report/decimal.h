@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* " NAME=VALUE" for each that is not NaN. values: shape (count,). Errors of the stream are its own. */
+/* Write " NAME=VALUE" for each value that is not NaN. values: shape (count,). Errors show in ferror(stream). */
 void jlt_decimal_write_named(FILE *stream, const jlt_quantity *quantities, const double *values, size_t count);
 
-/* "NAME 0.12, NAME 3.4e-05, NAME unknown": to three digits, unknown where it is NaN. */
+/* Write "NAME 0.12, NAME 3.4e-05, NAME unknown": values to three digits, unknown for a NaN. */
 void jlt_decimal_write_rounded(FILE *stream, const jlt_quantity *quantities, const double *values, size_t count);
 
 #endif

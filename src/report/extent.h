@@ -1,4 +1,4 @@
-/** From where to where values go. */
+/** The interval that values fill. */
 #ifndef JLT_REPORT_EXTENT_H
 #define JLT_REPORT_EXTENT_H
 
@@ -11,10 +11,11 @@ typedef struct {
 #define JLT_EXTENT_NONE ((jlt_extent){ INFINITY, -INFINITY })
 #define JLT_EXTENT_OPEN ((jlt_extent){ NAN, NAN }) /* as far as the data go */
 
-/* A value more; NaN and infinity are none. */
+/* Widen the interval so that it holds the value; NaN and infinities are passed over. */
 void jlt_extent_add(jlt_extent *self, double value);
 
-/** A twentieth more on both sides, and something around a single value; OPEN where there is none. */
+/** The interval with a twentieth more on both sides, for an axis; some interval around a single value; OPEN where there is no
+ *  value. */
 jlt_extent jlt_extent_wider(jlt_extent self);
 
 #endif

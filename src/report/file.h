@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** A file on its way: written under a name of its own beside its place, then moved there. */
+/** A file that is being written: under a name of its own in the folder of its place, then moved there. */
 typedef struct {
     int descriptor;  /* to write to; closed by jlt_file_end */
     char *target;    /* the place, symbolic links followed */
@@ -20,22 +20,24 @@ typedef struct {
  *  one takes its place. On failure nothing is left. Errors: IO (errno says why), NOMEM. */
 JLT_CHECKED jlt_status jlt_file_begin(jlt_file *self, const char *path);
 
-/** Flush to the disk, and move into place. Errors: IO (errno says why). */
+/** Flush the file to the disk, and move it into place. Errors: IO (errno says why). */
 JLT_CHECKED jlt_status jlt_file_commit(jlt_file *self);
 
-/** The same with the whole lines that were written: what follows the last newline is cut; and of a file that is no text with its whole
- *  bytes, and the tail as far as there is room. A signal handler may call it: it frees nothing, and the file still has to be ended.
+/** Move into place what is whole: the lines that were written, without what follows the last newline; of a file that is no text its
+ *  first `whole` bytes, and the tail as far as there is room on the disk. A signal handler may call it: it frees nothing, and the
+ *  file still has to be ended.
  *  Errors: EMPTY, nothing is whole; IO. */
 JLT_CHECKED jlt_status jlt_file_commit_lines(const jlt_file *self);
 
-/** Write at an offset, and read what was written there. Errors: IO (errno says why). */
+/** Write `size` bytes at an offset; read them back. Errors: IO (errno says why). */
 JLT_CHECKED jlt_status jlt_file_put(const jlt_file *self, const char *data, size_t size, size_t offset);
 JLT_CHECKED jlt_status jlt_file_get(const jlt_file *self, char *data, size_t size, size_t offset);
 
-/** Close, and remove what was not moved into place. Legal when zeroed, and twice; keeps errno. */
+/** Close the file, and remove it where it was not moved into place. Legal when zeroed, and twice; keeps errno. */
 void jlt_file_end(jlt_file *self);
 
-/** All of this at once. Errors: IO (errno says why; the old file is as it was), NOMEM. Cost: one fsync. */
+/** Write a file of this content, whole or not at all. Errors: IO (errno says why; the old file is as it was), NOMEM. Cost: one
+ *  fsync. */
 JLT_CHECKED jlt_status jlt_file_write(const char *path, const char *data, size_t size);
 
 /** Whether a file could begin at this path now: to be asked before work that takes long. Errors: IO (errno says why), NOMEM. */

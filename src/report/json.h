@@ -8,15 +8,15 @@
 #include <jansson.h>
 #include <stdio.h>
 
-/* A new reference: a real, or null for NaN and infinities. */
+/* A new reference to a real, or to null for NaN and infinities. NULL, here and below: memory is out. */
 json_t *jlt_json_number(double value);
 
-/* New references: an array of numbers; an array of rows; an object with the names of `quantities` as keys. */
+/* New references to an array of numbers; to an array of rows; to an object with the names of `quantities` as keys. */
 json_t *jlt_json_numbers(const double *values, size_t count);
 json_t *jlt_json_matrix(const double *values, size_t rows, size_t columns);
 json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, size_t count);
 
-/* A new reference: a string, or null for NULL. */
+/* A new reference to a string, or to null for NULL. */
 json_t *jlt_json_string(const char *text);
 
 /** Write to a stream in memory, indented by two, 17 digits, with a newline at the end. Takes the reference.

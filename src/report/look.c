@@ -33,7 +33,11 @@ bool jlt_look_font_fits(const char *name, size_t length)
 static size_t character(const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;
-    const size_t size = c[0] < 0x80 ? 1 : c[0] >= 0xc2 && c[0] < 0xe0 ? 2 : c[0] >= 0xe0 && c[0] < 0xf0 ? 3 : c[0] >= 0xf0 && c[0] < 0xf5 ? 4 : 0;
+    const size_t size = c[0] < 0x80                   ? 1
+                        : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
+                        : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
+                        : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
+                                                      : 0;
 
     for (size_t i = 1; i < size; i++)
         if ((c[i] & 0xc0) != 0x80) return 0;
@@ -55,8 +59,9 @@ double jlt_look_points(const jlt_look *self)
     return self->points > 0 ? self->points : fmin(12, fmax(7, round(2 * (5.6 + 0.3 * self->width)) / 2));
 }
 
-/* A line of it, in single quotes. Marks that begin something in gnuplot stand by their numbers: gnuplot 5.4 takes two single quotes at the
- * start of a string for an empty one, and looks for macros beside quotes of the other kind. small: in smaller letters, for markup. */
+/* A line of it, in single quotes. Marks that begin something in gnuplot stand by their numbers: gnuplot 5.4 takes two single quotes
+ * at the start of a string for an empty one, and looks for macros beside quotes of the other kind. small: in smaller letters, for
+ * markup. */
 static void quote(FILE *stream, const char *text, size_t length, bool small)
 {
     const char *marks = small ? "'\"`@" : "'\"`@\\";
@@ -99,7 +104,8 @@ static size_t fitting(const char *text, double room, bool markup)
 
 unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup)
 {
-    /* a title stands over the middle of the axes, up to three letters beside that of the picture; below its first line a caption is small */
+    /* a title stands over the middle of the axes, up to three letters beside that of the picture; below its first line a caption is
+     * small */
     const double room = self->width * 72 / 2.54 / jlt_look_points(self) - 6.5;
     unsigned lines = 1;
     bool small = false;
@@ -155,7 +161,8 @@ static double ticks(jlt_extent range, double step)
 
 double jlt_look_step(jlt_extent range, double room)
 {
-    const double least = (range.high - range.low) / fmax(3, room), power = pow(10, floor(log10(least))), part = least / power * (1 - 1e-9);
+    const double least = (range.high - range.low) / fmax(3, room), power = pow(10, floor(log10(least))),
+                 part = least / power * (1 - 1e-9);
 
     const double round = part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10;
     /* A single tick tells no scale: then the next shorter step that puts two of them into the range. */
@@ -165,10 +172,12 @@ double jlt_look_step(jlt_extent range, double room)
     return round * power;
 }
 
-jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period, unsigned panels)
+jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period,
+                         unsigned panels)
 {
     const double two_pi = 4 * acos(0), letters = 72 / 2.54 / jlt_look_points(self) / panels;
-    /* a fourth of the width, and a third of the height, are taken by labels; a tick has room for six letters, or for nearly two lines */
+    /* a fourth of the width, and a third of the height, are taken by labels; a tick has room for six letters, or for nearly two
+     * lines */
     const double room = axis == 'x' ? 0.75 * self->width * letters / (6 * 0.55) : 0.65 * self->height * letters / 1.8;
     const int k = axis == 'y';
 
@@ -204,8 +213,11 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
     const char *colour = cloud || !self->grey ? jlt_look_colour(self, pen.colour) : pen.colour % 2 == 0 ? "#000000" : "#808080";
 
     fprintf(stream, "with %s lc rgb '%s'", dots ? "dots" : pen.with, colour);
-    if (lines) fprintf(stream, " dt %s lw %.3g", dashes[pen.dash % (sizeof dashes / sizeof *dashes)], (pen.size == 0 ? 2 : 1.2) * self->line);
-    if (points && !dots) fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
+    if (lines)
+        fprintf(stream, " dt %s lw %.3g", dashes[pen.dash % (sizeof dashes / sizeof *dashes)],
+                (pen.size == 0 ? 2 : 1.2) * self->line);
+    if (points && !dots)
+        fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
 }
 
 void jlt_look_palette(FILE *stream, const jlt_look *self)
@@ -219,7 +231,8 @@ void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count)
 {
     fputs("set palette defined (", stream);
     for (unsigned k = 0; k < count; k++)
-        fprintf(stream, "%s%g '%s', %g '%s'", k == 0 ? "" : ", ", k - 0.5, jlt_look_colour(self, k), k + 0.5, jlt_look_colour(self, k));
+        fprintf(stream, "%s%g '%s', %g '%s'", k == 0 ? "" : ", ", k - 0.5, jlt_look_colour(self, k), k + 0.5,
+                jlt_look_colour(self, k));
     fprintf(stream, ")\nset cbrange [-0.5:%g]\nunset colorbox\n", count - 0.5);
 }
 

@@ -15,7 +15,6 @@ struct jlt_npy {
     jlt_file *place;
     FILE *notes;          /* the comments: the file's tail */
     jlt_table_form form;  /* rows: those in the file */
-    char **fields;        /* of a row, shape (form.count,) */
     size_t head, width;   /* bytes before the rows, and of a row */
     char *begun;          /* the line that is not whole yet */
     size_t begun_size, begun_room;
@@ -113,7 +112,6 @@ void jlt_npy_destroy(jlt_npy *self)
     free(self->place->tail);
     self->place->tail = NULL;
     jlt_table_form_close(&self->form);
-    free(self->fields);
     free(self->begun);
     free(self->block);
     free(self);
@@ -181,59 +179,76 @@ done:
     return st;
 }
 
-/* The row behind those that wait. Returns the first column whose kind is not that of its field, or how many columns there are. */
-static size_t pack(jlt_npy *self, char *const *fields)
+/* False: the column is not of the field's kind, or too narrow. */
+static bool put_field(char *to, const jlt_table_column *column, const char *field, const char *end)
 {
-    char *to = self->block + self->held;
+    const size_t size = (size_t)(end - field);
+    uint64_t bits;
+    double value;
 
+    if (column->is_text) {
+        if (size > column->width) return false;
+        memset(to, 0, column->width);
+        memcpy(to, field, size);
+        return true;
+    }
+    if (!jlt_table_number(&value, field, end)) return false;
+    memcpy(&bits, &value, sizeof bits);
+    put_number(to, bits, sizeof bits);
+    return true;
+}
+
+/* The row behind those that wait, from its fields or, where these are NULL, from a line that has them. A column that does not take
+ * its field is widened, and the row begun again. */
+static jlt_status put_row(jlt_npy *self, char *const *fields, const char *line)
+{
+    const char *field = line;
+    char *to;
+    jlt_status st = JLT_OK;
+
+    if (self->held + self->width > BLOCK) JLT_TRY(jlt_npy_flush(self));
+    to = self->block + self->held;
     for (size_t i = 0; i < self->form.count; i++) {
         const jlt_table_column *column = &self->form.columns[i];
-        uint64_t bits;
-        double value;
-        if (column->is_text) {
-            if (strlen(fields[i]) > column->width) return i;
-            strncpy(to, fields[i], column->width);
-        } else {
-            if (!jlt_table_number(&value, fields[i])) return i;
-            memcpy(&bits, &value, sizeof bits);
-            put_number(to, bits, sizeof bits);
+        if (fields != NULL) field = fields[i];
+        const char *end = jlt_table_field_end(field);
+        if (fields == NULL && (*end == ',') != (i + 1 < self->form.count)) return JLT_ERR_ARG;
+        if (!put_field(to, column, field, end)) {
+            JLT_TRY(widen(self, i, (size_t)(end - field)));
+            return put_row(self, fields, line);
         }
         to += width_of(column);
+        field = end + 1;
     }
-    return self->form.count;
+    self->held += self->width;
+done:
+    return st;
 }
 
 jlt_status jlt_npy_row(jlt_npy *self, char *const *fields)
 {
-    size_t column;
-    jlt_status st = JLT_OK;
-
-    if (self->held + self->width > BLOCK) JLT_TRY(jlt_npy_flush(self));
-    while ((column = pack(self, fields)) < self->form.count) JLT_TRY(widen(self, column, strlen(fields[column])));
-    self->held += self->width;
-done:
-    return st;
+    return put_row(self, fields, NULL);
 }
 
 /* Names of columns: numbers, until a field shows another kind. */
 static jlt_status take_names(jlt_npy *self, char *line)
 {
     const size_t count = jlt_table_cut(NULL, 0, line);
-    jlt_status st;
+    char **names = calloc(count, sizeof *names);
+    jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
-    self->fields = calloc(count, sizeof *self->fields);
-    if (self->fields == NULL) return JLT_ERR_NOMEM;
-    for (size_t i = 0; i < count; i++, line += strlen(line) + 1) self->fields[i] = line;
-    st = jlt_table_form_open(&self->form, self->fields, count);
-    return st == JLT_OK ? measure(self) : st;
+    for (size_t i = 0; st == JLT_OK && i < count; i++, line += strlen(line) + 1) names[i] = line;
+    if (st == JLT_OK) st = jlt_table_form_open(&self->form, names, count);
+    if (st == JLT_OK) st = measure(self);
+    free(names);
+    return st;
 }
 
 static jlt_status take_line(jlt_npy *self, char *line)
 {
     if (*line == '#') return fprintf(self->notes, "%s\n", line) >= 0 ? JLT_OK : JLT_ERR_NOMEM;
     if (self->form.count == 0) return take_names(self, line);
-    if (jlt_table_cut(self->fields, self->form.count, line) != self->form.count) return JLT_ERR_ARG;
-    return jlt_npy_row(self, self->fields);
+    return put_row(self, NULL, line);
 }
 
 jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)

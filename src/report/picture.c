@@ -13,8 +13,8 @@
 static void svg(FILE *stream, const jlt_look *look)
 {
     const double dots = 96 / 2.54; /* to the cm, as CSS has them */
-    fprintf(stream, "svg size %.0f,%.0f fixed background 'white' fontscale 1.333 linewidth 0.667 font '%.*s,%.4g'", look->width * dots,
-            look->height * dots, (int)look->font_length, look->font, jlt_look_points(look));
+    fprintf(stream, "svg size %.0f,%.0f fixed background 'white' fontscale 1.333 linewidth 0.667 font '%.*s,%.4g'",
+            look->width * dots, look->height * dots, (int)look->font_length, look->font, jlt_look_points(look));
 }
 
 static void png(FILE *stream, const jlt_look *look)

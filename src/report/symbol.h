@@ -4,11 +4,11 @@
 
 #include <stdio.h>
 
-/** A name of a table in gnuplot's enhanced text: names of Greek letters as letters; what follows the first '_', and digits behind a
- *  single letter, as an index. Any other text as it stands. */
+/** Write a name of a table in gnuplot's enhanced text: names of Greek letters as letters; what follows the first '_', and digits
+ *  behind a single letter, as an index. Any other text is written as it stands. */
 void jlt_symbol_write(FILE *stream, const char *name);
 
-/** Text in enhanced text, as it stands. */
+/** Write text in enhanced text so that it is shown to the letter. */
 void jlt_symbol_plain(FILE *stream, const char *text, size_t length);
 
 #endif

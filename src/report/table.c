@@ -18,6 +18,11 @@ size_t jlt_table_cut(char **fields, size_t room, char *line)
     }
 }
 
+const char *jlt_table_field_end(const char *field)
+{
+    return field + strcspn(field, ",");
+}
+
 static bool has_name(const jlt_table_form *self, const char *name)
 {
     size_t i = 0;
@@ -53,13 +58,13 @@ void jlt_table_form_close(jlt_table_form *self)
 }
 
 /* Numbers begin as decimals do: words for numbers, such as nan, name something here. */
-bool jlt_table_number(double *value, const char *field)
+bool jlt_table_number(double *value, const char *field, const char *end)
 {
+    const char *first = *field == '-' ? field + 1 : field;
+
     *value = NAN;
-    if (*field == '\0') return true;
-    if (strchr("-.0123456789", *field) == NULL) return false;
-    if (field[0] == '-' && field[1] != '.' && (field[1] < '0' || field[1] > '9')) return false;
-    return jlt_digits_read(value, field);
+    if (field == end) return true;
+    return (*first == '.' || (*first >= '0' && *first <= '9')) && jlt_digits_read(value, field, end);
 }
 
 void jlt_table_form_see(jlt_table_form *self, char *const *fields)
@@ -69,6 +74,6 @@ void jlt_table_form_see(jlt_table_form *self, char *const *fields)
     self->rows++;
     for (size_t i = 0; i < self->count; i++) {
         jlt_table_column *column = &self->columns[i];
-        if (!column->is_text && !jlt_table_number(&value, fields[i])) column->is_text = true;
+        if (!column->is_text && !jlt_table_number(&value, fields[i], jlt_table_field_end(fields[i]))) column->is_text = true;
     }
 }

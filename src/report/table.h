@@ -9,8 +9,8 @@
 
 typedef struct {
     char *name;
-    bool is_text; /* a field that is not empty is no number */
-    size_t width; /* of texts in an array, in bytes */
+    bool is_text; /* it has a field that is neither empty nor a number */
+    size_t width; /* bytes of its texts in an array */
 } jlt_table_column;
 
 typedef struct {
@@ -25,10 +25,13 @@ size_t jlt_table_cut(char **fields, size_t room, char *line);
 JLT_CHECKED jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count);
 void jlt_table_form_close(jlt_table_form *self); /* legal when zeroed */
 
-/** See a row, shape (count,). */
+/** Look at the fields of a row, shape (count,), and learn the kinds and widths of the columns from them. */
 void jlt_table_form_see(jlt_table_form *self, char *const *fields);
 
-/** A field as a number; NaN for an empty one. False: it is none. */
-bool jlt_table_number(double *value, const char *field);
+/** Where a field ends: at a comma, or with the text. */
+const char *jlt_table_field_end(const char *field);
+
+/** A field as a number; NaN for an empty one. False: it is none. In: end, where it ends. */
+bool jlt_table_number(double *value, const char *field, const char *end);
 
 #endif

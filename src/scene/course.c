@@ -101,7 +101,8 @@ unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quan
     return self->more.count;
 }
 
-/* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no value. */
+/* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no
+ * value. */
 static bool is_inside(const jlt_course *self, const double *x)
 {
     double restored[JLT_PLAN_STATES_MAX];
@@ -138,7 +139,9 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
 {
     jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
     const jlt_course_options *o = &self->options;
-    const jlt_options to_orbit = { .tolerance = o->tolerance, .max_steps = o->max_steps, .interrupt = o->interrupt, .project = o->project };
+    const jlt_options to_orbit = {
+        .tolerance = o->tolerance, .max_steps = o->max_steps, .interrupt = o->interrupt, .project = o->project
+    };
     jlt_tier tier = self->plan.candidates[candidate].tier;
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_status st = JLT_OK;
@@ -162,7 +165,8 @@ static jlt_status tell_params(jlt_course *self)
     double y[JLT_WAY_VALUES_MAX];
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_tier_view told;
-    const jlt_status st = jlt_tier_open(&told, y, refusal, &self->plan.candidates[self->taken].tier, self->question.params, self->question.start);
+    const jlt_status st = jlt_tier_open(&told, y, refusal, &self->plan.candidates[self->taken].tier, self->question.params,
+                                        self->question.start);
 
     if (st != JLT_OK) return st;
     memcpy(kernel->params, told.instance->params, kernel->descriptor->param_count * sizeof *kernel->params);
@@ -192,7 +196,8 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     jlt_course *self = NULL;
 
     *out = NULL;
-    if (model->state_count > JLT_PLAN_STATES_MAX || model->param_count > JLT_PLAN_PARAMS_MAX || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
+    if (model->state_count > JLT_PLAN_STATES_MAX || model->param_count > JLT_PLAN_PARAMS_MAX
+        || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
         return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
@@ -335,8 +340,7 @@ static void name_edge(jlt_course *self, unsigned edge)
 
     if (leg->field.time_rate == NULL && is_near_pole(self))
         snprintf(self->edge, sizeof self->edge, "the orbit is so near a pole that in plain time nothing is left of its digits");
-    else if (edge < leg->edges.count) jlt_tier_edge_text(self->edge, &leg->edges, edge);
-    else snprintf(self->edge, sizeof self->edge, "the orbit comes to the edge of its table's domain");
+    else jlt_leg_end_text(self->edge, leg, edge);
 }
 
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)

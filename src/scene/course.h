@@ -3,7 +3,8 @@
  *
  *      JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
  *      for (...) JLT_TRY(jlt_course_to(course, t, &row));          // times in one direction, row.end == JLT_END_TIME
- *   * Rows are the same in every tier, so that tiers can be compared: states at given times, drift of integrals, observed
+ *
+ *  Rows are the same in every tier, so that tiers can be compared: states at given times, drift of integrals, observed
  *  quantities. */
 #ifndef JLT_SCENE_COURSE_H
 #define JLT_SCENE_COURSE_H
@@ -16,23 +17,24 @@ typedef struct {
     const jlt_method *method;               /* NULL: the default */
     double tolerance;                       /* of the local error, relative to scale; 0: 1e-12 */
     size_t max_steps;                       /* of one call; 0: 10^7 */
-    bool project;                           /* put the state back onto the start's levels of all integrals after every step */
+    bool project;                           /* after every step put the state back onto the start's levels of all integrals */
     const volatile sig_atomic_t *interrupt; /* may be NULL */
 } jlt_course_options;
 
 typedef struct {
     jlt_end end;              /* TIME; POLE: the orbit ends here; INTERRUPT: t was not reached */
-    double t;
+    double t;                 /* in the table's unit, the start is at 0 */
     const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
     const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
-    double least;             /* least value of the model's conditions at ends of steps since the start, or within one
-                                 that ends where all hold; INFINITY: none */
+    double least;             /* least value since the start of the model's conditions (`valid` in its table), looked at where
+                                 steps end and, where all hold there, within the step; INFINITY: the model has none */
     double lost_at;           /* time at which `least` was first seen not to be positive; NaN: never */
     const char *lost;         /* the condition that was broken then; NULL: none */
     double unknown_at;        /* time at which a condition was first seen to have no value, and none to be broken; NaN: never */
     const char *unknown;      /* that condition; NULL: none */
-    const double *more;       /* shape (jlt_course_tells_more,): what the question wants beyond; NULL: nothing; the course's own */
+    const double *more;       /* shape (jlt_course_tells_more,): what the question wants beside this, as attitude and track; NULL:
+                                 nothing; the course's own */
     int side;                 /* POLE: which one, +1 or -1 */
     unsigned pole;            /* POLE: the state that has come to an end of its interval */
     const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message; the course's own */
@@ -40,9 +42,9 @@ typedef struct {
 
 typedef struct jlt_course jlt_course;
 
-/** Create the course. *question and *plan are copied, with params and start; descriptors they point to must live as long as the
- *  course. Out: *out, NULL on failure. Errors: UNSUPPORTED (no kernel; project with more integrals than are served), those of
- *  jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
+/** Create the course of the tier that plan->chosen names. *question and *plan are copied, with params and start; descriptors they
+ *  point to must live as long as the course. Out: *out, NULL on failure. Errors: UNSUPPORTED (no kernel; project with more
+ *  integrals than are served), those of jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
 JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                                          const jlt_course_options *options);
 void jlt_course_destroy(jlt_course *self); /* NULL is legal */
@@ -53,7 +55,8 @@ void jlt_course_destroy(jlt_course *self); /* NULL is legal */
  *  or has x NULL, lost_at and unknown_at NaN when there is none; ARG (t turns back). */
 JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
 
-/** The kernel that is integrated, bound to its parameters and levels; with quadratures the asked model's own. */
+/** The kernel that is integrated, bound to its parameters and levels; with quadratures, which integrate nothing, the asked
+ *  model's. */
 const jlt_instance *jlt_course_kernel(const jlt_course *self);
 
 /** Number and names of the integrals watched. */
@@ -68,7 +71,8 @@ unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quanti
  *  asked model's states alone, which is no continuation of these: from there on they are NaN. */
 unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quantities, unsigned *states);
 
-/** Where one tier gave over to another: how often, and the time, both names, and why the first one ended. */
+/** How often one tier has given over to the next; and of change number `index` its time, the names of both, and why the first one
+ *  ended. */
 unsigned jlt_course_changes(const jlt_course *self);
 void jlt_course_change(const jlt_course *self, unsigned index, double *t, const char **from, const char **to, const char **why);
 

@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-enum { ROUNDS = 60 };
-
 jlt_status jlt_course_conditions_open(jlt_course_conditions *out, const jlt_descriptor *model, const double *params,
                                       const jlt_units *units)
 {
@@ -46,29 +44,6 @@ static double value_of(void *context, const double *y)
     return jlt_observed_condition_value(self->conditions->observed, self->index, x);
 }
 
-static double value_at(watched *one, const jlt_stepper *stepper, double theta)
-{
-    double y[JLT_WAY_VALUES_MAX + 1];
-
-    jlt_stepper_values(stepper, theta < 1 ? theta : 1, y);
-    return value_of(one, y);
-}
-
-/* The least value after the loss at theta, until it rises again: between thirds, of which the larger end goes. */
-static double least_after(watched *one, const jlt_stepper *stepper, double theta)
-{
-    double low = theta, width = 0x1p-12;
-
-    while (theta + width < 1 && value_at(one, stepper, theta + 2 * width) < value_at(one, stepper, theta + width)) width *= 2;
-    width *= 2;
-    for (int k = 0; k < ROUNDS; k++) {
-        const bool falls = value_at(one, stepper, low + width / 3) > value_at(one, stepper, low + 2 * width / 3);
-        if (falls) low += width / 3;
-        width *= 2.0 / 3;
-    }
-    return value_at(one, stepper, low);
-}
-
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(leg->orbit);
@@ -77,11 +52,11 @@ void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_le
 
     for (unsigned i = 0; isnan(self->lost_at) && i < jlt_observed_conditions(self->observed); i++) {
         watched one = { self, leg, i };
-        double theta = INFINITY;
+        double theta, least;
         const jlt_event event = { .value = value_of, .context = &one };
-        if (jlt_orbit_first_loss(leg->orbit, &theta, &event) != JLT_OK || theta > 1) continue;
+        if (jlt_orbit_loss(leg->orbit, &theta, &least, &event) != JLT_OK || theta > 1) continue;
         jlt_stepper_values(stepper, theta, y);
-        self->least = fmin(self->least, least_after(&one, stepper, theta));
+        self->least = fmin(self->least, least);
         self->lost_at = jlt_leg_time(leg, stepper->columns > dim ? y[dim] : stepper->tau_start + theta * stepper->h);
         self->lost = jlt_observed_condition(self->observed, i);
     }

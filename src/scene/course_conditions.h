@@ -1,4 +1,4 @@
-/** What a course sees of the conditions under which its model holds. Used by course.c. */
+/** The conditions under which a model holds (`valid` in its table), as they are seen along a course. Used by course.c. */
 #ifndef JLT_SCENE_COURSE_CONDITIONS_H
 #define JLT_SCENE_COURSE_CONDITIONS_H
 
@@ -13,16 +13,19 @@ typedef struct {
     const char *unknown;
 } jlt_course_conditions;
 
-/** Errors: those of jlt_observed_create. */
+/** Begin to watch the conditions of `model`. In: params, shape (param_count,), in the table's units; units, those of the states
+ *  that will be looked at. Errors: those of
+ *  jlt_observed_create. */
 JLT_CHECKED jlt_status jlt_course_conditions_open(jlt_course_conditions *out, const jlt_descriptor *model, const double *params,
                                                   const jlt_units *units);
 void jlt_course_conditions_close(jlt_course_conditions *self); /* legal on zeros */
 
-/** Note the values at x, at time t. The answer: no condition is known to be broken, and one, *unknown, has no value there. */
+/** Look at the conditions at time t in the state x, shape (states of the asked model,). Returns true where none is known to be
+ *  broken but one has no value there; *unknown is its name then. */
 bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x);
 
-/** Note a condition that holds at both ends of the last step of a leg, but not in between. Cost: for each condition 13 values
- *  by methods with a polynomial of their own; by others two values and their slopes, and more where it comes near zero. */
+/** Look within the last step of a leg for a condition that holds at both its ends, but not in between. Cost: for each condition 13
+ *  values by methods with a polynomial of their own; by others two values and their slopes, and more where it comes near zero. */
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg);
 
 #endif

@@ -15,7 +15,8 @@ static bool agree(const double *told, const double *counted, const jlt_quantity 
 jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x, const jlt_units *units)
 {
     const jlt_descriptor *model = tier->asked;
-    double counted_params[JLT_PLAN_PARAMS_MAX], counted_x[JLT_PLAN_STATES_MAX], y[2][JLT_WAY_VALUES_MAX], back[2][JLT_WAY_VALUES_MAX];
+    double counted_params[JLT_PLAN_PARAMS_MAX], counted_x[JLT_PLAN_STATES_MAX], y[2][JLT_WAY_VALUES_MAX],
+        back[2][JLT_WAY_VALUES_MAX];
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_tier_view told = { .instance = NULL }, view = { .instance = NULL };
     jlt_tier there = *tier;
@@ -32,7 +33,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
         const jlt_descriptor *kernel = view.instance->descriptor;
         jlt_tier_extract(&told, back[0], y[0]);
         jlt_tier_extract(&view, back[1], y[1]);
-        if (agree(told.instance->params, view.instance->params, kernel->params, kernel->param_count, units)
+        if (memcmp(told.instance->params, view.instance->params, kernel->param_count * sizeof *told.instance->params) == 0
             && agree(y[0], y[1], kernel->states, kernel->state_count, units)
             && agree(back[0], back[1], model->states, model->state_count, units))
             JLT_TRY(jlt_instance_scales(serves, kernel, told.instance->params, units));

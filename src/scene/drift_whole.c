@@ -66,7 +66,7 @@ jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, 
     jlt_units_count(out->start, out->start, field->states, field->state_count, &system->units);
     jlt_units_count(out->params, told, field->params, field->param_count, &system->units);
     JLT_TRY(jlt_instance_create_in(&out->instance, field, told, &system->units));
-    JLT_TRY(jlt_field_of(&out->field, field, out->instance->prepared));
+    JLT_TRY(jlt_field_of(&out->field, out->instance));
     JLT_TRY(jlt_conserved_of(&out->invariants, &out->conserved, field, out->instance->prepared, out->params));
 done:
     if (st != JLT_OK) jlt_drift_whole_close(out);
@@ -95,7 +95,7 @@ static void end_by(jlt_drift_end *end, const jlt_drift_whole *whole, const jlt_o
 {
     const jlt_descriptor *field = whole->instance->descriptor;
     const unsigned pole = field->pole_count > 0 ? field->poles[0].state : 0;
-    const jlt_quantity *q = &field->states[pole];
+    const jlt_quantity *q = &whole->instance->states[pole];
     const jlt_fate fate = at->end == JLT_END_OBSERVER                 ? JLT_FATE_EQUILIBRIUM
                           : at->x[pole] - q->low > q->high - at->x[pole] ? JLT_FATE_POLE_PLUS
                                                                       : JLT_FATE_POLE_MINUS;
@@ -105,7 +105,8 @@ static void end_by(jlt_drift_end *end, const jlt_drift_whole *whole, const jlt_o
     end->returns = returns;
 }
 
-jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt_method *method, const jlt_drift_whole *whole, bool project)
+jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt_method *method, const jlt_drift_whole *whole,
+                                  bool project)
 {
     const jlt_flow *flow = &self->system->flow;
     const jlt_event section = { .column = whole->column, .level = whole->level, .direction = flow->direction };

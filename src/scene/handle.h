@@ -1,11 +1,12 @@
 /** Orbits behind opaque handles: pointers, numbers, strings and arrays alone, so that other languages need lay out no
- *  structure.  *
+ *  structure.
+ *
  *      jlt_handle_section *section = NULL;
  *      JLT_TRY(jlt_handle_section_known(&section, "MODEL", NULL, NULL, 0, 0));         // all values as they are by default
  *      JLT_TRY(jlt_handle_section_start(section, q, +1));
  *      JLT_TRY(jlt_handle_section_returns(section, points, t, NULL, &done, &fate, 100));
  *      jlt_handle_section_destroy(section);
- *   *
+ *
  *  model: the name of one that is built in, or the path, with a slash, of an object that `ttc build` has made; objects stay
  *  loaded. names and values, shape (count,): what differs from the defaults, in any order; names may be NULL where count is 0.
  *  tolerance: of a step, as in integrate/method.h; 0: 1e-12. A fate is a whole number that says what became of an orbit: 0 is

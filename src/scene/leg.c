@@ -1,14 +1,17 @@
 #include "scene/leg.h"
 
+#include <stdio.h>
 #include <string.h>
+
+#include "integrate/edge.h"
 
 /* The image by a reversor runs back in time. */
 static int sense(const jlt_leg *self) { return self->view.mirror != NULL ? -1 : 1; }
 
 double jlt_leg_time(const jlt_leg *self, double t) { return sense(self) * t; }
 
-jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const double *params, const double *x, double t, int direction,
-                        const jlt_method *method, const jlt_options *to_orbit)
+jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const double *params, const double *x, double t,
+                        int direction, const jlt_method *method, const jlt_options *to_orbit)
 {
     jlt_options options = *to_orbit;
     jlt_status st = JLT_OK;
@@ -17,8 +20,8 @@ jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const
     JLT_TRY(jlt_tier_open(&out->view, out->y, refusal, tier, params, x));
     const jlt_instance *instance = out->view.instance;
     JLT_TRY(jlt_tier_edges_open(&out->edges, &out->view));
-    JLT_TRY(jlt_field_of(&out->field, instance->descriptor, instance->prepared));
-    memcpy(out->params, instance->params, instance->descriptor->param_count * sizeof *out->params);
+    JLT_TRY(jlt_field_of(&out->field, instance));
+    jlt_units_count(out->params, instance->params, instance->descriptor->params, instance->descriptor->param_count, &tier->units);
     if (options.project)
         JLT_TRY(jlt_conserved_of(&options.invariants, &out->conserved, instance->descriptor, instance->prepared, out->params));
     JLT_TRY(jlt_orbit_create(&out->orbit, method, &out->field, &options));
@@ -33,6 +36,25 @@ void jlt_leg_close(jlt_leg *self)
     jlt_tier_edges_close(&self->edges);
     jlt_tier_close(&self->view);
     *self = (jlt_leg){ .t = 0 };
+}
+
+void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
+{
+    const jlt_descriptor *kernel = self->view.instance->descriptor;
+    jlt_edge_part part;
+
+    if (edge < self->edges.count) {
+        jlt_tier_edge_text(text, &self->edges, edge);
+        return;
+    }
+    const int used = snprintf(text, JLT_TIER_TEXT_MAX, "the orbit comes to the edge of the domain of %s", kernel->model);
+    if (used < 0 || used >= JLT_TIER_TEXT_MAX || !jlt_edge_ahead(&part, jlt_orbit_stepper(self->orbit))) return;
+    const size_t left = JLT_TIER_TEXT_MAX - (size_t)used;
+    if (part.is_condition)
+        snprintf(text + used, left, ": %s needs %s", kernel->domains[part.index].name, kernel->domains[part.index].text);
+    else
+        snprintf(text + used, left, ": %s is at the end %.10g of its interval", kernel->states[part.index].name,
+                 part.is_upper ? kernel->states[part.index].high : kernel->states[part.index].low);
 }
 
 jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome, unsigned *edge)

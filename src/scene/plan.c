@@ -19,7 +19,8 @@ static const char *unproved(const jlt_claim **broken, const jlt_tier *tier)
 {
     *broken = NULL;
     for (unsigned i = 0; i < tier->way_count; i++)
-        if (!jlt_way_holds(broken, tier->from[i], tier->ways[i], i + 1 < tier->way_count ? tier->from[i + 1] : tier->table)) return want_of(*broken);
+        if (!jlt_way_holds(broken, tier->from[i], tier->ways[i], i + 1 < tier->way_count ? tier->from[i + 1] : tier->table))
+            return want_of(*broken);
     if (tier->elimination == NULL || tier->elimination[0] == '\0') return NULL;
     *broken = jlt_descriptor_claim(tier->asked, "eliminate", tier->elimination);
     if (*broken != NULL && (*broken)->verdict != JLT_PROVED) return want_of(*broken);
@@ -64,7 +65,8 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
     else JLT_TRY(try_tier(&c, question));
     if (question->section && (c.descriptor == NULL || c.descriptor->family[0]->section_count == 0 || tier->elimination[0] != '\0'))
         refusal = "its table describes no section";
-    else if (c.refusal[0] == '\0' && refusal == NULL && question->more && (tier->elimination[0] != '\0' || !jlt_course_more_is_told(tier->table, question->model)))
+    else if (c.refusal[0] == '\0' && refusal == NULL && question->more
+             && (tier->elimination[0] != '\0' || !jlt_course_more_is_told(tier->table, question->model)))
         refusal = "its table observes no more than the model's";
     if (c.refusal[0] == '\0' && refusal == NULL) refusal = unproved(&c.broken, tier);
     if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
@@ -73,7 +75,8 @@ done:
     return st;
 }
 
-/* A tier serves by the first of the ways to its table by which it does; where it does by none, the first says why. Errors: NOMEM. */
+/* A tier serves by the first of the ways to its table by which it does; where it does by none, the first says why. Errors:
+ * NOMEM. */
 static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
     jlt_status st = judge_way(out, tier, question);
@@ -107,8 +110,8 @@ jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
         found = true;
     }
     st = JLT_ERR_UNSUPPORTED;
-    if (!found) goto done;
     *out = plan;
+    if (!found) goto done;
     if (plan.candidates[plan.chosen].refusal[0] == '\0') st = JLT_OK;
 done:
     return st;

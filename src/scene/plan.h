@@ -14,8 +14,8 @@ typedef struct {
     const jlt_descriptor *model; /* the general field that was asked about */
     const double *params;        /* shape (model->param_count,), checked */
     const double *start;         /* shape (model->state_count,), checked; NULL: any */
-    bool more;                   /* the tier's table is to observe what the asked one does not */
-    bool section;                /* a table that describes a section is needed */
+    bool more;                   /* the tier's table must observe something that the asked one does not */
+    bool section;                /* the tier's table must describe a section */
     const char *tier;            /* take this tier; NULL: the planner chooses; "model": the asked model's own kernel in t */
     const jlt_way_tables *others; /* tables beside those that are built in; NULL: none */
 } jlt_question;
@@ -30,19 +30,20 @@ typedef struct {
 typedef struct {
     jlt_candidate candidates[JLT_TIERS_MAX]; /* from the smallest */
     unsigned count, chosen;
-    bool forced;                      /* by name */
+    bool forced;                      /* the question named the tier */
     const jlt_descriptor *reduced;    /* the asked model's most special kernel in t: its integrals are watched */
 } jlt_plan;
 
-/** Why a candidate does not serve, with the claim that is not proved: "...: reduction level: dG/dt = ...". */
+/** Say in words why a candidate does not serve, with the claim that is not proved: "...: reduction level: dG/dt = ...". Out: text,
+ *  `size` bytes. */
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
 
 /** Make the plan. Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that
  *  tier, and its refusal says why); NOMEM. */
 JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);
 
-/** Whether a candidate serves for an orbit of the question from another start, shape (states,), as where an orbit leaves what a
- *  smaller tier covers. Out: by, its tier by the way that leads there from it. */
+/** Whether a candidate serves for the question's orbit from another start, shape (states,): from where the orbit has left what a
+ *  smaller tier covers. Out: by, the candidate's tier, by that of its ways which leads there from this start. */
 bool jlt_plan_serves(jlt_tier *by, const jlt_candidate *candidate, const jlt_question *question, const double *start);
 
 /** Name of the chosen tier. */

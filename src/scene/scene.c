@@ -98,7 +98,8 @@ static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config
     r->solve = config_setting_get_member(entry, "solve");
     if (r->section != NULL && jlt_schema_key(&key, job->known, "section")
         && (config_setting_is_group(r->section) == CONFIG_FALSE || config_setting_length(r->section) != 1))
-        return jlt_value_complain(r, jlt_value_line(r->section), "'section' takes one state and its value, { z = 27; }, or a name in quotation marks");
+        return jlt_value_complain(r, jlt_value_line(r->section),
+                                  "'section' takes one state and its value, { z = 27; }, or a name in quotation marks");
     JLT_TRY(share(r, job, entry, root));
     for (int i = 0; i < config_setting_length(entry); i++) {
         const config_setting_t *member = config_setting_get_elem(entry, (unsigned)i);
@@ -129,7 +130,8 @@ static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *
         while (k < sizeof known / sizeof *known && strcmp(known[k], name) != 0) k++;
         if (k == sizeof known / sizeof *known)
             return jlt_value_complain(r, jlt_value_line(member),
-                            "unknown key '%s' (a scene knows title, model, parameters, levels, accuracy, compute, over, piece)", name);
+                            "unknown key '%s' (a scene knows title, model, parameters, levels, accuracy, compute, over, "
+                            "piece)", name);
         if (k < 2 && config_setting_type(member) != CONFIG_TYPE_STRING)
             return jlt_value_complain(r, jlt_value_line(member), "'%s' takes a text in quotation marks", name);
         if (((k >= 2 && k < 5) || k == 6) && config_setting_is_group(member) == CONFIG_FALSE)

@@ -8,8 +8,8 @@
  *                    grid = { angle = (-3, 3, 25); rate = (-0.9, 0.9, 19); };
  *                    returns = 300; output = "map.csv"; plot = "map.svg"; } );
  *
- *  A study, which `jellett sweep` deals out, has `over = { l = (1, 2, 11); };` as well: parameters and levels that run, and `piece`, how many
- *  points of its command's grid are computed at a stretch.
+ *  A study, which `jellett sweep` deals out, has `over = { l = (1, 2, 11); };` as well: parameters and levels that run, and
+ *  `piece`, how many points of its command's grid are computed at a stretch.
  *
  *  Each entry of `compute` asks for one command; its keys are the options of that command, under the same names but for
  *  parameters (--set), levels (--level) and tolerance (--tol). `parameters`, `levels` and `accuracy` of the whole file are
@@ -34,21 +34,21 @@ typedef struct {
 } jlt_scene_option;
 
 typedef struct {
-    char *what;     /* the command */
-    const struct argp *known; /* its options */
-    char *model;    /* its operand; NULL when the scene names none */
-    jlt_scene_option *options;
+    char *what;     /* name of the command */
+    const struct argp *known; /* the options that the command has */
+    char *model;    /* its operand MODEL; NULL when the scene names none */
+    jlt_scene_option *options; /* (count,): those that are given */
     size_t count;
-    unsigned line;
+    unsigned line;  /* where the entry begins in the file */
 } jlt_scene_job;
 
 typedef struct {
     char *file, *title;
     char *over;     /* of a study, NAME=LOW:HIGH:COUNT,...; NULL: nothing runs beside the command's own grid */
     unsigned over_line;
-    size_t piece;   /* 0: not said */
-    const struct jlt_descriptor *model;
-    jlt_scene_job *jobs;
+    size_t piece;   /* points of the command's grid that are computed at a stretch; 0: not said */
+    const struct jlt_descriptor *model; /* the general field of the scene's model */
+    jlt_scene_job *jobs; /* (count,): entries of `compute` */
     size_t count;
 } jlt_scene;
 

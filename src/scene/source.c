@@ -89,8 +89,10 @@ static jlt_status check(const char *text, const jlt_value_reader *r)
         if (other_base)
             return jlt_value_complain(r, line, "%.*s: numbers are decimal", next - at > 64 ? 64 : (int)(next - at), at);
         if (too_large)
-            return jlt_value_complain(r, line, "the whole number %.*s is too large (up to 9223372036854775807 it takes an L behind it; "
-                                      "beyond, write a decimal point)", next - at > 64 ? 64 : (int)(next - at), at);
+            return jlt_value_complain(r, line,
+                                      "the whole number %.*s is too large (up to 9223372036854775807 it takes an L behind it; "
+                                      "beyond, write a decimal point)",
+                                      next - at > 64 ? 64 : (int)(next - at), at);
         if (next == NULL && (isalpha((unsigned char)*at) || *at == '_'))
             for (next = at; isalnum((unsigned char)*next) || *next == '_' || *next == '-';) next++;
         if (next == NULL) next = at + 1;

@@ -62,7 +62,8 @@ static void add_eliminations(list *l, const jlt_tier *of)
         tier->elimination = (*d)->elimination;
         tier->dimension = (*d)->state_count;
         snprintf(tier->name, sizeof tier->name, "%s", (*d)->elimination);
-        snprintf(tier->meaning, sizeof tier->meaning, "a level of %s with %s eliminated: loses digits where %s hardly depends on it",
+        snprintf(tier->meaning, sizeof tier->meaning,
+                 "a level of %s with %s eliminated: loses digits where %s hardly depends on it",
                  of->asked->integrals[(*d)->level_integral].name, of->asked->states[(*d)->eliminated_state].name,
                  of->asked->integrals[(*d)->level_integral].name);
     }
@@ -186,7 +187,8 @@ bool jlt_tier_find(jlt_tier *out, const jlt_descriptor *asked, const jlt_way_tab
     const bool own = strcmp(name, "model") == 0;
 
     for (unsigned i = 0; i < count; i++)
-        if (own ? tiers[i].table == asked && *tiers[i].time == '\0' && *tiers[i].elimination == '\0' : strcmp(tiers[i].name, name) == 0) {
+        if (own ? tiers[i].table == asked && *tiers[i].time == '\0' && *tiers[i].elimination == '\0'
+                : strcmp(tiers[i].name, name) == 0) {
             *out = tiers[i];
             if (own) snprintf(out->name, sizeof out->name, "%s", name);
             return true;

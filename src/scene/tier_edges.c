@@ -16,7 +16,8 @@ static double table_room(void *context, const double *y)
     return ldexp(values[edge->index], edge->exponent);
 }
 
-/* By which power of two a condition's value grows with the change to the tier's units: events are looked for with numbers of the order of
+/* By which power of two a condition's value grows with the change to the tier's units: events are looked for with numbers of the
+ * order of
  * 1. 0 where terms of different dimensions make it no such power. */
 static int exponent_of(const jlt_tier_edges *edges, unsigned index)
 {
@@ -51,8 +52,8 @@ static linear split(const jlt_tier_edges *edges, const double *y)
     return out;
 }
 
-/* w = (level - rest)/slope has an error of rounding (|level| + |rest|)/|slope|: more than three digits are lost where that is above a
- * thousand roundings of max(1, |w|). */
+/* w = (level - rest)/slope has an error of rounding (|level| + |rest|)/|slope|: more than three digits are lost where that is above
+ * a thousand roundings of max(1, |w|). */
 static double slope_room(void *context, const double *y)
 {
     const linear l = split(((const jlt_tier_edge *)context)->edges, y);
@@ -115,8 +116,9 @@ void jlt_tier_edge_text(char *text, const jlt_tier_edges *edges, unsigned index)
     const jlt_descriptor *kernel = edges->view->instance->descriptor, *table = edges->view->tier.table;
 
     if (edges->full != NULL)
-        snprintf(text, JLT_TIER_TEXT_MAX, "%s hardly contains %s, and does not tell it", table->integrals[kernel->level_integral].name,
-                 table->states[kernel->eliminated_state].name);
-    else snprintf(text, JLT_TIER_TEXT_MAX, "%s does not hold, where the coordinates of the tier %s are good", edges->general->tier_conditions[index].text,
-                  edges->view->tier.name);
+        snprintf(text, JLT_TIER_TEXT_MAX, "%s hardly contains %s, and does not tell it",
+                 table->integrals[kernel->level_integral].name, table->states[kernel->eliminated_state].name);
+    else
+        snprintf(text, JLT_TIER_TEXT_MAX, "%s does not hold, where the coordinates of the tier %s are good",
+                 edges->general->tier_conditions[index].text, edges->view->tier.name);
 }

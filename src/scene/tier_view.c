@@ -23,7 +23,9 @@ static jlt_status refuse(char *refusal, const char *format, ...)
 
 static jlt_status refuse_param(char *refusal, const jlt_quantity *param)
 {
-    static const char *const conditions[] = { [JLT_ANY_SIGN] = "", [JLT_POSITIVE] = " > 0", [JLT_NONNEGATIVE] = " >= 0", [JLT_NONZERO] = " != 0" };
+    static const char *const conditions[] = {
+        [JLT_ANY_SIGN] = "", [JLT_POSITIVE] = " > 0", [JLT_NONNEGATIVE] = " >= 0", [JLT_NONZERO] = " != 0"
+    };
 
     return refuse(refusal, "its table asks for %s%s", param->name, conditions[param->sign]);
 }
@@ -67,12 +69,13 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         const jlt_way *way = tier->ways[i];
         const jlt_descriptor *target = i + 1 < tier->way_count ? tier->from[i + 1] : tier->table;
         const jlt_way_condition *broken = find_broken(view, i, at);
-        double next[JLT_WAY_VALUES_MAX];
+        double next[JLT_WAY_VALUES_MAX], told[JLT_WAY_VALUES_MAX], told_params[JLT_WAY_VALUES_MAX];
         const jlt_region *region;
         double value;
         size_t index;
 
-        if (way->param_count > JLT_WAY_VALUES_MAX || way->state_count > JLT_WAY_VALUES_MAX) return refuse(refusal, "its table is too large");
+        if (way->param_count > JLT_WAY_VALUES_MAX || way->state_count > JLT_WAY_VALUES_MAX)
+            return refuse(refusal, "its table is too large");
         if (broken != NULL) return refuse(refusal, "the %s %s serves where %s", way->kind, way->name, broken->text);
         if (at == NULL) {
             double *params = view->params[i + 1];
@@ -86,10 +89,13 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         st = jlt_way_follow(way, next, view->params[i + 1], at, view->params[i]);
         if (st == JLT_ERR_DOMAIN) return refuse(refusal, "an angle of the %s %s has no value at the start", way->kind, way->name);
         if (st != JLT_OK) return refuse(refusal, "the %s %s leads nowhere from the start", way->kind, way->name);
-        if (jlt_descriptor_check_params(target, view->params[i + 1], &index) != JLT_OK) return refuse_param(refusal, &target->params[index]);
-        if (jlt_descriptor_check_state(target, next, &index) != JLT_OK)
+        if (jlt_descriptor_check_params(target, view->params[i + 1], &index) != JLT_OK)
+            return refuse_param(refusal, &target->params[index]);
+        jlt_units_restore(told, next, target->states, target->state_count, &tier->units);
+        jlt_units_restore(told_params, view->params[i + 1], target->params, target->param_count, &tier->units);
+        if (jlt_descriptor_check_state(target, told, &index) != JLT_OK)
             return refuse(refusal, "%s would lie outside its interval", target->states[index].name);
-        if (jlt_region_check(&region, &value, target, view->params[i + 1], next) != JLT_OK)
+        if (jlt_region_check(&region, &value, target, told_params, told) != JLT_OK)
             return refuse(refusal, "it would lie outside the domain of %s", target->model);
         memcpy(at, next, target->state_count * sizeof *at);
     }
@@ -128,7 +134,8 @@ static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *
 
     if (general == NULL || general->param_count > JLT_WAY_VALUES_MAX || general->state_count > JLT_WAY_VALUES_MAX)
         return refuse(refusal, "its kernel is not built in, or too large");
-    if (general->tier_condition_count > JLT_TIER_EDGES_MAX) return refuse(refusal, "its coordinates end at more than %d edges", JLT_TIER_EDGES_MAX);
+    if (general->tier_condition_count > JLT_TIER_EDGES_MAX)
+        return refuse(refusal, "its coordinates end at more than %d edges", JLT_TIER_EDGES_MAX);
     if (is_eliminated(tier)) st = find_level(&level, view, general, x);
     if (st == JLT_ERR_UNSUPPORTED) return refuse(refusal, "more than %d integrals", JLT_WAY_VALUES_MAX);
     if (st != JLT_OK) return st;
@@ -136,7 +143,8 @@ static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *
         params[i] = jlt_descriptor_param(tier->table, general->params[i].name, &index) ? of_table[index] : level;
     kernel = jlt_descriptor_choose(tier->table, tier->time, tier->elimination, params);
     if (kernel == NULL || kernel->rhs.call == NULL) return refuse(refusal, "its kernel is not built in");
-    st = jlt_instance_create(&view->instance, kernel, params);
+    jlt_units_restore(params, params, kernel->params, kernel->param_count, &tier->units);
+    st = jlt_instance_create_in(&view->instance, kernel, params, &tier->units);
     if (st == JLT_ERR_DOMAIN && jlt_descriptor_check_params(kernel, params, &index) != JLT_OK)
         return refuse_param(refusal, &kernel->params[index]);
     if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_DOMAIN) && is_eliminated(tier))
@@ -159,7 +167,8 @@ static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, con
             if (i != view->instance->descriptor->eliminated_state) y[used++] = at[i];
         view->instance->descriptor->eliminated.call(y, view->instance->prepared, values);
         if (!isfinite(*values))
-            return refuse(refusal, "%s does not contain %s here", tier->table->integrals[view->instance->descriptor->level_integral].name,
+            return refuse(refusal, "%s does not contain %s here",
+                          tier->table->integrals[view->instance->descriptor->level_integral].name,
                           tier->table->states[view->instance->descriptor->eliminated_state].name);
         return JLT_OK;
     }
@@ -186,15 +195,16 @@ static bool choose_backs(jlt_tier_view *view)
     return true;
 }
 
-static jlt_status open_from(jlt_tier_view *view, double *y, char *refusal, const jlt_tier *tier, const double *params, const double *x,
-                            const signed char *mirror)
+static jlt_status open_from(jlt_tier_view *view, double *y, char *refusal, const jlt_tier *tier, const double *params,
+                            const double *x, const signed char *mirror)
 {
     double start[JLT_WAY_VALUES_MAX], at[JLT_WAY_VALUES_MAX];
     jlt_status st = JLT_OK;
 
     *view = (jlt_tier_view){ .tier = *tier, .mirror = mirror };
     memcpy(view->params[0], params, tier->asked->param_count * sizeof *params);
-    for (unsigned i = 0; x != NULL && i < tier->asked->state_count; i++) at[i] = start[i] = mirror != NULL ? mirror[i] * x[i] : x[i];
+    for (unsigned i = 0; x != NULL && i < tier->asked->state_count; i++)
+        at[i] = start[i] = mirror != NULL ? mirror[i] * x[i] : x[i];
     JLT_TRY(follow_ways(view, x != NULL ? at : NULL, refusal));
     JLT_TRY(bind_kernel(view, refusal, x != NULL ? start : NULL));
     if (x != NULL) JLT_TRY(place(view, y, refusal, at));

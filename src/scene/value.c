@@ -154,7 +154,8 @@ static jlt_status append_number(const jlt_value_reader *r, const config_setting_
     }
 }
 
-static jlt_status append_whole(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name, long long least)
+static jlt_status append_whole(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name,
+                               long long least)
 {
     char text[32];
 
@@ -250,7 +251,8 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
         JLT_TRY(append(r, member, v, "="));
         if (key->kind == JLT_KEY_INTERVAL) JLT_TRY(append_interval(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_RANGES && several) JLT_TRY(append_range(r, member, v, config_setting_name(member)));
-        else if (key->kind == JLT_KEY_POINT || key->kind == JLT_KEY_RANGES) JLT_TRY(append_end(r, member, v, config_setting_name(member)));
+        else if (key->kind == JLT_KEY_POINT || key->kind == JLT_KEY_RANGES)
+            JLT_TRY(append_end(r, member, v, config_setting_name(member)));
         else JLT_TRY(append_number(r, member, v, config_setting_name(member)));
     }
 done:

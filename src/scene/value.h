@@ -1,4 +1,4 @@
-/** Values of a scene file, checked and written as a command line has them. */
+/** Values of a scene file: checked, and written as one would type them on a command line. */
 #ifndef JLT_SCENE_VALUE_H
 #define JLT_SCENE_VALUE_H
 
@@ -16,8 +16,9 @@ typedef struct {
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
     const jlt_scene_program *program;
     const jlt_descriptor *model; /* what names of states and parameters are checked against */
-    const config_setting_t *section, *solve; /* groups of the job that name a section of its table; NULL: it is one that tables describe */
-    const char *named;                       /* and which; NULL: the first */
+    const config_setting_t *section, *solve; /* the groups `section` and `solve` of the entry; NULL: not given, and the section is
+                                                one that tables describe, */
+    const char *named;                       /* of this name; NULL: the first */
 } jlt_value_reader;
 
 typedef struct {
@@ -29,6 +30,7 @@ typedef struct {
 __attribute__((format(printf, 3, 4)))
 jlt_status jlt_value_complain(const jlt_value_reader *r, int line, const char *format, ...);
 
+/** The line of the file on which a setting stands. */
 int jlt_value_line(const config_setting_t *setting);
 
 /** Append a setting's value in the form that its key's option takes. Errors: ARG, with the message. */

@@ -148,7 +148,7 @@ jlt_status jlt_database_row(jlt_database *self, char *const *fields)
         double value;
         if (fields[i][0] == '\0') sqlite3_bind_null(self->row, at);
         else if (self->form->columns[i].is_text) sqlite3_bind_text(self->row, at, fields[i], -1, SQLITE_STATIC);
-        else if (jlt_table_number(&value, fields[i])) sqlite3_bind_double(self->row, at, value);
+        else if (jlt_table_number(&value, fields[i], jlt_table_field_end(fields[i]))) sqlite3_bind_double(self->row, at, value);
     }
     const jlt_status st = told(self, NULL, sqlite3_step(self->row));
     sqlite3_reset(self->row);

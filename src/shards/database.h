@@ -9,11 +9,13 @@
 
 typedef struct jlt_database jlt_database;
 
-/** path: an empty file, or none. The first `over` columns are those that the study runs over. message: what is wrong, for the
- *  caller to free(), else NULL. Errors: IO, NOMEM. The same calls give the same bytes by one version of SQLite. */
+/** Begin a database. In: path, an empty file, or none; form, the columns, of which the first `over` are those that the study runs
+ *  over; study, its JSON. Out: *out, for jlt_database_destroy, unless it is finished; *message, what is wrong, for the caller to
+ *  free(), else NULL. Errors: IO, NOMEM. The same calls give the same bytes by one version of SQLite. */
 JLT_CHECKED jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form,
-                                           size_t over,
-                                           const char *study);
+                                           size_t over, const char *study);
+
+/** Add how a piece ended; add a row by its fields, one a column. Errors: IO, NOMEM. */
 JLT_CHECKED jlt_status jlt_database_piece(jlt_database *self, const jlt_shard_record *record);
 JLT_CHECKED jlt_status jlt_database_row(jlt_database *self, char *const *fields);
 

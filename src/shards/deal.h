@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-/** Pieces number 0 .. pieces - 1, in an order that depends on their number alone. Shard I of N computes those at I, I + N, I + 2 N,
- *  ... of this order: as many as any other shard, or one less. position < pieces < 2^62. Cost: a few hashes, whatever the number of
- *  pieces. */
+/** The piece at a position of the order in which pieces number 0 .. pieces - 1 are dealt, which depends on `pieces` alone. Shard I
+ *  of N computes those at I, I + N, I + 2 N, ... of this order: as many as any other shard, or one less. position < pieces < 2^62.
+ *  Cost: a few hashes, whatever the number of pieces. */
 size_t jlt_deal_piece(size_t position, size_t pieces);
 
 #endif

@@ -1,4 +1,4 @@
-/** The pieces of a study, from the files of its shards, in their order. */
+/** Gathers the pieces of a study from the files of its shards, and reads them in the order of the study. */
 #ifndef JLT_SHARDS_GATHER_H
 #define JLT_SHARDS_GATHER_H
 
@@ -15,7 +15,7 @@ typedef struct jlt_gather jlt_gather;
 JLT_CHECKED jlt_status jlt_gather_open(jlt_gather **out, char **message, const char *const *paths, size_t count);
 void jlt_gather_destroy(jlt_gather *self); /* NULL is legal */
 
-/** The study's JSON; how many pieces it has, and how many of them are missing; the first of these. */
+/** The study's JSON; how many pieces it has; how many of them are missing, and, in *first, the number of the first of these. */
 const char *jlt_gather_study(const jlt_gather *self);
 size_t jlt_gather_pieces(const jlt_gather *self);
 size_t jlt_gather_missing(const jlt_gather *self, size_t *first);

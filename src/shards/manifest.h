@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/** A line for each key whose value differs, members of groups by GROUP.KEY: "  KEY: there VALUE, here VALUE".
- *  False: there is none. */
+/** Write a line for each key whose value differs, "  KEY: there VALUE, here VALUE"; members of groups are called GROUP.KEY. Returns
+ *  false where nothing differs. */
 bool jlt_manifest_difference(FILE *stream, const char *there, const char *here);
 
 #endif

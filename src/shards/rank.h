@@ -13,8 +13,8 @@ typedef struct {
     char engine[64];     /* who says so, for messages */
 } jlt_rank;
 
-/** `text`: "I/N"; "/N", number of N as the environment has it; NULL: all from the environment, 1/1 where nothing there says
- *  anything.
+/** Find the shard of this process. text: "I/N", shard I of N; "/N", the number I from the environment; NULL, both from the
+ *  environment, and 1/1 where nothing there tells.
  *
  *  Known are, in this order: Open MPI (OMPI_COMM_WORLD_RANK, _SIZE), MPICH and Slurm's PMI (PMI_RANK, PMI_SIZE), steps of srun
  *  (SLURM_PROCID, SLURM_STEP_NUM_TASKS), PMIx (PMIX_RANK) and GNU parallel (PARALLEL_SEQ), which do not say how many there are, so

@@ -40,13 +40,13 @@ typedef struct {
     char key[JLT_SHARD_KEY];
 } jlt_shard_reader;
 
-/** The descriptor stays the caller's. Out: *study, the study's JSON, for the caller to free(); NULL where the file is empty, or has
- *  no whole first record. Errors: ARG, this is no shard's file; NOMEM; IO. */
+/** Begin to read a file from its beginning, by a descriptor that stays the caller's. Out: *study, the study's JSON, for the caller
+ *  to free(); NULL where the file is empty, or has no whole first record. Errors: ARG, this is no shard's file; NOMEM; IO. */
 JLT_CHECKED jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor);
 void jlt_shard_reader_close(jlt_shard_reader *self); /* legal when zeroed */
 
-/** The next record, which lives until the next call. Errors: EMPTY, there is no further whole one: the file ends at `at`, or is
- *  torn there; NOMEM; IO. */
+/** Read the next record, which lives until the next call. Errors: EMPTY, there is no further whole one: the file ends at `at`, or
+ *  is torn there; NOMEM; IO. */
 JLT_CHECKED jlt_status jlt_shard_reader_next(jlt_shard_reader *self, jlt_shard_record *record);
 
 /** Read the record at this place again. Errors: IO, it is not there any more; NOMEM. */
@@ -60,10 +60,12 @@ typedef struct {
     struct timespec synced;
 } jlt_shard;
 
+/** The key of a study, from its JSON. */
 void jlt_shard_key(char key[JLT_SHARD_KEY], const char *study);
 
-/** Open or make the file, and lock it. Out: *holder, where another process has it: its number, 0 where that is not known; else -1,
- *  also after other failures. Errors: IO (errno says why; ENOLCK and the like where the file system knows no locks). */
+/** Open the file, or make it, and lock it, so that no other process writes to it. Out: *holder, where another process has it: its
+ *  number, 0 where that is not known; else -1, also after other failures. Errors: IO (errno says why; ENOLCK and the like where the
+ *  file system knows no locks). */
 JLT_CHECKED jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char *path);
 
 /** Close, and give up the lock. Legal when the descriptor is -1. */

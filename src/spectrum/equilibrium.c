@@ -29,8 +29,7 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
         if (!isfinite(errors[i])) st = JLT_ERR_NONFINITE;
     }
     if (st != JLT_OK) goto done;
-    JLT_TRY(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->descriptor->integrals,
-                                       result->integrals));
+    JLT_TRY(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->held, result->integrals));
     st = jlt_linearization_compute(result, q->descriptor, params, x, errors, gradient_errors);
 done:
     free(exact);
@@ -63,7 +62,10 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
     st = jlt_exact_point_linearize(&matrix, q->oracle, exact, exact_x, family == NULL ? NULL : family->name, given);
     if (st == JLT_OK) st = jlt_linearization_enclose(result, d, exact, exact_x, matrix, q->digits);
     if (st == JLT_OK) jlt_formula_enclose(result, q->oracle, given);
-    if (st != JLT_OK) result->verdict = JLT_UNDECIDED;
+    if (st != JLT_OK) {
+        result->verdict = JLT_UNDECIDED;
+        result->motion = JLT_MOTION_OPEN;
+    }
     jlt_exact_matrix_destroy(matrix);
     free(exact);
     return st;

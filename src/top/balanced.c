@@ -146,8 +146,8 @@ static void across(double *x, const jlt_top *top, const jlt_balanced_levels *lev
     jlt_balanced_to_state(top, levels, x, 0, 1, v_slip, acos(0));
 }
 
-/* v_slip^2 >= 0 somewhere: where I1 < I3, F0 is least at v_slip = 0 for one gamma3 and cos psi = +-1. With u = (s, gamma3) it is there
- * -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. */
+/* v_slip^2 >= 0 somewhere: where I1 < I3, F0 is least at v_slip = 0 for one gamma3 and cos psi = +-1. With u = (s, gamma3) it is
+ * there -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. */
 static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels)
 {
     double equator[JLT_TOP_STATES], pole[JLT_TOP_STATES];

@@ -6,8 +6,8 @@
  *  tables; known here is how they depend on each other:
  *  - On a level, E = a F0 + b G^2 + c M^2 (the identity two_energies).
  *  - On the family of equilibria `spin`, where v_nu and omega3 alone are not 0, G = G_w omega3, and E and F0 are
- *    E_v v_nu^2 + E_w omega3^2 and F_v v_nu^2 + F_w omega3^2. E_w and F_w are linear in gamma3^2, and G_w is linear in gamma3: so for
- *    G != 0 a fixed point has one gamma3^2, and there are at most four, one a sign of gamma3 and of v_nu.
+ *    E_v v_nu^2 + E_w omega3^2 and F_v v_nu^2 + F_w omega3^2. E_w and F_w are linear in gamma3^2, and G_w is linear in gamma3: so
+ *    for G != 0 a fixed point has one gamma3^2, and there are at most four, one a sign of gamma3 and of v_nu.
  *  - No fixed point is a saddle: the product of its two other eigenvalues is not negative. Those with gamma3 v_nu > 0 attract. */
 #ifndef JLT_TOP_BALANCED_H
 #define JLT_TOP_BALANCED_H
@@ -19,7 +19,8 @@ typedef struct {
     double M; /* >= 0 */
 } jlt_balanced_levels;
 
-/** Whether the tables say, with proof, what is needed here. Out: *broken as for jlt_top_serves. Where they do not, levels are NaN. */
+/** Whether the tables say, with proof, what is needed here. Out: *broken as for jlt_top_serves. Where they do not, levels are
+ *  NaN. */
 bool jlt_balanced_serves(const jlt_claim **broken);
 
 /** Levels of a state, shape (JLT_TOP_STATES,). */

@@ -16,10 +16,10 @@ static const double pi = 3.14159265358979323846;
 enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, AT, SAMPLES = 400, TRIES_MAX = 1000, PATIENCE = 20 };
 
 static const struct argp_option option_table[] = {
-    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "The levels; or those of --start", 1 },
-    { "orbits", ORBITS, "N|0", 0, "Orbits followed, both ways; default 60", 1 },
-    { "until", UNTIL, "T", 0, "How long; default 20", 1 },
-    { "trajectories", TRAJECTORIES, "FILE", 0, "Write the orbits there", 1 },
+    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "Levels of the three integrals; default those of --start", 1 },
+    { "orbits", ORBITS, "N|0", 0, "Orbits drawn, followed forwards and backwards; default 60", 1 },
+    { "until", UNTIL, "T", 0, "Time for which orbits are followed each way, in the table's unit; default 20", 1 },
+    { "trajectories", TRAJECTORIES, "FILE", 0, "Write the points of the orbits to FILE, as CSV", 1 },
     { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 1 },
     { 0 },
 };
@@ -110,9 +110,11 @@ static jlt_exit open_top(jlt_portrait_request *r)
             return jlt_command_fail(JLT_EXIT_INPUT, "--set a3=%s: M^2 exists for the balanced sphere alone, a3 = 0", given);
         r->session.params[a3] = 0;
     }
-    if (jlt_top_read(&r->top, r->session.descriptor, r->session.params) == JLT_OK && jlt_balanced_serves(&broken)) return JLT_EXIT_DONE;
+    if (jlt_top_read(&r->top, r->session.descriptor, r->session.params) == JLT_OK && jlt_balanced_serves(&broken))
+        return JLT_EXIT_DONE;
     if (broken != NULL)
-        return jlt_command_fail(JLT_EXIT_FAILED, "M^2 rests on the claim '%s %s' of the tables, which is not proved", broken->kind, broken->name);
+        return jlt_command_fail(JLT_EXIT_FAILED, "M^2 rests on the claim '%s %s' of the tables, which is not proved", broken->kind,
+                                broken->name);
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
 }
 
@@ -200,8 +202,10 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
         JLT_TRY(jlt_course_to(course, direction * r->until * i / SAMPLES, &row));
         if (row.end == JLT_END_INTERRUPT) break;
         const point now = point_of(r, row.x);
-        if (r->session.common.points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0)) fputs("\n", r->session.common.points);
-        if (r->session.common.points != NULL) jlt_look_row(r->session.common.points, (const double[]){ now.psi, now.gamma3, now.v_slip }, 3);
+        if (r->session.common.points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0))
+            fputs("\n", r->session.common.points);
+        if (r->session.common.points != NULL)
+            jlt_look_row(r->session.common.points, (const double[]){ now.psi, now.gamma3, now.v_slip }, 3);
         if (file != NULL) {
             const double values[] = { row.t, now.gamma3, now.psi, now.v_slip, row.x[JLT_TOP_V_NU], row.x[JLT_TOP_OMEGA_TAU],
                                       row.x[JLT_TOP_OMEGA_N], row.x[JLT_TOP_OMEGA3] };
@@ -213,7 +217,8 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
     }
     if (r->session.common.points != NULL) fputs("\n", r->session.common.points);
     /* on beyond what is drawn, until it is clear where the orbit goes */
-    for (int i = 5; direction > 0 && i <= 4 * PATIENCE && row.end == JLT_END_TIME && fate_of(r, &row) == JLT_PORTRAIT_WANDERING; i++)
+    for (int i = 5; direction > 0 && i <= 4 * PATIENCE && row.end == JLT_END_TIME && fate_of(r, &row) == JLT_PORTRAIT_WANDERING;
+         i++)
         JLT_TRY(jlt_course_to(course, r->until * i / 4, &row));
     if (direction > 0 && row.end != JLT_END_INTERRUPT) r->fates[fate_of(r, &row)]++;
 done:
@@ -300,5 +305,5 @@ done:
 
 const jlt_command jlt_command_portrait = {
     "portrait", "--level ...|--start ... [OPTION...]",
-    "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run, &parser
+    "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run, &parser, NULL
 };

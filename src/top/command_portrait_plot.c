@@ -18,7 +18,8 @@ static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
         const unsigned kind = r->fixed[k].kind;
         if (!(side * r->fixed[k].v_slip > 0)) continue;
         fprintf(plot->stream, ", '+' using (%.17g):(%.17g) every ::0::0 ", r->fixed[k].psi, r->fixed[k].x[JLT_TOP_GAMMA3]);
-        jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "points", .colour = kinds[kind].colour, .mark = kinds[kind].mark, .size = 1 });
+        jlt_look_pen(plot->stream, plot->look,
+                     (jlt_pen){ "points", .colour = kinds[kind].colour, .mark = kinds[kind].mark, .size = 1 });
         if (named >> kind & 1u) fputs(" notitle", plot->stream);
         else fprintf(plot->stream, " title '%s'", kinds[kind].name);
         named |= 1u << kind;
@@ -40,7 +41,8 @@ jlt_exit jlt_portrait_draw(const jlt_portrait_request *request)
     jlt_plot_value(&plot, "E", r->levels.E);
     jlt_plot_value(&plot, "G", r->levels.G);
     jlt_plot_value(&plot, "F0", r->levels.F0);
-    jlt_plot_words(&plot, "; of %zu orbits %zu are attracted, %zu end at pole +1, %zu at pole −1", r->orbits, r->fates[JLT_PORTRAIT_ATTRACTED], r->fates[JLT_PORTRAIT_POLE_PLUS], r->fates[JLT_PORTRAIT_POLE_MINUS]);
+    jlt_plot_words(&plot, "; of %zu orbits %zu are attracted, %zu end at pole +1, %zu at pole −1", r->orbits,
+                   r->fates[JLT_PORTRAIT_ATTRACTED], r->fates[JLT_PORTRAIT_POLE_PLUS], r->fates[JLT_PORTRAIT_POLE_MINUS]);
     fputs(JLT_LOOK_GRID, plot.stream);
     jlt_plot_axis(&plot, 'x', "ψ [rad]", (jlt_extent){ -pi, pi }, 2 * pi);
     jlt_plot_axis(&plot, 'y', "γ_3", (jlt_extent){ -1, 1 }, 0);

@@ -25,7 +25,8 @@ typedef struct {
 
 static const struct argp_option option_table[] = {
     { "sweep", SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
-    { "check", CHECK, NULL, 0, "Integrate over the period as well (--tol, here 1e-15 by default): columns with what is left", 1 },
+    { "check", CHECK, NULL, 0,
+      "Integrate over the period as well (--tol, here 1e-15 by default), and write by how much the state misses the start", 1 },
     { 0 },
 };
 
@@ -48,8 +49,8 @@ static const struct argp parser = {
     "The limiting case I3 = 0 of the spherical top by quadratures: turning points and period of gamma3, and the rotation "
     "number, the turns of (v_nu, v_tau) a period. On E1 = 0 every orbit is periodic with that period."
     "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
-    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all five states, "
-    "which vanishes on E1 = 0 alone.\n\n"
+    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all "
+    "five states, which vanishes on E1 = 0 alone.\n\n"
     "  jellett rod --set I1=0.7,a3=0.3 \\\n"
     "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
     "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 \\\n"
@@ -205,7 +206,8 @@ static jlt_exit draw(const request *r)
     jlt_look_label(label, r->axes[0].name, "");
     fputs(JLT_LOOK_GRID, plot.stream);
     for (unsigned k = 0; k < 2; k++) {
-        jlt_plot_panel(&plot, k, label, (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
+        jlt_plot_panel(&plot, k, label,
+                       (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
         jlt_plot_axis(&plot, 'y', labels[k], jlt_extent_wider(r->extent[k]), 0);
         fprintf(plot.stream, "plot $ROWS using 1:%u ", k + 2);
         jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "lines", .colour = 2 });
@@ -225,7 +227,8 @@ static jlt_exit run(int argc, char **argv)
     r.session.tolerance = 1e-15;
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     if (r.session.common.model != NULL && strcmp(r.session.common.model, JLT_DEFAULT_MODEL) != 0)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of " JLT_DEFAULT_MODEL ", not of %s", r.session.common.model);
+        code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of " JLT_DEFAULT_MODEL ", not of %s",
+                                r.session.common.model);
     else code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE && jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
         const char *given = jlt_assign_fraction(&r.session.common.set, "I3");
@@ -255,5 +258,6 @@ done:
 }
 
 const jlt_command jlt_command_rod = {
-    "rod", "--start ... [OPTION...]", "I3 = 0 by quadratures: period, rotation number, checked against integration", run, &parser
+    "rod", "--start ... [OPTION...]",
+    "I3 = 0 by quadratures: period, rotation number, checked against integration", run, &parser, NULL
 };

@@ -11,8 +11,8 @@ enum { NEWTON_MAX = 60 };
 
 static const double quadrature_accuracy = 2e-14;
 
-/* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose equations these
- * quadratures solve. */
+/* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose
+ * equations these quadratures solve. */
 static const char *const integrals[] = { "E1", "E2", "G", NULL };
 static const char level[] = "spherical_top_level", variant[] = "rod";
 
@@ -223,8 +223,9 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     psi += rod->psi + periods * rod->turn;
     tilt(rod, &gamma3, &s2, u);
     s = sqrt(s2);
-    find_state(rod, x, (const double[LEVEL_STATES]){ gamma3, rod->speed * cos(psi), rod->half * sin(u) / (pace(rod, gamma3, s2) * s),
-                                                     rod->speed * sin(psi), s });
+    find_state(rod, x,
+               (const double[LEVEL_STATES]){ gamma3, rod->speed * cos(psi), rod->half * sin(u) / (pace(rod, gamma3, s2) * s),
+                                             rod->speed * sin(psi), s });
 done:
     return st;
 }

@@ -28,7 +28,8 @@ typedef struct {
 } jlt_rod;
 
 /** Turning points, period and turn of the orbit through x, shape (JLT_TOP_STATES,).
- *  Errors: ARG, I3 != 0; UNSUPPORTED, the tables built in are not those that are known here; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
+ *  Errors: ARG, I3 != 0; UNSUPPORTED, the tables built in are not those that are known here; DOMAIN, G = 0 or x outside the model;
+ *  NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x);
 
 /** The rotation number: turns of (v_nu, v_tau) a period of gamma3. */
@@ -44,7 +45,8 @@ bool jlt_rod_is_known(const jlt_descriptor *model);
 /* What they are, for lists of tiers. */
 extern const char jlt_rod_meaning[];
 
-/** Why they do not serve for the orbit of such a model from x, shape (JLT_TOP_STATES,), with params, shape (params,); NULL when they do. x NULL:
+/** Why they do not serve for the orbit of such a model from x, shape (JLT_TOP_STATES,), with params, shape (params,); NULL when
+ *  they do. x NULL:
  *  any start. Out: *broken: the claim that is not proved, where that is the reason, else NULL. */
 const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x);
 

@@ -78,8 +78,9 @@ static const jlt_descriptor *find_field(const char *variant)
 {
     const jlt_descriptor *field = jlt_descriptor_find(JLT_DEFAULT_MODEL, variant, lifting, NULL);
 
-    if (field == NULL || !jlt_top_is_known(field->family[0]) || field->state_count != LIFTED || field->param_count > JLT_WAY_VALUES_MAX
-        || field->prepared_count > JLT_WAY_VALUES_MAX || field->integral_count > JLT_WAY_VALUES_MAX)
+    if (field == NULL || !jlt_top_is_known(field->family[0]) || field->state_count != LIFTED
+        || field->param_count > JLT_WAY_VALUES_MAX || field->prepared_count > JLT_WAY_VALUES_MAX
+        || field->integral_count > JLT_WAY_VALUES_MAX)
         return NULL;
     return field;
 }
@@ -141,7 +142,8 @@ void jlt_top_look(const jlt_way *way, double *y, double *other, const jlt_top *t
     add_sine(lifted, x);
     jlt_top_write(params, find_field(NULL), top);
     way->coordinates(lifted, params, pairs);
-    for (unsigned i = 0; i < way->coordinate_count; i++) y[i] = way->is_angle[i] ? atan2(pairs[2 * i], pairs[2 * i + 1]) : pairs[2 * i];
+    for (unsigned i = 0; i < way->coordinate_count; i++)
+        y[i] = way->is_angle[i] ? atan2(pairs[2 * i], pairs[2 * i + 1]) : pairs[2 * i];
     jlt_way_params(way, other, lifted, params);
 }
 

@@ -1,7 +1,7 @@
 /** The spherical top as scenes speak of it: parameters by name, the five reduced states, and what its tables say of them.
  *
- *  Numbers come from kernels of the tables built in, in the time in which s = sqrt(1 - gamma3^2) is a state of its own; what a table
- *  does not say any more is NaN. States are those of system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023.
+ *  Numbers come from kernels of the tables built in, in the time in which s = sqrt(1 - gamma3^2) is a state of its own; what a
+ *  table does not say any more is NaN. States are those of system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023.
  *
  *  At a pole sigma = gamma3 = +-1 the rates across the set of equilibria (integrate/pole.h) are
  *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),
@@ -36,19 +36,19 @@ bool jlt_top_is_known(const jlt_descriptor *model);
 /* sqrt(1 - gamma3^2), by factors. */
 double jlt_top_sine(double gamma3);
 
-/** The value at x, shape (JLT_TOP_STATES,), of an integral that JLT_DEFAULT_MODEL has by this name in this variant, NULL for the general
- *  field. Cost: one kernel, and what is prepared for it. */
+/** The value at x, shape (JLT_TOP_STATES,), of an integral that JLT_DEFAULT_MODEL has by this name in this variant, NULL for the
+ *  general field. Cost: one kernel, and what is prepared for it. */
 double jlt_top_integral(const jlt_top *top, const char *variant, const char *name, const double *x);
 
 /** The way from JLT_DEFAULT_MODEL to the table of this name, each in the time of s; NULL without one. */
 const jlt_way *jlt_top_way(const char *model);
 
-/** Whether that way is there and is proved, and so are the integrals `names`, which a NULL ends. Out: *broken: the claim that is not
- *  proved, NULL where a record is missing. */
+/** Whether that way is there and is proved, and so are the integrals `names`, which a NULL ends. Out: *broken: the claim that is
+ *  not proved, NULL where a record is missing. */
 bool jlt_top_serves(const jlt_claim **broken, const char *model, const char *const *names);
 
-/** Where it leads from x, shape (JLT_TOP_STATES,): y, shape (way->coordinate_count,), an angle being 0 where it has no value; other,
- *  shape (way->param_count,), the parameters there. */
+/** Where it leads from x, shape (JLT_TOP_STATES,): y, shape (way->coordinate_count,), an angle being 0 where it has no value;
+ *  other, shape (way->param_count,), the parameters there. */
 void jlt_top_look(const jlt_way *way, double *y, double *other, const jlt_top *top, const double *x);
 
 /** x, shape (JLT_TOP_STATES,), at y, shape (way->state_count,), which ends with s, of the table that the way leads to. */

@@ -51,13 +51,23 @@ static jlt_certificate_report fail(jlt_status status)
     return report;
 }
 
+/* Where a proof went along the orbit. */
+static jlt_certificate_report fail_along(jlt_status status)
+{
+    return status != JLT_ERR_DOMAIN
+               ? fail(status)
+               : say(JLT_CERTIFICATE_REFUSED, "the orbit is not shown to stay in the domain of its table (where "
+                                              "it does, try another radius, or more digits)");
+}
+
 static jlt_certificate_report judge_symmetry(const jlt_symmetry_result *result)
 {
     switch (result->verdict) {
     case JLT_SYMMETRY_PROVED: return say(JLT_CERTIFICATE_GOOD, "");
     case JLT_SYMMETRY_NO_REVERSOR:
-        return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but no reversor of the table that is proved without a condition maps the "
-                                            "section and the levels to themselves");
+        return say(JLT_CERTIFICATE_REFUSED,
+                   "the orbit is there, but no reversor of the table that is proved without a condition maps the "
+                   "section and the levels to themselves");
     default: return say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but not shown to be its own mirror image");
     }
 }
@@ -70,14 +80,17 @@ static jlt_certificate_report judge_elliptic(const jlt_elliptic_result *result, 
     case JLT_ELLIPTIC_PROVED: return say(JLT_CERTIFICATE_GOOD, "");
     case JLT_ELLIPTIC_OTHER:
         report = say(JLT_CERTIFICATE_REFUSED, "");
-        snprintf(report.problem, sizeof report.problem, "the orbit is its own mirror image, but not shown to be elliptic: its trace is %.17g",
+        snprintf(report.problem, sizeof report.problem,
+                 "the orbit is its own mirror image, but not shown to be elliptic: its trace is %.17g",
                  arf_get_d(arb_midref(trace), ARF_RND_NEAR));
         return report;
     case JLT_ELLIPTIC_RESONANT:
         return say(JLT_CERTIFICATE_REFUSED, "the orbit is elliptic, but its trace may be 0 or -1: a resonance of order 4 or 3");
     case JLT_ELLIPTIC_UNTWISTED:
-        return say(JLT_CERTIFICATE_REFUSED, "the orbit is elliptic, but its twist may be 0 (try more digits)");
-    default: return say(JLT_CERTIFICATE_FAILED, "two enclosures of one number exclude each other, which is an error of this program");
+        return say(JLT_CERTIFICATE_REFUSED,
+                   "the orbit is elliptic, but its twist may be 0 (try more digits, or intervals that are less wide)");
+    default:
+        return say(JLT_CERTIFICATE_FAILED, "two enclosures of one number exclude each other, which is an error of this program");
     }
 }
 
@@ -89,11 +102,11 @@ static jlt_certificate_report add_twist(json_t *shown, const jlt_given *given, j
     jlt_elliptic_result result;
     jlt_status st;
 
-    if (given->question.free_count > 0) return say(JLT_CERTIFICATE_MALFORMED, "elliptic: parameters are numbers, not intervals");
     jlt_elliptic_result_init(&result);
     st = jlt_elliptic_prove(cycle, &result, of, type, given->legs.instants, given->kept);
     report = st == JLT_OK ? judge_elliptic(&result, of->trace) : fail(st);
-    if (report.verdict == JLT_CERTIFICATE_GOOD && !set(shown, "twist", jlt_shown_twist(&result, given))) report = fail(JLT_ERR_NOMEM);
+    if (report.verdict == JLT_CERTIFICATE_GOOD && !set(shown, "twist", jlt_shown_twist(&result, given)))
+        report = fail(JLT_ERR_NOMEM);
     jlt_elliptic_result_clear(&result);
     return report;
 }
@@ -128,7 +141,7 @@ static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, con
 
     jlt_cycle_result_init(&result, cycle, given->legs.count);
     st = jlt_cycle_prove(cycle, &result, given->legs.box, given->legs.instants, given->kept);
-    *report = st == JLT_OK ? judge(&result, kind) : fail(st);
+    *report = st == JLT_OK ? judge(&result, kind) : fail_along(st);
     if (report->verdict == JLT_CERTIFICATE_GOOD) {
         shown = jlt_shown_cycle(&result, given, is_symmetric || strcmp(kind, "sink") == 0);
         if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
@@ -146,8 +159,9 @@ static jlt_certificate_report judge_homoclinic(const jlt_homoclinic_result *resu
 {
     static const char *const reasons[] = {
         [JLT_HOMOCLINIC_NO_SADDLE] = "no saddle is shown to be in the box",
-        [JLT_HOMOCLINIC_ASYMMETRIC] = "the saddle, or the section, is not shown to be its own mirror image under a proved reversor that "
-                                      "flips one coordinate",
+        [JLT_HOMOCLINIC_ASYMMETRIC] =
+            "the saddle, or the section, is not shown to be its own mirror image under a proved reversor that "
+            "flips one coordinate",
         [JLT_HOMOCLINIC_NO_CONE] = "the cone is not mapped into itself (try a smaller distance)",
         [JLT_HOMOCLINIC_UNSHOWN] = "Krawczyk's operator does not map the boxes into themselves: no homoclinic orbit is shown to be "
                                    "there (try a smaller distance, or more digits)",
@@ -171,7 +185,7 @@ static json_t *prove_homoclinic(jlt_certificate_report *report, const json_t *js
     if (jlt_given_homoclinic_read(&homoclinic, given, json, report->problem)) {
         jlt_homoclinic_result_init(&result, cycle, homoclinic.question.legs);
         st = jlt_homoclinic_prove(cycle, &result, &homoclinic.question);
-        *report = st == JLT_OK ? judge_homoclinic(&result) : fail(st);
+        *report = st == JLT_OK ? judge_homoclinic(&result) : fail_along(st);
         if (report->verdict == JLT_CERTIFICATE_GOOD) {
             shown = jlt_shown_homoclinic(&result, given);
             if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
@@ -329,8 +343,8 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     char found[65];
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "it is no certificate of this program's form");
-    if (form == NULL || strcmp(form, format_name) != 0 || kind == NULL || !jlt_theorem_is_kind(kind) || digest == NULL || !json_is_object(given)
-        || !json_is_object(said))
+    if (form == NULL || strcmp(form, format_name) != 0 || kind == NULL || !jlt_theorem_is_kind(kind) || digest == NULL
+        || !json_is_object(given) || !json_is_object(said))
         return;
     d = jlt_given_table(given, own, report->problem);
     if (d == NULL) return;

@@ -4,12 +4,12 @@
  *       "digest": SHA-256}
  *
  *  `given` is described in given.h. `shown` is what was proved of it: the orbit's points, period, determinant, trace and
- *  multipliers as balls, bounds of the model's conditions along it, and the claims of the table that the theorem rests on. The digest is that
- *  of all the rest as compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind
+ *  multipliers as balls, bounds of the model's conditions along it, and the claims of the table that the theorem rests on. The
+ *  digest is that of all the rest as compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind
  *  `obstruction`: its determinant is not 1. Kind `sink`: it attracts, and a reversor has an image that repels. Kind `homoclinic`:
- *  it is a saddle whose manifolds cross transversally, at a point that a reversor keeps. Kind `symmetric`: it is its own mirror image
- *  under a reversor. Kind `elliptic`: besides, it is elliptic, and stable by a twist. Kind `equilibria`: at a family of equilibria
- *  over a box the trace of the linearization has one sign; its `given` and `shown` are in given_family.h. */
+ *  it is a saddle whose manifolds cross transversally, at a point that a reversor keeps. Kind `symmetric`: it is its own mirror
+ *  image under a reversor. Kind `elliptic`: besides, it is elliptic, and stable by a twist. Kind `equilibria`: at a family of
+ *  equilibria over a box the trace of the linearization has one sign; its `given` and `shown` are in given_family.h. */
 #ifndef JLT_VALIDATED_CERTIFICATE_H
 #define JLT_VALIDATED_CERTIFICATE_H
 

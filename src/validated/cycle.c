@@ -172,6 +172,36 @@ jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsign
     return st;
 }
 
+jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcptr y, arb_srcptr instants, unsigned legs, const unsigned *kept)
+{
+    arb_ptr own = _arb_vec_init((slong)legs);
+    arb_mat_t G, DG, M;
+    shooting orbit;
+    jlt_status st;
+
+    _arb_vec_set(own, instants, (slong)legs);
+    shooting_init(&orbit, self, own, legs, kept);
+    const jlt_krawczyk problem = problem_of(&orbit);
+    arb_mat_init(G, problem.n, 1);
+    arb_mat_init(DG, problem.n, problem.n);
+    arb_mat_init(M, problem.n, problem.n);
+    JLT_TRY(shoot(&orbit, G, DG, y));
+    st = jlt_krawczyk_invert(M, DG, problem.bits) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
+    if (st != JLT_OK) goto done;
+    arb_mat_mul(G, M, G, problem.bits);
+    for (slong i = 0; i < problem.n; i++) {
+        arb_get_abs_ubound_arf(arb_midref(reach + i), arb_mat_entry(G, i, 0), problem.bits);
+        mag_zero(arb_radref(reach + i));
+    }
+done:
+    arb_mat_clear(G);
+    arb_mat_clear(DG);
+    arb_mat_clear(M);
+    shooting_clear(&orbit);
+    _arb_vec_clear(own, (slong)legs);
+    return st;
+}
+
 void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs)
 {
     *result = (jlt_cycle_result){ .legs = legs, .unknowns = of->unknowns,

@@ -1,11 +1,11 @@
 /** Periodic orbits proved: existence and uniqueness in a box on a section, period, and multipliers on the levels of integrals.
  *
- *  The orbit is cut where it crosses the section, into legs that are enclosed one by one (multiple shooting), so that no error grows
- *  for longer than a leg. Unknowns of a point y are the states but the section's. With P the arrival on the section, F integrals of
- *  the motion, c their levels, y = (q, w) with as many w as there are levels, the equations are P_q(y_i) = q_(i+1), F(y_i) = c for
- *  all legs i, the last of which ends where the first begins; Krawczyk's operator (krawczyk.h) shows that there is one solution.
- *  There F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): where dF/dw is regular over the hull of both, P_w(y_i) = w_(i+1), so that
- *  the legs meet.
+ *  The orbit is cut where it crosses the section, into legs that are enclosed one by one (multiple shooting), so that no error
+ *  grows for longer than a leg. Unknowns of a point y are the states but the section's. With P the arrival on the section, F
+ *  integrals of the motion, c their levels, y = (q, w) with as many w as there are levels, the equations are P_q(y_i) = q_(i+1),
+ *  F(y_i) = c for all legs i, the last of which ends where the first begins; Krawczyk's operator (krawczyk.h) shows that there is
+ *  one solution. There F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): where dF/dw is regular over the hull of both, P_w(y_i) =
+ *  w_(i+1), so that the legs meet.
  *
  *  On the levels dw = -F_w^-1 F_q dq, which gives the derivative D of the map in q, leg by leg. Its determinant is also
  *      det D = exp(integral of div f over the orbit),
@@ -67,6 +67,12 @@ JLT_CHECKED jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_src
 /** Newton's method, at middles: a guess, in which nothing is rigorous, made better. In and out: y, shape (legs, states - 1), and
  *  instants, shape (legs,), exact, when each leg is near the section again. Errors: as jlt_arrival_compute; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsigned legs, const unsigned *kept);
+
+/** How far from y the orbit may lie, to first order, for all values of parameters and levels: |M G(y)| of krawczyk.h. Out: reach,
+ *  shape (legs, states - 1), exact. In: y, of the same shape, exact, near the orbit at their middles; instants, kept, as above.
+ *  Errors: as jlt_arrival_compute; NO_CONVERGENCE, no inverse. */
+JLT_CHECKED jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcptr y, arb_srcptr instants, unsigned legs,
+                                       const unsigned *kept);
 
 void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs); /* ends with jlt_cycle_result_clear */
 void jlt_cycle_result_clear(jlt_cycle_result *result);

@@ -30,6 +30,20 @@ static bool agrees(arb_srcptr map, const arb_t trace, slong bits)
     return same;
 }
 
+/* Zero is not within twice the radius either, with which certificates write a ball. */
+static bool excludes_zero(const arb_t a)
+{
+    arb_t wide;
+    bool excludes;
+
+    arb_init(wide);
+    arb_set(wide, a);
+    mag_mul_2exp_si(arb_radref(wide), arb_radref(wide), 1);
+    excludes = !arb_contains_zero(wide);
+    arb_clear(wide);
+    return excludes;
+}
+
 jlt_status jlt_elliptic_prove(jlt_cycle *of, jlt_elliptic_result *result, const jlt_cycle_result *cycle, jlt_symmetry_type type,
                               arb_srcptr instants, const unsigned *kept)
 {
@@ -45,7 +59,7 @@ jlt_status jlt_elliptic_prove(jlt_cycle *of, jlt_elliptic_result *result, const 
     jlt_normal_form_compute(&result->form, map, cycle->trace, bits);
     result->verdict = JLT_ELLIPTIC_CONTRADICTED;
     if (!agrees(map, cycle->trace, bits) || !arb_contains_zero(result->form.growth)) goto done;
-    result->verdict = arb_is_nonzero(result->form.twist) ? JLT_ELLIPTIC_PROVED : JLT_ELLIPTIC_UNTWISTED;
+    result->verdict = excludes_zero(result->form.twist) ? JLT_ELLIPTIC_PROVED : JLT_ELLIPTIC_UNTWISTED;
 done:
     _arb_vec_clear(map, 2 * JLT_TAYLOR_MAP_TERMS);
     return st;

@@ -80,7 +80,8 @@ static jlt_status gather_conditions(search *s)
     }
     for (size_t i = 0; i < m->region_count; i++) require(s, m->regions[i].expression, TTC_POSITIVE);
     for (size_t i = 0; i < m->symbol_count; i++)
-        if (used[i] && (m->symbols[i].kind == TTC_ROOT || m->symbols[i].kind == TTC_LOG)) require(s, m->symbols[i].definition, TTC_POSITIVE);
+        if (used[i] && (m->symbols[i].kind == TTC_ROOT || m->symbols[i].kind == TTC_LOG))
+            require(s, m->symbols[i].definition, TTC_POSITIVE);
     for (size_t i = 0; i < m->divisor_count; i++) {
         const ttc_divisor *d = &m->divisors[i];
         if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner])

@@ -2,6 +2,7 @@
 
 #include "kernel/descriptor.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -107,7 +108,8 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
             return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
-        if (!(json_is_object(value) ? jlt_given_legs_ball(out, value, bits) : jlt_given_legs_number(out, json_string_value(value), bits)))
+        if (!(json_is_object(value) ? jlt_given_legs_ball(out, value, bits)
+                                    : jlt_given_legs_number(out, json_string_value(value), bits)))
             return refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }
@@ -161,6 +163,41 @@ bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_
            && jlt_given_legs_read(&self->legs, &self->question, json_object_get(given, "legs"), problem);
 }
 
+/* Boxes as wide as orbits spread, and half as much again, for what is not of first order; none is much less wide than the widest.
+ * Those of all legs are alike, so that of an orbit that is its own mirror image their images are as well. */
+static jlt_status widen(jlt_given *self, unsigned legs)
+{
+    const slong width = (slong)self->question.descriptor->state_count - 1, n = width * (slong)legs;
+    const double room = 1.5, least = 0.05;
+    double reaches[JLT_CYCLE_STATES_MAX] = { 0 }, widest = 0.0;
+    arb_ptr reach = _arb_vec_init(n);
+    jlt_cycle *cycle = NULL;
+    jlt_status st;
+
+    JLT_TRY(jlt_cycle_create(&cycle, &self->question));
+    JLT_TRY(jlt_cycle_reach(cycle, reach, self->legs.box, self->legs.instants, legs, self->kept));
+    for (slong i = 0; i < n; i++) {
+        reaches[i % width] = fmax(reaches[i % width], arf_get_d(arb_midref(reach + i), ARF_RND_UP));
+        widest = fmax(widest, reaches[i % width]);
+    }
+    for (slong i = 0; i < n; i++) mag_set_d(arb_radref(self->legs.box + i), room * fmax(reaches[i % width], least * widest));
+done:
+    jlt_cycle_destroy(cycle);
+    _arb_vec_clear(reach, n);
+    return st;
+}
+
+/* Numbers that are no binary fractions are balls too, though not meant as such. */
+static bool has_intervals(const jlt_given *self, json_t *given)
+{
+    bool has = self->question.free_count > 0;
+    const char *name;
+    json_t *level;
+
+    json_object_foreach(json_object_get(given, "levels"), name, level) has = has || json_is_object(level);
+    return has;
+}
+
 jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T, double radius)
 {
     const jlt_descriptor *d = self->question.descriptor;
@@ -168,7 +205,9 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
     jlt_cycle_question middle = self->question; /* where parameters and levels are intervals, at their middles */
     arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
-    char width[32];
+    const bool spreads = !(radius > 0) && has_intervals(self, given);
+    const double width = radius > 0 ? radius : 1e-10;
+    char text[32];
     jlt_status st = JLT_ERR_ARG;
 
     if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX) goto done;
@@ -183,10 +222,14 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
     JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->legs.box));
     JLT_TRY(jlt_cycle_refine(cycle, self->legs.box, self->legs.instants, legs, self->kept));
     for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
-    for (unsigned i = 0; i < legs * (d->state_count - 1); i++) mag_set_d(arb_radref(self->legs.box + i), radius);
-    snprintf(width, sizeof width, "%.3g", radius);
+    if (spreads) JLT_TRY(widen(self, legs));
+    else for (unsigned i = 0; i < legs * (d->state_count - 1); i++) mag_set_d(arb_radref(self->legs.box + i), width);
+    snprintf(text, sizeof text, "%.3g", width);
     st = json_object_set(given, "coordinates", names) == 0
-         && json_object_set_new(given, "legs", jlt_given_legs_write(&self->legs, &self->question, width)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+                 && json_object_set_new(given, "legs", jlt_given_legs_write(&self->legs, &self->question, spreads ? NULL : text))
+                        == 0
+             ? JLT_OK
+             : JLT_ERR_NOMEM;
 done:
     jlt_cycle_destroy(cycle);
     _arb_vec_clear(params, d->param_count + 1);

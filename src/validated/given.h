@@ -40,8 +40,9 @@ void jlt_given_clear(jlt_given *self);
 /** Then the rest. */
 bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
-/** Where there is no rest yet, make it, from guesses: x, shape (legs, states), points on the section, and T, shape (legs,), the times
- *  from each to the next, refined by Newton's method, with boxes of this radius around. Sets "coordinates" and "legs" of `given`.
+/** Where there is no rest yet, make it, from guesses: x, shape (legs, states), points on the section, and T, shape (legs,), the
+ *  times from each to the next, refined by Newton's method, with boxes of this radius around; 0: of 1e-10, or where parameters or
+ *  levels are intervals as wide as orbits spread by them. Sets "coordinates" and "legs" of `given`.
  *  Errors: as jlt_cycle_create, jlt_cycle_choose, jlt_cycle_refine; ARG, more than JLT_CYCLE_LEGS_MAX legs. */
 JLT_CHECKED jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,
                                            double radius);

@@ -54,7 +54,9 @@ bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, 
     if (of->question.free_count > 0) return refuse(problem, "homoclinic: parameters are numbers, not intervals");
     if (landing != 1 && landing != -1) return refuse(problem, "homoclinic: landing is 1 or -1");
     for (unsigned i = 0; i < 4; i++)
-        good = good && jlt_given_legs_number(self->frame + i, json_string_value(json_array_get(json_array_get(frame, i / 2), i % 2)), bits);
+        good = good
+               && jlt_given_legs_number(self->frame + i, json_string_value(json_array_get(json_array_get(frame, i / 2), i % 2)),
+                                        bits);
     if (!good) return refuse(problem, "homoclinic: the frame is two rows of two numbers");
     good = jlt_given_legs_number(self->reach, json_string_value(json_object_get(part, "reach")), bits)
            && jlt_given_legs_number(self->slope, json_string_value(json_object_get(part, "slope")), bits)
@@ -86,14 +88,16 @@ static json_t *write(const jlt_given_homoclinic *self)
                      self->question.landing, "legs", jlt_given_legs_write(&self->legs, self->question.question, NULL));
 }
 
-jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x, const double *T, int landing)
+jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x, const double *T,
+                                     int landing)
 {
     jlt_given_homoclinic self;
     jlt_cycle *cycle = NULL;
     jlt_status st = JLT_ERR_ARG;
 
     begin(&self, of, landing);
-    if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX || of->legs.count != 1 || of->kept_count != 2 || of->question.free_count > 0) goto done;
+    if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX || of->legs.count != 1 || of->kept_count != 2 || of->question.free_count > 0)
+        goto done;
     jlt_given_legs_guess(&self.legs, &of->question, legs, x, T);
     take_legs(&self);
     JLT_TRY(jlt_cycle_create(&cycle, &of->question));

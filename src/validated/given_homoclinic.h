@@ -18,16 +18,16 @@ typedef struct {
     arb_ptr frame;
 } jlt_given_homoclinic;
 
-/** Read it, where `of` is read already, with its leg. Ends with jlt_given_homoclinic_clear in any case. False: it is not of this form;
- *  problem says why. */
+/** Read it, where `of` is read already, with its leg. Ends with jlt_given_homoclinic_clear in any case. False: it is not of this
+ *  form; problem says why. */
 bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, const json_t *given,
                                char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_homoclinic_clear(jlt_given_homoclinic *self);
 
-/** Make it, and set "homoclinic" of `given`, from guesses: x, shape (legs, states), points of the section from one near the saddle to
- *  the last before the symmetric point, and T, shape (legs,), times from each to the next; landing, as above. Errors: as
+/** Make it, and set "homoclinic" of `given`, from guesses: x, shape (legs, states), points of the section from one near the saddle
+ *  to the last before the symmetric point, and T, shape (legs,), times from each to the next; landing, as above. Errors: as
  *  jlt_homoclinic_make; ARG, more than JLT_CYCLE_LEGS_MAX legs, or the saddle has more than one. */
-JLT_CHECKED jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x, const double *T,
-                                                 int landing);
+JLT_CHECKED jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x,
+                                                 const double *T, int landing);
 
 #endif

@@ -88,7 +88,8 @@ void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *questi
     self->count = 0;
 }
 
-void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x, const double *T)
+void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
+                          const double *T)
 {
     const unsigned states = question->descriptor->state_count;
     arb_ptr out;

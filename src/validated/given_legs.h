@@ -19,7 +19,8 @@ bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *questio
 void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question);
 
 /** Points of the section, x, shape (count, states), and times, T, shape (count,). Ends with jlt_given_legs_clear. */
-void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x, const double *T);
+void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
+                          const double *T);
 
 /** A new reference. radius: of all boxes, as text; NULL: their own. */
 json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius);

@@ -6,9 +6,9 @@
  *  g(0) = 0 and |g'| <= slope: a short piece of the manifold, whose tangent is in the cone as the cone's invariant direction is,
  *  remains a curve through q* with tangents in the cone under P, and grows in u until it leaves N.
  *
- *  Unknowns are points x_0, x_1, ... of the section, x_0 on that graph, each mapped to the next; from the last one the orbit goes on
- *  to a point p with the section's state 0, crossed the other way or the same, where the other state that the reversor flips is 0
- *  as well. So p = Rp lies on the unstable manifold and on the stable one, its image. Krawczyk's operator (krawczyk.h), with g in
+ *  Unknowns are points x_0, x_1, ... of the section, x_0 on that graph, each mapped to the next; from the last one the orbit goes
+ *  on to a point p with the section's state 0, crossed the other way or the same, where the other state that the reversor flips is
+ *  0 as well. So p = Rp lies on the unstable manifold and on the stable one, its image. Krawczyk's operator (krawczyk.h), with g in
  *  slope*u*[-1, 1] and g' in slope*[-1, 1], shows that there is one such orbit, and that all these equations are independent of
  *  each other: the manifold crosses the line of symmetric points. Its tangent at p, with rate 1 of the flipped state, follows from
  *  the same matrix. Where one of its other components is not 0, it differs from its image: the manifolds cross transversally.
@@ -58,8 +58,8 @@ void jlt_homoclinic_result_clear(jlt_homoclinic_result *result);
 /** The proof. In: of, of the same question. Errors: as jlt_cycle_prove; ARG, more coordinates than two. */
 JLT_CHECKED jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, const jlt_homoclinic_question *question);
 
-/** Make frame, reach, slope, box and instants of `question`, in which nothing is rigorous, so that the proof can succeed: in and out
- *  box and instants, guesses that are refined by Newton's method; the boxes get radii. legs, landing and all above are given.
+/** Make frame, reach, slope, box and instants of `question`, in which nothing is rigorous, so that the proof can succeed: in and
+ *  out box and instants, guesses that are refined by Newton's method; the boxes get radii. legs, landing and all above are given.
  *  Errors: as jlt_cycle_prove, jlt_cycle_refine; NO_CONVERGENCE: no saddle, no cone, or no such orbit near the guess. */
 JLT_CHECKED jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *question);
 

@@ -13,7 +13,8 @@ static bool find_flipped(unsigned *state, const jlt_homoclinic_question *questio
     return count == 1 && (*state == question->kept[0] || *state == question->kept[1]);
 }
 
-bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question, arb_srcptr saddle)
+bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question,
+                               arb_srcptr saddle)
 {
     const slong n = (slong)of->unknowns, count = n * (slong)question->legs, dim = (slong)of->formulas->dim;
     arb_mat_t frame;
@@ -55,8 +56,8 @@ static unsigned unknown_of(const jlt_homoclinic_chain *self, unsigned state)
     return state < self->of->question->column ? state : state - 1;
 }
 
-/* Over N: q = q* + frame (u, s); w = w* + dw/dq (q - q*), with dw/dq over a box that this stays within, so that the level's graph goes
- * on all over N. False where it is not shown to. */
+/* Over N: q = q* + frame (u, s); w = w* + dw/dq (q - q*), with dw/dq over a box that this stays within, so that the level's graph
+ * goes on all over N. False where it is not shown to. */
 static bool surround(jlt_homoclinic_chain *self, arb_ptr y)
 {
     const jlt_homoclinic_question *q = self->question;

@@ -23,11 +23,12 @@ typedef struct {
 } jlt_homoclinic_chain;
 
 /** False: the frame is singular. Ends with _clear in any case. In: saddle, shape (unknowns,), copied. */
-bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question, arb_srcptr saddle);
+bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question,
+                               arb_srcptr saddle);
 void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self);
 
-/** The derivative of P over N in the frame, A, shape (2, 2); and the box around N, shape (unknowns,). *regular: the levels determine
- *  the states left out all over it. Errors: as jlt_arrival_compute. */
+/** The derivative of P over N in the frame, A, shape (2, 2); and the box around N, shape (unknowns,). *regular: the levels
+ *  determine the states left out all over it. Errors: as jlt_arrival_compute. */
 JLT_CHECKED jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, arb_ptr around, bool *regular);
 
 /** Whether the cone is mapped into its interior, and its directions grow. */

@@ -18,7 +18,10 @@ struct jlt_jets {
     arb_t scratch;
 };
 
-static arb_ptr at(const jlt_jets *self, size_t value) { return self->values + (self->of->dim + value) * self->terms * self->length; }
+static arb_ptr at(const jlt_jets *self, size_t value)
+{
+    return self->values + (self->of->dim + value) * self->terms * self->length;
+}
 
 /* Which state a value is, free parameters behind the states; SIZE_MAX: it is none. */
 static size_t state_of(const jlt_jets *self, ttc_value value)
@@ -107,8 +110,8 @@ static unsigned term_of(unsigned i, unsigned j) { return (i + j) * (i + j + 1) /
 enum { ALL = 0, NOT_FIRST = 1, NOT_LAST = 2 };
 
 /* out = start +- sum of a_p b_(n-p), p from 0 to n; start may be NULL, for 0, or out */
-static void convolve(const jlt_jets *self, arb_t out, const arb_t start, bool minus, arb_srcptr a, arb_srcptr b, place n, int without,
-                     slong bits)
+static void convolve(const jlt_jets *self, arb_t out, const arb_t start, bool minus, arb_srcptr a, arb_srcptr b, place n,
+                     int without, slong bits)
 {
     for (unsigned i = 0; i <= n.i; i++)
         for (unsigned j = 0; j <= n.j; j++) {
@@ -120,8 +123,8 @@ static void convolve(const jlt_jets *self, arb_t out, const arb_t start, bool mi
         }
 }
 
-/* out = (sum over p of w(p) a_p b_(n-p))/w(n), which is the coefficient of the integral of a' b: w is the order in t, and where n is 0
- * in t, the degree. */
+/* out = (sum over p of w(p) a_p b_(n-p))/w(n), which is the coefficient of the integral of a' b: w is the order in t, and where n
+ * is 0 in t, the degree. */
 static void slope(jlt_jets *self, arb_t out, arb_srcptr a, arb_srcptr b, place n, int without, slong bits)
 {
     arb_zero(out);

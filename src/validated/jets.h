@@ -3,8 +3,8 @@
  *  The recurrences are those of the emitted jets (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating
  *  Derivatives, 2nd ed., 2008, ch. 13); here a coefficient is a ball that encloses it for every start in the balls given.
  *
- *  A start may be a polynomial in two variables u and v: coefficients in time are then polynomials as well, to the degree asked for,
- *  which are those of series in t, u and v. So derivatives by the start come along to any order. */
+ *  A start may be a polynomial in two variables u and v: coefficients in time are then polynomials as well, to the degree asked
+ *  for, which are those of series in t, u and v. So derivatives by the start come along to any order. */
 #ifndef JLT_VALIDATED_JETS_H
 #define JLT_VALIDATED_JETS_H
 
@@ -23,9 +23,9 @@ JLT_CHECKED jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, 
                                        unsigned degree);
 void jlt_jets_destroy(jlt_jets *jets); /* legal on NULL */
 
-/** Coefficients at x, shape (dim, terms), with params, shape (params,): of states to `order`, of outputs below it; with order 0 those
- *  of outputs alone, to order 0. Where one has no finite enclosure, it and all that hang on it are not finite. Cost: order^2/2
- *  products for each product of the program, 35 times as many with degree 3. Nothing is allocated. */
+/** Coefficients at x, shape (dim, terms), with params, shape (params,): of states to `order`, of outputs below it; with order 0
+ *  those of outputs alone, to order 0. Where one has no finite enclosure, it and all that hang on it are not finite. Cost:
+ *  order^2/2 products for each product of the program, 35 times as many with degree 3. Nothing is allocated. */
 void jlt_jets_run(jlt_jets *self, arb_srcptr x, arb_srcptr params, slong bits);
 
 /** Their series, lowest order first, those of the polynomial's coefficients behind each other in steps of order + 1: of state i,

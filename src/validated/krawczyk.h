@@ -2,8 +2,8 @@
  *
  *  With G the equations, y0 the middle of a box Y and M near DG(y0)^-1,
  *      K = y0 - M G(y0) + (1 - M DG(Y)) (Y - y0)
- *  within the interior of Y shows that G has exactly one zero in Y, that it lies in K, and that DG is regular all over Y (R. Krawczyk
- *  1969; W. Tucker, Validated Numerics, 2011). */
+ *  within the interior of Y shows that G has exactly one zero in Y, that it lies in K, and that DG is regular all over Y (R.
+ *  Krawczyk 1969; W. Tucker, Validated Numerics, 2011). */
 #ifndef JLT_VALIDATED_KRAWCZYK_H
 #define JLT_VALIDATED_KRAWCZYK_H
 
@@ -32,8 +32,9 @@ typedef enum {
     JLT_KRAWCZYK_CONTRADICTED  /* enclosures of one zero exclude each other: an error of this program */
 } jlt_krawczyk_verdict;
 
-/** The proof in `box`, shape (n,), then in smaller and smaller ones around the zero, as long as they shrink. Out: verdict; solution,
- *  shape (n,), over which the equations were evaluated last. Errors: those of the equations. */
-JLT_CHECKED jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *verdict, arb_ptr solution, arb_srcptr box);
+/** The proof in `box`, shape (n,), then in smaller and smaller ones around the zero, as long as they shrink. Out: verdict;
+ *  solution, shape (n,), over which the equations were evaluated last. Errors: those of the equations. */
+JLT_CHECKED jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *verdict, arb_ptr solution,
+                                          arb_srcptr box);
 
 #endif

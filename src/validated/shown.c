@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of what is said, so that a replay by another version of Arb, or in another order of operations, is not refused for its last bits. */
+/* Of what is said, so that a replay by another version of Arb, or in another order of operations, is not refused for its last
+ * bits. */
 static const double ROOM = 1e-5;
 
 /* With twice the radius. */
@@ -42,7 +43,8 @@ json_t *jlt_shown_lower_bound(const arf_t bound)
     if (arf_is_nan(bound)) return json_string("-inf");
     value -= ROOM * fabs(value);
     arb_init(read);
-    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are below: at most a unit of the last, 1e-4 of the value */
+    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are below: at most a unit of the last, 1e-4 of the
+                                           value */
         snprintf(text, sizeof text, "%.5g", value);
         arb_set_str(read, text, 64);
         arb_get_ubound_arf(arb_midref(read), read, 64);
@@ -125,7 +127,8 @@ static json_t *states_of(arb_srcptr x, const jlt_given *given)
     bool good = true;
 
     for (unsigned i = 0; i < d->state_count; i++)
-        if (i != given->question.column) good = set(point, d->states[i].name, jlt_shown_ball(x + i, given->question.digits)) && good;
+        if (i != given->question.column)
+            good = set(point, d->states[i].name, jlt_shown_ball(x + i, given->question.digits)) && good;
     if (good) return point;
     json_decref(point);
     return NULL;
@@ -169,7 +172,8 @@ json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *g
     for (unsigned i = 0; i < d->state_count; i++)
         if (result->reversor->signs[i] < 0) good = json_array_append_new(flipped, json_string(d->states[i].name)) == 0 && good;
     good = set(part, "reversor", flipped) && good;
-    if (result->type == JLT_SYMMETRY_ELLIPTIC) good = set(part, "rotation", jlt_shown_ball(result->rotation, given->question.digits)) && good;
+    if (result->type == JLT_SYMMETRY_ELLIPTIC)
+        good = set(part, "rotation", jlt_shown_ball(result->rotation, given->question.digits)) && good;
     if (good) return part;
     json_decref(part);
     return NULL;

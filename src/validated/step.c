@@ -95,8 +95,8 @@ static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets, slong bi
             }
 }
 
-/* The derivative's remainder over a step of this length, W_K h^K times the derivative's rough enclosure. Returns log2 of its largest
- * entry. */
+/* The derivative's remainder over a step of this length, W_K h^K times the derivative's rough enclosure. Returns log2 of its
+ * largest entry. */
 static double vary_rest(jlt_step *self, const arf_t h)
 {
     const unsigned n = self->of->dim, K = self->accuracy.order;
@@ -170,9 +170,11 @@ static void build(jlt_step *self, const arb_t h)
 
     arb_init(zero);
     for (unsigned i = 0; i < n; i++)
-        jlt_rough_sum(arb_mat_entry(self->image, i, 0), jlt_jets_state(self->point, i), K, jlt_jets_state(self->around.rough, i) + K, h, bits);
+        jlt_rough_sum(arb_mat_entry(self->image, i, 0), jlt_jets_state(self->point, i), K,
+                      jlt_jets_state(self->around.rough, i) + K, h, bits);
     for (unsigned i = 0; i < n; i++)
-        for (unsigned l = 0; l < n; l++) jlt_rough_sum(arb_mat_entry(self->slope, i, l), entry(self, self->V, i, l), K, zero, h, bits);
+        for (unsigned l = 0; l < n; l++)
+            jlt_rough_sum(arb_mat_entry(self->slope, i, l), entry(self, self->V, i, l), K, zero, h, bits);
     arb_mat_add(self->derivative, self->slope, self->rest, bits);
     arb_clear(zero);
 }

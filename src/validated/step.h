@@ -1,8 +1,8 @@
 /** One validated step of a flow with its variational equations.
  *
  *  The state's rough enclosure Y and remainder c_K(Y) h^K are those of rough.h. Of the derivative V' = Df V, V(0) = 1: with A the
- *  matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 entry by entry, as Picard's series of V is majorized by that of e^(A h). This
- *  is its rough enclosure W, and V_K(Y) W h^K its remainder.
+ *  matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 entry by entry, as Picard's series of V is majorized by that of e^(A h).
+ *  This is its rough enclosure W, and V_K(Y) W h^K its remainder.
  *
  *  The integral of the divergence is one more state. Conditions of the model are bounded from below over the whole step, in pieces,
  *  and those of its domain shown to be positive. */

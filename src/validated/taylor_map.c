@@ -9,7 +9,7 @@ typedef struct {
     jlt_cycle *of;
     const unsigned *kept;
     slong bits;
-    arb_ptr x; /* (states, TERMS) */
+    arb_ptr x; /* (dim, TERMS), free parameters behind the states */
 } course;
 
 static unsigned first_of(unsigned degree) { return degree * (degree + 1) / 2; }
@@ -27,8 +27,12 @@ static void add_product(arb_ptr out, arb_srcptr a, arb_srcptr b, slong bits)
 /* The cycle's own point where u = v = 0. */
 static void fix(const course *self, arb_srcptr y)
 {
+    const jlt_cycle_question *q = self->of->question;
+
     for (unsigned i = 0; i < self->of->unknowns; i++) arb_set(self->x + jlt_cycle_map_state(self->of, i) * TERMS, y + i);
-    arb_set(self->x + self->of->question->column * TERMS, self->of->question->section);
+    arb_set(self->x + q->column * TERMS, q->section);
+    for (unsigned i = 0; i < q->free_count; i++)
+        arb_set(self->x + (self->of->formulas->states + i) * TERMS, q->params + q->free[i]);
 }
 
 /* F_w^-1 at y; left: which states w are. */

@@ -165,8 +165,28 @@ typedef struct {
     const json_t *given, *shown;
 } subject;
 
-typedef enum { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, EXPANDS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE,
-               FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, SYMMETRIC, TWIST, END } sentence;
+typedef enum {
+    SETTING,
+    ORBIT,
+    MULTIPLIERS,
+    CONDITIONS,
+    ATTRACTS,
+    IMAGE,
+    SINK_MEASURE,
+    EXPANDS,
+    SADDLE,
+    HOMOCLINIC,
+    TRANSVERSAL,
+    WAY,
+    HORSESHOE,
+    FAMILY,
+    FAMILY_TRACE,
+    FAMILY_CONDITIONS,
+    FAMILY_MEASURE,
+    SYMMETRIC,
+    TWIST,
+    END
+} sentence;
 
 /* What each kind says, in this order. */
 static const struct {
@@ -196,9 +216,11 @@ static void write_homoclinic(FILE *out, const subject *s)
     fputs("In coordinates u, s along the columns of the frame listed under \"homoclinic\" its local unstable manifold is a graph "
           "s = g(u) over |u| <= ", out);
     write_ball(out, json_object_get(asked, "reach"));
-    fprintf(out, ". Through that graph, and in turn through the %zu boxes of the section listed there, there is exactly one orbit that "
-                 "goes on to meet %s = 0 %s at a point where all states that the reversor flips are 0. It begins at ",
-            json_array_size(json_object_get(asked, "legs")), json_string_value(json_object_get(json_object_get(s->given, "section"), "state")),
+    fprintf(out,
+            ". Through that graph, and in turn through the %zu boxes of the section listed there, there is exactly one orbit that "
+            "goes on to meet %s = 0 %s at a point where all states that the reversor flips are 0. It begins at ",
+            json_array_size(json_object_get(asked, "legs")),
+            json_string_value(json_object_get(json_object_get(s->given, "section"), "state")),
             json_integer_value(json_object_get(asked, "landing")) > 0 ? "upwards" : "downwards");
     write_named(out, json_object_get(found, "first"), ", ");
     fputs("; the symmetric point is ", out);
@@ -234,22 +256,27 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
               "under the flow to the cycles alone, a set of measure zero.", out); break;
     case EXPANDS:
         fputs("The flow over T multiplies volumes at a point x of the orbit by this determinant, which is not 1. Hence no measure "
-              "whose density rho is continuous and positive at that orbit is invariant under this flow, nor one with such a density "
-              "on its levels: rho(phi_T x) det Dphi_T(x) = rho(x) would hold at x = phi_T x.", out); break;
+              "whose density rho is continuous and positive at that orbit is invariant under this flow, nor one with such a "
+              "density on its levels: rho(phi_T x) det Dphi_T(x) = rho(x) would hold at x = phi_T x.", out); break;
     case SADDLE:
         fputs("Both multipliers are real, one outside the unit circle, one inside: a saddle. Its image under the reversor passes "
               "through the same box after the same time, hence is the orbit itself.", out); break;
     case HOMOCLINIC: write_homoclinic(out, s); break;
     case TRANSVERSAL: write_tangent(out, s); break;
     case WAY:
-        write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"), "all along that orbit from its first point to the "
-                         "symmetric one"); break;
+        write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"),
+                         "all along that orbit from its first point to the "
+                         "symmetric one");
+        break;
     case HORSESHOE:
-        fputs("Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return map "
-              "with a horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic orbits of "
-              "saddle type. A transversal crossing remains on all levels nearby, so that no real-analytic function that is defined on "
-              "a connected neighbourhood of both orbits is a further integral: it depends on those named (J. Moser, Stable and Random "
-              "Motions, 1973).", out); break;
+        fputs(
+            "Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return "
+            "map with a horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic "
+            "orbits of saddle type. A transversal crossing remains on all levels nearby, so that no real-analytic function that "
+            "is defined on a connected neighbourhood of both orbits is a further integral: it depends on those named (J. Moser, "
+            "Stable and Random Motions, 1973).",
+            out);
+        break;
     case FAMILY: jlt_theorem_family_setting(out, s->descriptor, s->given, s->shown); break;
     case FAMILY_TRACE: jlt_theorem_family_trace(out, s->shown); break;
     case FAMILY_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "at each of them"); break;

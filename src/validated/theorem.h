@@ -4,8 +4,8 @@
 
 #include "validated/given.h"
 
-/** Sentences of the theorem, an array of strings; a new reference, NULL when memory is out. In: kind, one of certificate.h; given and
- *  shown, as in certificates. */
+/** Sentences of the theorem, an array of strings; a new reference, NULL when memory is out. In: kind, one of certificate.h; given
+ *  and shown, as in certificates. */
 json_t *jlt_theorem_words(const char *kind, const jlt_descriptor *descriptor, const json_t *given, const json_t *shown);
 
 bool jlt_theorem_is_kind(const char *kind);

@@ -36,8 +36,8 @@ void jlt_theorem_family_setting(FILE *out, const jlt_descriptor *d, const json_t
     const char *name, *between = "";
     json_t *value;
 
-    fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s) and its family of equilibria %s", d->model, d->title, d->sha256,
-            text_of(given, "family"));
+    fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s) and its family of equilibria %s", d->model, d->title,
+            d->sha256, text_of(given, "family"));
     if (claim != NULL && claim->condition[0] != '\0') fprintf(out, ", where %s", claim->condition);
     fputs(", with all values ", out);
     write_box(out, json_object_get(given, "box"));
@@ -64,9 +64,11 @@ void jlt_theorem_family_trace(FILE *out, const json_t *shown)
 
 void jlt_theorem_family_measure(FILE *out)
 {
-    fputs("Hence, whichever of these equilibria is x, no measure is invariant under the flow at its parameters that has a density rho "
-          "which near x is continuous and positive, nor one which there lies between two positive numbers: rho(phi_t y) det Dphi_t(y) "
-          "= rho(y) would hold for almost every y near x. A continuous rho gives rho(x) det Dphi_t(x) = rho(x) as y goes to x, but "
-          "det Dphi_t(x) = exp(t div f(x)), which is not 1 where t is not 0; and it goes to 0 or to infinity with t, against the bounds.",
-          out);
+    fputs(
+        "Hence, whichever of these equilibria is x, no measure is invariant under the flow at its parameters that has a density "
+        "rho which near x is continuous and positive, nor one which there lies between two positive numbers: rho(phi_t y) det "
+        "Dphi_t(y) = rho(y) would hold for almost every y near x. A continuous rho gives rho(x) det Dphi_t(x) = rho(x) as y goes "
+        "to x, but det Dphi_t(x) = exp(t div f(x)), which is not 1 where t is not 0; and it goes to 0 or to infinity with t, "
+        "against the bounds.",
+        out);
 }

@@ -17,8 +17,6 @@ jlt_status jlt_transport_create(jlt_transport **transport, const jlt_formulas *o
 
     *transport = NULL;
     if (self == NULL) return st;
-    st = JLT_ERR_ARG;
-    if (of->free_count > 0) goto done;
     JLT_TRY(jlt_rough_init(&self->around, of, of->motion, params, accuracy, degree));
     *transport = self;
     self = NULL; /* ownership moved to the caller */

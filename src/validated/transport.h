@@ -14,12 +14,13 @@
 typedef struct jlt_transport jlt_transport;
 
 /** Out: *transport, NULL on failure; destroy with jlt_transport_destroy. In: params, shape (of->params,), borrowed. Errors: as
- *  jlt_jets_create; ARG, free parameters. */
+ *  jlt_jets_create. */
 JLT_CHECKED jlt_status jlt_transport_create(jlt_transport **transport, const jlt_formulas *of, arb_srcptr params,
                                             jlt_rough_accuracy accuracy, unsigned degree);
 void jlt_transport_destroy(jlt_transport *transport); /* legal on NULL */
 
-/** Carry x, shape (states, terms), for a time in a ball, > 0. Errors: NO_PROGRESS, no step that was tried can be validated.
+/** Carry x, shape (dim, terms), free parameters behind the states and left as they are, for a time in a ball, > 0. Errors:
+ *  NO_PROGRESS, no step that was tried can be validated.
  *  The table's domain is not looked at: it is shown where the orbit is proved. */
 JLT_CHECKED jlt_status jlt_transport_carry(jlt_transport *self, arb_ptr x, const arb_t time);
 

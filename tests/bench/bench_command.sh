@@ -11,7 +11,8 @@ fail() { echo "$*"; status=1; }
 
 # TABLE CONDITION: an awk condition on a row that exactly one row or more must meet, and none may break.
 each() {
-    awk -F, -v OFS=, "$2"' { seen++; if (!('"$3"')) { print FILENAME ": " $0; bad = 1 } } END { exit bad || !seen }' "$folder/$1.csv" \
+    awk -F, -v OFS=, "$2"' { seen++; if (!('"$3"')) { print FILENAME ": " $0; bad = 1 } } END { exit bad || !seen }' \
+        "$folder/$1.csv" \
         || fail "$1: rows with $2 should have $3"
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every kernel takes at most the operations of sympy.cse on the same functions, as recorded in sympy_counts.tsv by
-# tools/bench/sympy_counts.py from the tables that there are; a fused multiply-add counts as two. One kernel, whose products are all there
-# is, takes one more: its s is sqrt((1 - gamma3)(1 + gamma3)), which keeps digits that sqrt(1 - gamma3^2) loses.
+# tools/bench/sympy_counts.py from the tables that there are; a fused multiply-add counts as two. One kernel, whose products are all
+# there is, takes one more: its s is sqrt((1 - gamma3)(1 + gamma3)), which keeps digits that sqrt(1 - gamma3^2) loses.
 set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"

@@ -4,7 +4,8 @@
 # each in five.
 set -uo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-grep -q '^CMAKE_BUILD_TYPE:STRING=Release' "$JLT_BINARY_DIR/CMakeCache.txt" || { echo "times are those of a release build"; exit 77; }
+grep -q '^CMAKE_BUILD_TYPE:STRING=Release' "$JLT_BINARY_DIR/CMakeCache.txt" ||
+    { echo "times are those of a release build"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
@@ -37,10 +38,11 @@ BEGIN {
             if (random(2)) printf "    %s %d/%d*u%d*u%d\n", random(2) ? "+" : "-", 1 + random(999), 2 + random(997), j, k
     }
 }' > quadratic.tt
-[ "$(grep -c '^    [+-]' monomials.tt)" -eq 500 ] && [ "$(grep -c '^    [+-]' quadratic.tt)" -gt 8000 ] || { echo "the tables are not what they should be"; exit 1; }
+[ "$(grep -c '^    [+-]' monomials.tt)" -eq 500 ] && [ "$(grep -c '^    [+-]' quadratic.tt)" -gt 8000 ] ||
+    { echo "the tables are not what they should be"; exit 1; }
 
-# Processors differ, and the same one is not always as fast: a second is what gzip needs for so much text, by which the bounds leave a
-# fifth to differences between machines.
+# Processors differ, and the same one is not always as fast: a second is what gzip needs for so much text, by which the bounds leave
+# a fifth to differences between machines.
 for _ in $(seq 40); do cat quadratic.tt; done > text
 
 # The less of two, in seconds of processor time: what else runs takes caches and clock away, and adds to it.

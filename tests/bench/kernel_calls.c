@@ -12,22 +12,25 @@ extern const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular;
 static _Alignas(64) double x[STATES * 2 * LANES_MAX], k[(SLOPES + 1) * STATES * 2 * LANES_MAX], z[STATES * 2 * LANES_MAX],
     h[2 * LANES_MAX], out[64 * LANES_MAX];
 static double block[256];
+static _Alignas(64) double spread[256 * 2 * LANES_MAX]; /* the same in every lane of both vectors */
 
 static void call_scalar(const jlt_descriptor *d)
 {
-    const jlt_kernel *kernels[] = { &d->rhs, &d->jacobian, &d->rhs_jacobian, &d->divergence, &d->integral_values, &d->integral_gradients };
+    const jlt_kernel *kernels[] = { &d->rhs,        &d->jacobian,        &d->rhs_jacobian,
+                                    &d->divergence, &d->integral_values, &d->integral_gradients };
     for (size_t i = 0; i < sizeof kernels / sizeof *kernels; i++) kernels[i]->call(x, block, out);
 }
 
 static void call_lanes(const jlt_kernel_batch *b)
 {
-    const jlt_kernel_lanes kernels[] = { b->rhs, b->jacobian, b->rhs_jacobian, b->divergence, b->integral_values, b->integral_gradients };
+    const jlt_kernel_lanes kernels[] = { b->rhs,        b->jacobian,        b->rhs_jacobian,
+                                         b->divergence, b->integral_values, b->integral_gradients };
     const jlt_stage_sum sums[SLOPES] = { { 1, { 0 }, { 0.1 } },
                                          { 2, { 0, 1 }, { 0.1, 0.1 } },
                                          { 3, { 0, 1, 2 }, { 0.1, 0.1, 0.1 } },
                                          { 4, { 0, 1, 2, 3 }, { 0.1, 0.1, 0.1, 0.1 } } };
-    for (size_t i = 0; i < sizeof kernels / sizeof *kernels; i++) kernels[i](x, block, out, b->lanes);
-    b->stages(x, k, sums, SLOPES, h, block, z);
+    for (size_t i = 0; i < sizeof kernels / sizeof *kernels; i++) kernels[i](x, spread, out, b->lanes);
+    b->stages(x, k, sums, SLOPES, h, spread, z);
 }
 
 int main(int argc, char **argv)
@@ -49,6 +52,7 @@ int main(int argc, char **argv)
 #endif
     for (size_t i = 0; i < STATES; i++)
         for (size_t lane = 0; lane < row; lane++) x[i * row + lane] = point[i];
+    for (size_t i = 0; i < 2 * (size_t)d->prepared_count * row; i++) spread[i] = block[i / row % d->prepared_count];
     for (int i = 0; i < CALLS; i++) {
         if (lanes == NULL) call_scalar(d);
         else call_lanes(lanes);

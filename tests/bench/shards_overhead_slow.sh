@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What a study costs beside its rows, in time of the processor, which other programs on the machine change little: by `jellett sweep`, with
-# pieces of about the time that is advised, less than 5 % more than by `jellett run`; each of two shards at most 1/1.9 of both. And how
-# fast `jellett merge` is.
+# What a study costs beside its rows, in time of the processor, which other programs on the machine change little: by `jellett
+# sweep`, with pieces of about the time that is advised, less than 5 % more than by `jellett run`; each of two shards at most 1/1.9
+# of both. And how fast `jellett merge` is.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -34,12 +34,14 @@ for i in range(2):
     halves.append(max(two) / sum(two)) # within seconds, as the processor's speed is not the same for long
 more, share = min(swept) / min(bare) - 1, min(halves)
 pieces = 240 * 160 / 600
-print(f"{min(bare):.2f} s by run, {min(swept):.2f} s by sweep ({100 * more:+.1f} %), of which one piece {min(swept) / pieces:.3f} s; the larger of two shards {share:.3f} of both")
+print(f"{min(bare):.2f} s by run, {min(swept):.2f} s by sweep ({100 * more:+.1f} %), of which one piece "
+      f"{min(swept) / pieces:.3f} s; the larger of two shards {share:.3f} of both")
 for i in (1, 2): cost("jellett", "sweep", "rows.scene", "--into=rows", f"--shard={i}/2")
 size = sum(os.path.getsize(os.path.join("rows", name)) for name in os.listdir("rows"))
 for kind in ("csv", "npy", "sqlite"):
     spent = cost("jellett", "merge", "rows", "-o", "rows." + kind)
     if kind == "csv": rows = sum(1 for line in open("rows.csv") if line[0] != "#") - 1
-    print(f"merge of {rows} rows, {size / rows:.0f} bytes a row in shards, to .{kind}: {rows / spent / 1e6:.2f} million rows a second, {os.path.getsize('rows.' + kind) / rows:.0f} bytes a row")
+    print(f"merge of {rows} rows, {size / rows:.0f} bytes a row in shards, to .{kind}: "
+          f"{rows / spent / 1e6:.2f} million rows a second, {os.path.getsize('rows.' + kind) / rows:.0f} bytes a row")
 sys.exit(more > 0.05 or share > 1 / 1.9)
 END

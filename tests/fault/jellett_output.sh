@@ -60,8 +60,8 @@ for signal in INT TERM KILL; do
     done
 done
 
-# A section map that is interrupted keeps whole rows, of every orbit the first of those that an undisturbed run writes, and says so: of one
-# orbit the first rows, of many that go at once a part of each.
+# A section map that is interrupted keeps whole rows, of every orbit the first of those that an undisturbed run writes, and says so:
+# of one orbit the first rows, of many that go at once a part of each.
 section=(jellett section --grid 8x8 --returns 3000)
 "${section[@]}" --output "$scratch/rows" 2> /dev/null
 for signal in INT TERM KILL; do
@@ -71,7 +71,8 @@ for signal in INT TERM KILL; do
     "${section[@]}" --output "$scratch/d/out" > /dev/null 2> "$scratch/err" &
     job=$!
     set +m
-    sleep 0.3
+    while kill -0 $job 2> /dev/null &&
+        [ -z "$(find "$scratch/d" -type f -size +0 2> /dev/null)" ]; do sleep 0.01; done # its first rows
     kill -$signal $job 2>/dev/null
     wait $job 2>/dev/null
     if [ $signal = KILL ]; then
@@ -105,9 +106,11 @@ for command in "drift --returns 10000000" "rod --start $at --sweep omega_n=1:2:1
     grep -q "interrupted; .*saved in $scratch/d/out" "$scratch/err" || fail "SIGINT: $command says '$(cat "$scratch/err")'"
 done
 # Where every method fails before there is a row, no file is made.
-printf '%s\n' 'model runaway' 'state x' 'state u' 'eq x = u' 'eq u = -x + x^3' 'integral E = u^2/2 + x^2/2 - x^4/4' > "$scratch/runaway.tt"
+printf '%s\n' 'model runaway' 'state x' 'state u' 'eq x = u' 'eq u = -x + x^3' 'integral E = u^2/2 + x^2/2 - x^4/4' > \
+    "$scratch/runaway.tt"
 rm -f "$scratch/out"
-expect 4 "no row" env XDG_CACHE_HOME="$scratch/cache" jellett drift "$scratch/runaway.tt" --section u=0 --start x=3 --returns 10 --output "$scratch/out"
+expect 4 "no row" env XDG_CACHE_HOME="$scratch/cache" jellett drift "$scratch/runaway.tt" --section u=0 --start x=3 --returns 10 \
+    --output "$scratch/out"
 [ ! -e "$scratch/out" ] || fail "no row: there is a file: $(cat "$scratch/out")"
 for command in "section --start eta=0.1,gamma3=-0.6 --returns 5" "orbits --period 1 --grid 0x0 --samples 20" \
     "simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 1 --every 0.1" measure; do

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # No command reads or writes memory that is not its own, or loses any: valgrind's memcheck on short runs of each.
 set -uo pipefail
-if nm "$(command -v ttc)" | grep __asan_init > /dev/null; then echo "built with sanitizers, which do not run below valgrind"; exit 77; fi
+if nm "$(command -v ttc)" | grep __asan_init > /dev/null; then echo "built with sanitizers, which do not run below valgrind"; exit \
+    77; fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 models=$JLT_SOURCE_DIR/codegen/models

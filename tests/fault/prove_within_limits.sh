@@ -26,4 +26,5 @@ status=$?
 [ $status -eq 3 ] || { echo "status $status, not 3"; exit 1; }
 grep -Eq 'dense\.tt:[0-9]+:[0-9]+: error: the charpoly claim .* passes the limit of' "$scratch/err" ||
     { echo "the limit is not named with its place:"; cat "$scratch/err"; exit 1; }
-[ "$(grep -c '"status": "proved"' "$scratch/out")" -eq 2 ] || { echo "claims beside it are not proved:"; cat "$scratch/out"; exit 1; }
+[ "$(grep -c '"status": "proved"' "$scratch/out")" -eq 2 ] ||
+    { echo "claims beside it are not proved:"; cat "$scratch/out"; exit 1; }

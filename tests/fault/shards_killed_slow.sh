@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A shard that is killed at any moment, or meets a full disk, keeps every piece that it had written whole, computes none of them again, and
-# goes on to the same bytes. Twenty times at random moments, each time one of three shards that are computing together.
+# A shard that is killed at any moment, or meets a full disk, keeps every piece that it had written whole, computes none of them
+# again, and goes on to the same bytes. Twenty times at random moments, each time one of three shards that are computing together.
 set -uo pipefail
 scratch=$(mktemp -d)
 # A process that is killed before it is jellett is still this shell, and must not clear away what is its.
@@ -42,7 +42,8 @@ for _ in $(seq 60); do
     for _ in $(seq 200); do grep -q 'are there' log && break; sleep 0.01; done
     kill -TERM $again 2> /dev/null
     wait $again
-    [ "${whole:-0}" -lt 2 ] || { [ -n "$(there log)" ] && [ "$(there log)" -ge $((whole - 1)) ]; } || fail "killed with $whole records in the file, $(there log) of which are there then"
+    [ "${whole:-0}" -lt 2 ] || { [ -n "$(there log)" ] && [ "$(there log)" -ge $((whole - 1)) ]; } ||
+        fail "killed with $whole records in the file, $(there log) of which are there then"
     [ $kills -ge 20 ] && break
 done
 [ $kills -ge 20 ] || fail "killed only $kills times: the study is too short"

@@ -9,7 +9,8 @@ status=0
 fail() { echo "$*"; status=1; }
 now() { date +%s%N; }
 
-# SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for 0.4 s, one right after the other; into $code, $seconds, err.
+# SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for 0.4 s, one right after the other; into $code,
+# $seconds, err.
 interrupt() {
     local signals=$1 job begun
     shift
@@ -21,7 +22,8 @@ interrupt() {
     set +m
     # A busy machine: wait until the program catches TERM.
     for _ in $(seq 100); do
-        [ "$(cat /proc/$job/comm 2> /dev/null)" = jellett ] && (((0x$(awk '/SigCgt/ { print $2 }' /proc/$job/status) >> 14) & 1)) && break
+        [ "$(cat /proc/$job/comm 2> /dev/null)" = jellett ] &&
+            (((0x$(awk '/SigCgt/ { print $2 }' /proc/$job/status) >> 14) & 1)) && break
         sleep 0.05
     done
     sleep 0.4

@@ -18,7 +18,8 @@
 static const char table[] =
     "model t\nparam a > 0\nparam k\nstate x in (-1, 1)\nstate y\nroot s = sqrt(1 - x^2)\nlet d = a + k^2*s^2\n"
     "eq x = s*y\neq y = -x*y/s + a*x*s/d - a*x*s/d\n"
-    "integral P = y/s\nintegral wrong = y + k*x\ninvariant line = y\nmeasure rho = 1/s^2\nequilibria rest : y = 0\n  trace rest = 0\n"
+    "integral P = y/s\nintegral wrong = y + k*x\ninvariant line = y\nmeasure rho = 1/s^2\nequilibria rest : y = 0\n  trace rest = "
+    "0\n"
     "reversor y -> -y\nvariant plain : k = 0\ntime u : s lifting s\neliminate c : y by P = L\ndefault a = 1\n";
 
 /* Angles, logarithms and exponentials that depend on each other: what is not known of them must not be taken for independence. */

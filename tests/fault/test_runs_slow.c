@@ -76,7 +76,9 @@ static const char scene[] =
     "            { what = \"section\"; start = { eta = 0.1; gamma3 = -0.6; }; returns = 5; output = \"c.csv\"; } );\n";
 
 typedef enum { ASKED, KILLED, CLOSED, FILE_SIZE, MEMORY, DESCRIPTORS, FULL, DISK, FAULTS } fault;
-static const char *const fault_names[] = { "signals", "killed", "closed", "file size", "memory", "descriptors", "/dev/full", "disk" };
+static const char *const fault_names[] = {
+    "signals", "killed", "closed", "file size", "memory", "descriptors", "/dev/full", "disk"
+};
 
 typedef struct {
     unsigned long seed, number;

@@ -76,7 +76,8 @@ void write_section(maker *m, FILE *target)
     for (size_t i = 2; i < m->states; i++)
         fprintf(target, "state %s%s\n", coordinate_names[i - 2], slip == CHART_HALF && i == 2 ? " in (0, inf)" : "");
     char *value = print(&potential, names);
-    fprintf(target, "let square = g - %s%s\ndomain inside : square > 0\nroot s = sqrt(square)\n", value, slip == CHART_LEVEL ? " - 1" : "");
+    fprintf(target, "let square = g - %s%s\ndomain inside : square > 0\nroot s = sqrt(square)\n", value,
+            slip == CHART_LEVEL ? " - 1" : "");
     free(value);
     fprintf(target, "lift into random.tt with x = %d%s, y = %ss", at, slip == CHART_BESIDE ? " + s" : "", backwards ? "-" : "");
     if (m->states > 2) fprintf(target, ", z = %s%s", ahead, slip == CHART_SHIFTED ? " + 1" : slip == CHART_SIGNED ? "*s/s" : "");

@@ -1,6 +1,6 @@
-/* Tables that serve in place of each other: target.tt has fewer states, on levels; or more; or an angle in place of two. That they do, and
- * that a slip in them is one, follows from how they are made: states are those of the other table through polynomials whose inverse is
- * one. */
+/* Tables that serve in place of each other: target.tt has fewer states, on levels; or more; or an angle in place of two. That they
+ * do, and that a slip in them is one, follows from how they are made: states are those of the other table through polynomials whose
+ * inverse is one. */
 #include "fuzz/random_maker.h"
 
 #include <stdlib.h>
@@ -120,7 +120,11 @@ static void write_descent(maker *m, FILE *target)
     fprintf(target, "model target\n");
     write_params(m, target);
     for (size_t i = kept; i < m->states; i++)
-        fprintf(target, "param %s%s\n", level_names[i - kept], i > kept ? "" : by_root ? (unsigned_root ? "" : " >= 0") : narrow_level ? " != 0" : "");
+        fprintf(target, "param %s%s\n", level_names[i - kept],
+                i > kept       ? ""
+                : by_root      ? (unsigned_root ? "" : " >= 0")
+                : narrow_level ? " != 0"
+                               : "");
     for (size_t i = 0; i < kept; i++) fprintf(target, "state %s%s\n", small_names[i], bounded && i == 0 ? " in (0, 1)" : "");
     const char *names[VARIABLES];
     for (size_t i = 0; i < VARIABLES; i++) names[i] = m->names[i];
@@ -141,7 +145,8 @@ static void write_descent(maker *m, FILE *target)
     const claim_truth right = wrong_motion || unsigned_root ? CLAIM_FALSE : CLAIM_TRUE;
     open_claim(m, "reduction", leaves ? CLAIM_FALSE : right);
     write_way(m, &t, kept, by_root, WAY_RIGHT, "");
-    if (asprintf(&inside, "%s > 0, 1 - %s > 0, %s%s > 0", t.behind[0], t.behind[0], t.behind[kept], by_root ? "" : "^2") < 0) abort();
+    if (asprintf(&inside, "%s > 0, 1 - %s > 0, %s%s > 0", t.behind[0], t.behind[0], t.behind[kept], by_root ? "" : "^2") < 0)
+        abort();
     snprintf(where, sizeof where, " where %s", inside);
     free(inside);
     open_claim(m, "reduction", right);
@@ -200,7 +205,8 @@ static void write_rise(maker *m, FILE *target)
         const char *g, *h, *k, *more;
         bool may_leave, off;
     } lifts[] = { { "0", "0", "0", "", false, false },  { "1/2", "0", "2", "", false, false }, { "2", "0", "0", "", true, false },
-                  { "0", "0", "0", " + 1", false, true }, { "x", "y", "x*y", "", true, false },  { "0", "x^2", "-y", "", false, false } };
+                  { "0", "0", "0",
+                    " + 1", false, true }, { "x", "y", "x*y", "", true, false },  { "0", "x^2", "-y", "", false, false } };
     for (size_t k = 0; k < sizeof lifts / sizeof *lifts; k++) {
         const char *at[VARIABLES];
         for (size_t i = 0; i < VARIABLES; i++) at[i] = m->names[i];

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# ttc discover finds what tables of the house and of the literature claim, with these claims taken out of the tables: known integrals
-# and densities are the oracle, `ttc prove --challenge`, which shares no code with what finds and proves, the witness. With the claims
-# in place it finds nothing more, by the same rank.
+# ttc discover finds what tables of the house and of the literature claim, with these claims taken out of the tables: known
+# integrals and densities are the oracle, `ttc prove --challenge`, which shares no code with what finds and proves, the witness.
+# With the claims in place it finds nothing more, by the same rank.
 set -uo pipefail
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)
@@ -13,7 +13,8 @@ fail() { echo "$*"; status=1; }
 strip() {
     LC_ALL=C awk '
         BEGIN {
-            count = split("integral invariant rate measure equal positive reduction embedding section lift equilibria trace charpoly " \
+            count = split("integral invariant rate measure equal positive reduction embedding section lift equilibria " \
+                "trace charpoly " \
                           "matrix leftnull obstructs tier eliminate pole reversor symmetry periodic time variant", names, " ")
             for (i = 1; i <= count; i++) claim[names[i]] = 1
             count = split("model title source param state root angle exp log let eq default observe valid domain", names, " ")
@@ -31,9 +32,11 @@ found() {
     shift 3
     name=$(basename "$table" .tt)
     strip "$table" > "$scratch/$name.tt"
-    ttc discover "$scratch/$name.tt" ${when:+--when "$when"} "$@" > "$scratch/finds" 2> "$scratch/err" || fail "$name $when: status $?"
+    ttc discover "$scratch/$name.tt" ${when:+--when "$when"} "$@" > "$scratch/finds" 2> "$scratch/err" ||
+        fail "$name $when: status $?"
     grep -v warning "$scratch/err" | grep -q "ttc discover" && fail "$name $when: $(cat "$scratch/err")"
-    [ "$(grep -cE '^(integral|measure)' "$scratch/finds")" -eq "$finds" ] || fail "$name $when: not $finds finds: $(cat "$scratch/finds")"
+    [ "$(grep -cE '^(integral|measure)' "$scratch/finds")" -eq "$finds" ] ||
+        fail "$name $when: not $finds finds: $(cat "$scratch/finds")"
     grep -v '^#' "$scratch/finds" >> "$scratch/$name.tt"
     ttc prove --challenge 8 "$scratch/$name.tt" > "$scratch/proofs" 2>&1 || fail "$name $when: $(cat "$scratch/proofs")"
     [ -n "${lower-}" ] && return # combinations of what the table claims are of lower degree
@@ -63,10 +66,12 @@ found codegen/models/toda.tt 3 '' --denominator 's1*s2' # the third is of degree
 # The bound on leading parts, and that on the motion as it stands, where gravity is a number that hides its weights, are one.
 for when in '' g=3/7; do
     ttc discover $top --seek integrals --degree 8 ${when:+--when $when} > "$scratch/bound" 2>&1
-    grep -qxF '# integrals: no other P, deg P <= 8 (2079 monomials, rank 2070)' "$scratch/bound" || fail "$top $when: $(cat "$scratch/bound")"
+    grep -qxF '# integrals: no other P, deg P <= 8 (2079 monomials, rank 2070)' "$scratch/bound" ||
+        fail "$top $when: $(cat "$scratch/bound")"
 done
 
-# Polynomials with a constant cofactor: J. Llibre, X. Zhang, Invariant algebraic surfaces of the Lorenz system, J. Math. Phys. 43 (2002).
+# Polynomials with a constant cofactor: J. Llibre, X. Zhang, Invariant algebraic surfaces of the Lorenz system, J. Math. Phys. 43
+# (2002).
 says 'sigma=1/2, beta=1, rho=0' 'integral F3 = (x^2 - z)^2/(y^2 + z^2)'
 says 'beta=2*sigma' 'rate P1 : x^2 - 2*sigma*z = -2*sigma*(x^2 - 2*sigma*z)'
 says 'beta=1, rho=0' 'rate P1 : y^2 + z^2 = -2*(y^2 + z^2)'
@@ -75,12 +80,13 @@ for when in 'beta=6*sigma-2, rho=2*sigma-1' 'beta=4, sigma=1'; do
     ttc discover codegen/models/lorenz.tt --when "$when" --seek factors --degree 4 > "$scratch/lorenz" 2>&1
     grep -qE '^rate P1 : -x\^4 \+ 4\*(sigma\*)?x\^2\*z' "$scratch/lorenz" || fail "lorenz when $when: no quartic"
 done
-# Invariant lines, planes and conics, whose cofactors are polynomials: made so. With u = x + 2 y - 1 and v = 3 x - y, u' = u (a + v) and
-# v' = v (b + u); three kinds that eat each other; a limit cycle; Euler's equations, whose planes are irrational.
+# Invariant lines, planes and conics, whose cofactors are polynomials: made so. With u = x + 2 y - 1 and v = 3 x - y, u' = u (a + v)
+# and v' = v (b + u); three kinds that eat each other; a limit cycle; Euler's equations, whose planes are irrational.
 kinds() { # NAME LINE...: the lines that are no comments
     local name=$1
     shift
-    ttc discover --seek factors "$scratch/$name.tt" > "$scratch/finds" 2> "$scratch/err" || fail "$name: status $?, $(cat "$scratch/err")"
+    ttc discover --seek factors "$scratch/$name.tt" > "$scratch/finds" 2> "$scratch/err" ||
+        fail "$name: status $?, $(cat "$scratch/err")"
     diff <(grep -v '^#' "$scratch/finds" | grep -v ^measure) <([ $# = 0 ] || printf '%s\n' "$@") || fail "$name: not these factors"
     grep -v '^#' "$scratch/finds" >> "$scratch/$name.tt"
     ttc prove --challenge 8 "$scratch/$name.tt" > "$scratch/proofs" 2>&1 || fail "$name: $(cat "$scratch/proofs")"
@@ -124,7 +130,8 @@ eq x = x*(1 + w^20)
 eq y = y*(2 + v^20)' 'rate P1 : x = (y^1100 + 1)*x' 'rate P2 : y = (x^1060 + 2)*y' '!no irreducible'
 extactic 3 'x y' 'let w = x^64
 eq x = y + w^33
-eq y = y*(y + w^33)' '# factors with other cofactors: others not looked for, an expression grows beyond what is allowed' '!irreducible'
+eq y = y*(y + w^33)' '# factors with other cofactors: others not looked for, an expression grows beyond what is allowed' \
+    '!irreducible'
 # Orbits in planes: y/x and such ratios are no integrals, though one exists.
 extactic 0 'x y z' 'eq x = y^2
 eq y = -x*y
@@ -145,8 +152,84 @@ eq y = 1/x + y' "$none" '!rate'
 extactic 0 'x y' 'eq x = x*y
 eq y = 1/x + y^2' 'rate P1 : x = (y)*x' "${none/no /no other }"
 
+# denied LINE... -- STATES EQUATIONS OPTIONS...: lines that are said, and behind an exclamation mark those that are not.
+denied() {
+    local lines=()
+    while [ "$1" != -- ]; do lines+=("$1"); shift; done
+    { printf '%s\n' 'model own' 'title "own"'; printf 'state %s\n' $2; printf '%s\n' "$3"; } > "$scratch/own.tt"
+    ttc discover "$scratch/own.tt" "${@:4}" > "$scratch/finds" 2>&1
+    for line in "${lines[@]}"; do
+        if [ "${line#!}" != "$line" ]; then grep -qF -- "${line#!}" "$scratch/finds" && fail "denied: said: $line"
+        else grep -qF -- "$line" "$scratch/finds" || fail "denied: not said: $line: $(cut -c1-200 "$scratch/finds")"
+        fi
+    done
+}
+# (x - a y)^2 (y - a x) is an integral: 3 is no square mod 2^62 - 57, and what holds where a is 0 says nothing of it.
+denied '!no integral P' '!no other P' '1 more P, deg P <= 3, may exist' -- 'x y' 'root a = sqrt(3)
+eq x = -7/2*x + 3/2*a*y
+eq y = -3/2*a*x + 5/2*y' --degree 3
+# Cofactors that no residue tells: with more than 30 bits; 0 mod 2^62 - 57; 1/0.
+denied "!# factors: no P with P' = c P" "# factors: P with P' = c P, c != 0 rational in the parameters, deg P <= 3, may exist" -- \
+    'x y z' \
+    'eq x = 1.2345678901*x - y
+eq y = x + 1.2345678901*y
+eq z = 1 + z^2 + x' --degree 3 --seek factors
+for c in '4611686018427387847*x' 'x/4611686018427387847'; do
+    denied "!# factors: no P with P' = c P" '!deg P <= -1' -- 'x y z' "eq x = $c
+eq y = x + y^2 + z^2
+eq z = 1 + x*y*z" --degree 2
+done
+# The integral y/z, claimed, is none of the form P/x, and explains nothing of what is.
+denied 'integral F1 = (v^2)/(x)' '# integrals: no other P/(x), deg P <= 2 (15 monomials, rank 13)' -- 'x v y z' 'eq x = 2*x
+eq v = v
+eq y = 5*y
+eq z = 5*z
+integral K = y/z' --degree 2 --denominator x --seek integrals
+# y^2 + x^3 is no product of x and y, but a sum of such; integrals that are not asked for explain that 0 is a cofactor.
+denied "# factors: no other P with P' = c P, c != 0 rational in the parameters, deg P <= 3, but sums of products of these" \
+    '! and of integrals' -- 'x y' 'eq x = 2*x
+eq y = 3*y' --degree 3
+for seek in factors integrals,factors; do
+    denied 'deg P <= 2, but sums of products of these and of integrals' -- 'x y z' 'eq x = y
+eq y = -x
+eq z = z' --degree 2 --seek $seek
+done
+denied "# factors: no P with P' = c P, c != 0 rational in the parameters, deg P <= 2" -- 'x y' 'eq x = y^2
+eq y = -x^2' --degree 2 --seek factors
+
 ttc discover codegen/models/lorenz.tt > "$scratch/lorenz" 2>&1
 grep '^[^#]' "$scratch/lorenz" && fail 'lorenz: finds for parameters in general'
+
+# --json has the same claims, which prove when they are added, and the same ranks; a table that cannot be read is an object too.
+strip $top > "$scratch/stripped.tt"
+ttc discover --when I3=0 "$scratch/stripped.tt" > "$scratch/finds" 2> "$scratch/err" || fail "text: $(cat "$scratch/err")"
+ttc discover --json --when I3=0 "$scratch/stripped.tt" "$scratch/absent.tt" > "$scratch/json" 2> "$scratch/err"
+[ $? -eq 5 ] || fail "json: another status than 5"
+python3 - "$scratch/json" "$scratch/finds" "$scratch/stripped.tt" << 'END' || fail "json: not what the text says"
+import hashlib, json, re, sys
+found, absent = json.load(open(sys.argv[1]))
+text = open(sys.argv[2]).read()
+said = [l for l in text.splitlines() if not l.startswith("#")]
+assert "\n".join(c["text"] for c in found["claims"]).splitlines() == said
+assert [(c["kind"], c["name"]) for c in found["claims"]] == [tuple(l.split()[:2]) for l in said if not l.startswith(" ")]
+ranks = re.findall(r"deg P <= (\d+) \((\d+) monomials, rank (\d+)\)", text)
+settled = [s for s in found["settled"] if s["seek"] == "integrals"]
+assert [(str(s["degree"]), str(s["monomials"]), str(s["rank"])) for s in settled] == ranks != []
+assert all(s["complete"] for s in found["settled"]) and found["prime"] == 2 ** 62 - 57 and found["when"] == "I3=0"
+assert found["remarks"] == [l[2:] for l in text.splitlines()[2:] if l.startswith("#")]
+assert found["sha256"] == hashlib.sha256(open(sys.argv[3], "rb").read()).hexdigest() and found["unlifted"] == 0
+assert not absent["ok"] and "No such file" in absent["problems"][0]["message"]
+END
+printf '%s\n' 'model own' 'title "own"' 'state x' 'state y' 'root a = sqrt(3)' 'eq x = -7/2*x + 3/2*a*y' 'eq y = -3/2*a*x + 5/2*y' \
+    > "$scratch/own.tt"
+ttc discover --json --degree 3 --denominator 0 "$scratch/own.tt" > "$scratch/json" 2> "$scratch/err"
+python3 -c '
+import json, sys
+(o,) = json.load(sys.stdin)
+expected = {"seek": "integrals", "form": "P", "degree": 3, "complete": False, "monomials": 10, "rank": 8}
+assert o["settled"][0] == expected, o["settled"]
+assert o["prime"] < 2 ** 62 - 57 and o["unlifted"] > 0 and "is zero, or no ratio" in o["problems"][0]["message"]' < \
+    "$scratch/json" || fail "json: of what is open"
 
 # refused STATUS WORDS ARGUMENTS...
 refused() {

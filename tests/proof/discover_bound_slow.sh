@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The general top has no polynomial integral of degree 16 or less but those that E and G make: by leading parts, weight after weight. By
-# the motion as it stands, where gravity is a number that hides its weights, none of degree 12 or less.
+# The general top has no polynomial integral of degree 16 or less but those that E and G make: by leading parts, weight after
+# weight. By the motion as it stands, where gravity is a number that hides its weights, none of degree 12 or less.
 set -uo pipefail
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)

@@ -25,7 +25,8 @@ static inline ttc_model *parse_text(const char *text)
     return model;
 }
 
-/* The verdict on the claim of that kind and name in a table. reason: a phrase that the remainder, point or note must contain, or NULL. */
+/* The verdict on the claim of that kind and name in a table. reason: a phrase that the remainder, point or note must contain, or
+ * NULL. */
 static inline void expect(const char *text, const char *kind, const char *name, ttc_proof_status status, const char *reason)
 {
     ttc_proof_report *report = NULL;

@@ -32,7 +32,8 @@ static const char false_claims[] =
     "reversor z -> -z\ntime t : s\ntime u : 1/2 + z - p^2\nvariant v : k = a\nvariant w : k = -1\n";
 
 /* The family is one of equilibria, and the trace is zero on it. */
-static const char no_trace[] = "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
+static const char no_trace[] =
+    "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
 
 static ttc_proof_report *prove(const char *text, ttc_model **model)
 {

@@ -1,5 +1,6 @@
-/* What stands beside the kernels of a field, its families of equilibria, the coordinates of its sections and the ways to other tables, is read back from the C that is
- * emitted. Every function of the top's tables is proved; a text in which one operation, operand or constant is another is not. */
+/* What stands beside the kernels of a field, its families of equilibria, the coordinates of its sections and the ways to other
+ * tables, is read back from the C that is emitted. Every function of the top's tables is proved; a text in which one operation,
+ * operand or constant is another is not. */
 #include "prove_text.h"
 
 #include "readback/prove_functions.h"
@@ -92,7 +93,8 @@ static size_t exchange(table *t, const char *word, size_t stride)
         if (at == text || at[-1] == '\n') {
             const size_t length = strcspn(at, "\n");
             const char *found = strstr(at, word);
-            if (strncmp(at, "static ", 7) == 0) inside = strncmp(at, "static void ", 12) == 0 && found != NULL && found < at + length;
+            if (strncmp(at, "static ", 7) == 0)
+                inside = strncmp(at, "static void ", 12) == 0 && found != NULL && found < at + length;
             if (*at == '}') inside = false;
             comment = strncmp(at, "static", 6) == 0;
         }

@@ -25,9 +25,10 @@ static void a_denominator_that_vanishes_on_the_zero_level_is_an_error(void **sta
 static void every_factor_of_a_zero_level_counts(void **state)
 {
     (void)state;
-    const char *table = "model cross\nstate x\nstate y\neq x = x\neq y = y\ninvariant cross = x*y\ninvariant lines = (x - y)*(x + 2*y)\n"
-                        "equal one_line : x = 0 modulo cross\nequal both : x^2*y^3 = 0 modulo cross\n"
-                        "equal other_line : x = -2*y modulo lines\nequal both_lines : x^2 = 2*y^2 - x*y modulo lines\n";
+    const char *table =
+        "model cross\nstate x\nstate y\neq x = x\neq y = y\ninvariant cross = x*y\ninvariant lines = (x - y)*(x + 2*y)\n"
+        "equal one_line : x = 0 modulo cross\nequal both : x^2*y^3 = 0 modulo cross\n"
+        "equal other_line : x = -2*y modulo lines\nequal both_lines : x^2 = 2*y^2 - x*y modulo lines\n";
     expect(table, "equal", "one_line", TTC_REFUTED, "= x");
     expect(table, "equal", "both", TTC_PROVED, NULL);
     expect(table, "equal", "other_line", TTC_REFUTED, NULL);
@@ -112,9 +113,10 @@ static void nested_roots_are_recognized_exactly(void **state)
 static void a_root_that_vanishes_or_is_imaginary_is_an_error(void **state)
 {
     (void)state;
-    const char *table = "model imaginary\nparam a\nstate x in (-1, 1)\nstate y\nroot s = sqrt(1 - x^2)\nroot r = sqrt(a)\neq x = s*y\neq y = -x\n"
-                        "equal zero : r*y = 0 when a = 0\nequal negative : r^2 = -1 when a = -1\n"
-                        "equilibria pole : x = 1, y = 0\nequilibria beyond : x = 2, y = 0\n";
+    const char *table =
+        "model imaginary\nparam a\nstate x in (-1, 1)\nstate y\nroot s = sqrt(1 - x^2)\nroot r = sqrt(a)\neq x = s*y\neq y = -x\n"
+        "equal zero : r*y = 0 when a = 0\nequal negative : r^2 = -1 when a = -1\n"
+        "equilibria pole : x = 1, y = 0\nequilibria beyond : x = 2, y = 0\n";
     expect(table, "equal", "zero", TTC_UNSETTLED, "root");
     expect(table, "equal", "negative", TTC_UNSETTLED, "zero or negative");
     expect(table, "equilibria", "pole", TTC_REFUTED, "interval");
@@ -187,7 +189,8 @@ static void an_invariant_has_a_cofactor_without_pole_on_its_level(void **state)
     expect(table, "invariant", "square", TTC_PROVED, NULL);
     expect(table, "invariant", "left", TTC_REFUTED, "= x");
     expect(table, "invariant", "product", TTC_REFUTED, NULL);
-    expect("model pole\nstate x\nstate y\neq x = 1/x\neq y = y\ninvariant wall = x\n", "invariant", "wall", TTC_UNSETTLED, "denominator");
+    expect("model pole\nstate x\nstate y\neq x = 1/x\neq y = y\ninvariant wall = x\n", "invariant", "wall", TTC_UNSETTLED,
+           "denominator");
 }
 
 static void claims_that_say_nothing_are_errors(void **state)
@@ -309,7 +312,8 @@ static void append_factors(char *text, size_t size, const char *symbol, int coun
  * 1 + n (2 + 2 m), or 1 + n (2 + 2 m + 5). */
 static void expect_of_factors(int n, int m, const char *last, ttc_proof_status status, const char *reason)
 {
-    char table[2048] = "model many\nstate x\nstate y\nstate z\nstate w\neq x = 0*x\neq y = 0*y\neq z = 0*z\neq w = 0*w\ninvariant K = ";
+    char table[2048] =
+        "model many\nstate x\nstate y\nstate z\nstate w\neq x = 0*x\neq y = 0*y\neq z = 0*z\neq w = 0*w\ninvariant K = ";
     append_factors(table, sizeof table, "x", n);
     strcat(table, "\ninvariant L = ");
     append_factors(table, sizeof table, "y", m);

@@ -80,7 +80,8 @@ static void a_relation_of_numbers_is_refuted_only_where_it_is_known_to_fail(void
 {
     (void)state;
     const char *table = HEAD "exp e = exp(1)\nroot r2 = sqrt(2)\nexp er = exp(r2)\nlog l = log(2)\nlog m = log(3)\n"
-                             "exp ep = exp(pi)\nexp ez = exp(z)\nexp ez1 = exp(z + 1)\nexp epi = exp(z + pi)\nangle c s = cos(1) sin(1)\n"
+                             "exp ep = exp(pi)\nexp ez = exp(z)\nexp ez1 = exp(z + 1)\nexp epi = exp(z + pi)\nangle c s = cos(1) "
+                             "sin(1)\n"
                              "equal one : e = 3\nequal two : e*er = 11\nequal circle : c = e\nequal linear : pi = 4*l + m/3\n"
                              "equal mixed : e*l = 2\nequal squares : l^2 + m = 1\nequal gelfond : ep = 23\n"
                              "equal moving : x*e*l = y*pi\nequal shift : ez1 = e*ez\nequal shift_wrong : ez1 = 3*ez\n"

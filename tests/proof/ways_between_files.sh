@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Which record of another table leads back: of several the one that names this table's file, else the first that gives all states. And
-# what a reader is told: of a parameter that the other table has not, its name and a value.
+# Which record of another table leads back: of several the one that names this table's file, else the first that gives all states.
+# And what a reader is told: of a parameter that the other table has not, its name and a value.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -13,9 +13,12 @@ verdict() { # VERDICT KIND NAME TABLE
     grep -qE "^$1 +$2 +$3\$" out || fail "$4: $2 $3 is not $1: $(cat out)"
 }
 
-printf 'model small\nstate y\neq y = 1\nembedding first : into other.tt with x = -y\nembedding second : into large.tt with x = y\n' > small.tt
-printf 'model large\nstate x\neq x = 1\nreduction plain : by small.tt with y = x\nreduction reversed : by small.tt with y = -x\n' > large.tt
-printf 'model other\nstate x\neq x = -1\nreduction plain : by small.tt with y = x\nreduction reversed : by small.tt with y = -x\n' > other.tt
+printf 'model small\nstate y\neq y = 1\nembedding first : into other.tt with x = -y\n'\
+'embedding second : into large.tt with x = y\n' > small.tt
+printf 'model large\nstate x\neq x = 1\nreduction plain : by small.tt with y = x\nreduction reversed : by small.tt with y = -x\n' \
+    > large.tt
+printf 'model other\nstate x\neq x = -1\nreduction plain : by small.tt with y = x\nreduction reversed : by small.tt with y = -x\n' \
+    > other.tt
 verdict proved reduction plain large.tt
 verdict refuted reduction reversed large.tt
 verdict refuted reduction plain other.tt
@@ -23,7 +26,8 @@ verdict proved reduction reversed other.tt
 # Under another name: the first.
 sed 's/^model large/model copy/' large.tt > copy.tt
 verdict refuted reduction plain copy.tt
-printf 'model tall\nstate u\nstate v\neq u = -1\neq v = v\nreduction first : onto other.tt with x = u\nreduction second : onto large.tt with x = -u\n' > tall.tt
+printf 'model tall\nstate u\nstate v\neq u = -1\neq v = v\nreduction first : onto other.tt with x = u\n'\
+'reduction second : onto large.tt with x = -u\n' > tall.tt
 printf 'lift up : into tall.tt with u = -x, v = 0\n' >> large.tt
 printf 'lift up : into tall.tt with u = x, v = 0\n' >> other.tt
 verdict proved lift up large.tt
@@ -45,5 +49,6 @@ verdict proved lift full my_top.tt
 printf 'model resting\nstate y\neq y = 0*y\nembedding all : into pulled.tt with x = y\n' > resting.tt
 printf 'model pulled\nparam g >= 0\nstate x\neq x = g\nreduction rest : by resting.tt with y = x\n' > pulled.tt
 ttc prove pulled.tt 2> /dev/null > out
-grep -q 'field of pulled in x = -g$' out && grep -q 'false at y = 1, g = 1$' out || fail "the free parameter is not told: $(cat out)"
+grep -q 'field of pulled in x = -g$' out && grep -q 'false at y = 1, g = 1$' out ||
+    fail "the free parameter is not told: $(cat out)"
 exit $status

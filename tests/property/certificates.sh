@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Certificates replay from their files, and one that says something else is refused: a changed digit, with its digest made good or not, another
-# table, another hash, another theorem. Digests are made by Python here, and by jansson and the project's own SHA-256 there.
+# Certificates replay from their files, and one that says something else is refused: a changed digit, with its digest made good or
+# not, another table, another hash, another theorem. Digests are made by Python here, and by jansson and the project's own SHA-256
+# there.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)
@@ -45,7 +46,8 @@ expect 1 "$scratch/radius.json" 'does not follow'
 # a ball in which the one found surely is, and one that falls short of it by less than a radius is rounded by
 change wide 'c["shown"]["determinant_of_matrix"]["radius"] = "1e-9"' digest
 expect 0 "$scratch/wide.json" proved
-change narrow 'from decimal import Decimal as D; r = c["shown"]["determinant_of_matrix"]; r["radius"] = str(D(r["radius"]) * (1 - D("1e-12")))' digest
+change narrow 'from decimal import Decimal as D; r = c["shown"]["determinant_of_matrix"]
+r["radius"] = str(D(r["radius"]) * (1 - D("1e-12")))' digest
 expect 1 "$scratch/narrow.json" 'does not follow'
 change theorem 'c["theorem"][1] = c["theorem"][1].replace("exactly one", "no")' digest
 expect 1 "$scratch/theorem.json" 'its theorem is not what its numbers say'
@@ -82,15 +84,27 @@ expect 5 "$scratch/nowhere.json" 'cannot read'
 
 # An orbit of van der Pol's that leaves the domain of its table at another wall is none of the table's.
 cycle=(--section y=0 --direction down --start x=2.0086198608748)
-for wall in 'domain inside : wall^2 - y^2 > 0' 'domain inside : wall - 14/5 > 0' 'state u in (-wall, wall)' 'state u in (-14/5, wall)'; do
+for wall in 'domain inside : wall^2 - y^2 > 0' 'domain inside : wall - 14/5 > 0' 'state u in (-wall, wall)' \
+    'state u in (-14/5, wall)'; do
     y=y
     [ "${wall%% *}" = domain ] || y=u
     printf 'model vdp\nparam wall > 0\ndefault wall = 3\nstate x\n%s\n%s\neq x = %s\neq %s = - x + %s - x^2*%s\n' \
         "$([ $y = u ] || echo 'state y')" "$wall" $y $y $y $y > "$scratch/vdp.tt"
-    jellett certify cycle "$scratch/vdp.tt" "${cycle[@]/y=0/$y=0}" -o "$scratch/vdp.json" > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
+    jellett certify cycle "$scratch/vdp.tt" "${cycle[@]/y=0/$y=0}" -o "$scratch/vdp.json" > "$scratch/out" 2>&1 ||
+        { cat "$scratch/out"; status=1; }
     certificate=$scratch/vdp.json change wall 'c["given"]["parameters"]["wall"] = "2.6"' digest
-    expect 4 "$scratch/wall.json" "outside the model's domain" --model "$scratch/vdp.tt"
-    python3 tools/check_certificate.py --table "$scratch/vdp.tt" "$scratch/wall.json" > "$scratch/out" 2>&1 && { cat "$scratch/out"; status=1; }
+    expect 1 "$scratch/wall.json" "refused: the orbit is not shown to stay in the domain of its table" --model "$scratch/vdp.tt"
+done
+# So for the second program, which serves two coordinates, of an orbit of Lorenz's beyond z = 30; and of parameters. Tables are the
+# same otherwise, so that one certificate is that of all.
+for wall in 'domain inside : 30 - z > 0' 'param wall > 0'; do
+    sed '/^eq x/i '"$wall" codegen/models/lorenz.tt > "$scratch/lorenz.tt"
+    certificate=tools/certificates/lorenz_ab.json change beyond \
+        "c['given']['table']['sha256'] = '$(sha256sum < "$scratch/lorenz.tt" | cut -c1-64)'
+if 'param' in '$wall': c['given']['parameters']['wall'] = '-1'" digest
+    got=0
+    python3 tools/check_certificate.py --table "$scratch/lorenz.tt" "$scratch/beyond.json" > "$scratch/out" 2>&1 || got=$?
+    [ $got -eq 1 ] || { echo "second program beyond $wall: status $got"; cat "$scratch/out"; status=1; }
 done
 
 # The second program proves the same, and refuses the same.
@@ -104,7 +118,8 @@ refuse() { # STATUS TEXT OPTION...
     local got=0 want=$1 text=$2
     shift 2
     jellett certify "$@" -o "$scratch/none.json" > "$scratch/out" 2>&1 || got=$?
-    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/none.json" ] || { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
+    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/none.json" ] ||
+        { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
 }
 orbit=(lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12)
 refuse 1 'not shown to attract' sink "${orbit[@]}"
@@ -115,5 +130,23 @@ refuse 4 'finds no periodic orbit' cycle lorenz --section z=27 --start x=100,y=-
 refuse 2 'no kind of certificate' saddle "${orbit[@]}"
 refuse 2 'has no picture' cycle "${orbit[@]}" --plot "$scratch/none.svg"
 refuse 2 'say near which orbit' cycle lorenz --section z=27
+refuse 2 '--distance is an option of homoclinic, not of cycle' cycle "${orbit[@]}" --distance 1e-6
+refuse 2 '--orbit is an option of homoclinic, not of sink' sink "${orbit[@]}" --orbit 2
+refuse 2 '--box is an option of equilibria, not of cycle' cycle "${orbit[@]}" --box rho=1:2
+refuse 2 '--limit is an option of equilibria, not of cycle' cycle "${orbit[@]}" --limit 7
+refuse 2 '--period is an option of cycle, elliptic, obstruction, sink and symmetric, not of homoclinic' homoclinic "${orbit[@]}"
+for option in '--period 2' '--start x=1' '--radius 1e-9' '--spread a3=1e-9' '--distance 1e-6' '--orbit 2'; do
+    refuse 2 "${option% *} is an option of" equilibria --family spin --box I1=0.2:1 $option
+done
+for option in '--section z=27' '--level E=1' '--solve gamma3=0' '--modulo gamma3=1' '--mirror gamma3' '--direction down' \
+    '--tol 1e-9' '--method rk8pd'; do
+    refuse 2 "${option% *} is an option of orbits" equilibria --family spin --box I1=0.2:1 $option
+done
+refuse 2 'one way, up or down' cycle "${orbit[@]}" --direction both
+
+# A section of a phase, once a period, is not served, and that is said.
+printf 'model forced\nstate x\nstate v\nstate phi\nangle c s = cos(phi) sin(phi)\neq x = v\neq v = - x/2 - v/5 + c\neq phi = 1\n'\
+'periodic phi = 2*pi\n' > "$scratch/forced.tt"
+refuse 3 'no section that is met once a turn, as phi = 0 is here' cycle "$scratch/forced.tt" --section phi=0 --start x=0,v=1
 [ $status -ne 0 ] || echo "certificates are replayed, and false ones refused"
 exit $status

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# What families of equilibria exclude over boxes: certificates of the folder are made again bit for bit, replayed, also by the second program,
-# and refused by both where they say something else. Boxes in which the trace vanishes are refused with a point or a part of the box; boxes
-# that are none, or that the table does not allow, are no input.
+# What families of equilibria exclude over boxes: certificates of the folder are made again bit for bit, replayed, also by the
+# second program, and refused by both where they say something else. Boxes in which the trace vanishes are refused with a point or a
+# part of the box; boxes that are none, or that the table does not allow, are no input.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 status=0
 
-# The trace k (3/2 - x) (x^2 - x + 1) is 0 at x = 3/2 alone, where the domain has ended; ends of intervals show that in parts only. In the
-# second family it is (x^2 - c)^2, which is 0 at the root of c without a change of sign.
+# The trace k (3/2 - x) (x^2 - x + 1) is 0 at x = 3/2 alone, where the domain has ended; ends of intervals show that in parts only.
+# In the second family it is (x^2 - c)^2, which is 0 at the root of c without a change of sign.
 table=$scratch/ledge.tt
 cat > "$table" << 'END'
 model ledge
@@ -49,8 +49,8 @@ for name in proposition_1 proposition_1_weightless proposition_1_levels; do
     expect 0 "$scratch/$name.json" 'it is negative' second
 done
 
-# NAME STATEMENT [digest]: a copy changed by a statement of Python on c, its question g and what is shown, s; with a digest of its own
-# where asked.
+# NAME STATEMENT [digest]: a copy changed by a statement of Python on c, its question g and what is shown, s; with a digest of its
+# own where asked.
 certificate=tools/certificates/proposition_1.json
 change() {
     python3 - "$certificate" "$scratch/$1.json" "$2" "${3:-}" << 'END'
@@ -138,13 +138,15 @@ certify 3 'say which family of ledge: --family, one of rest, still' "$table" --b
 
 spin=(--family spin --box I1=0.2:1,I3=0.2:1)
 certify 0 'it is positive' "${spin[@]},gamma3=-0.9:-0.1,v_nu=0.1:2,omega3=-3:3"
-certify 1 'the trace is 0 at I1 = 0.2, I3 = 0.2, gamma3 = 0, v_nu = 0.1, omega3 = -3' "${spin[@]},gamma3=0:0.9,v_nu=0.1:2,omega3=-3:3"
+certify 1 'the trace is 0 at I1 = 0.2, I3 = 0.2, gamma3 = 0, v_nu = 0.1, omega3 = -3' \
+    "${spin[@]},gamma3=0:0.9,v_nu=0.1:2,omega3=-3:3"
 certify 1 'the trace is 0 at' "${spin[@]},gamma3=-0.9:0,v_nu=0.1:2,omega3=-3:3"
 certify 1 'the trace changes its sign' "${spin[@]},gamma3=-0.9:0.8,v_nu=0.1:2,omega3=-3:3"
 certify 1 'the trace is 0 at' --family spin --box I3=0:1,gamma3=0.1:0.9,v_nu=0.1:2,omega3=1
 certify 1 'the trace is 0 at' --family precession --box gamma3=0.1:0.2,omega_n=1:2
 certify 1 'the trace is 0 at a = 0.2' lotka_volterra --box a=0.1:0.3
-certify 4 'has no sign that is shown in a3 in [-0.9, -0.89999999' --family spin_weightless --box a3=-0.9:0.9,gamma3=0.9:0.99,v_nu=1,omega3=1
+certify 4 'has no sign that is shown in a3 in [-0.9, -0.89999999' --family spin_weightless --box \
+    a3=-0.9:0.9,gamma3=0.9:0.99,v_nu=1,omega3=1
 certify 3 'the range of gamma3 is empty' "${spin[@]},gamma3=0.9:0.1,v_nu=1,omega3=0"
 certify 3 'the range of gamma3 is empty' "${spin[@]},gamma3=0.5:0.5,v_nu=1,omega3=0"
 certify 3 "'gamma3=nan:0.9' has no finite number" "${spin[@]},gamma3=nan:0.9,v_nu=1,omega3=0"
@@ -160,8 +162,8 @@ certify 3 'state omega3 has no value' "${spin[@]},gamma3=0.1:0.9,v_nu=1"
 certify 3 "no family of equilibria 'rolling'; it has spin, spin_weightless, precession" --family rolling --box v_nu=1
 certify 3 'nose_hoover has no family of equilibria' nose_hoover
 certify 2 'is no range' "${spin[@]},gamma3"
-certify 2 'leave out --start' "${spin[@]},gamma3=0.1:0.9,v_nu=1,omega3=0" --level E=1
-certify 2 'leave out --start' "${spin[@]},gamma3=0.1:0.9,v_nu=1,omega3=0" --start gamma3=0.5
+certify 2 '--level is an option of orbits' "${spin[@]},gamma3=0.1:0.9,v_nu=1,omega3=0" --level E=1
+certify 2 '--start is an option of cycle' "${spin[@]},gamma3=0.1:0.9,v_nu=1,omega3=0" --start gamma3=0.5
 got=0
 jellett certify cycle --start eta=0,gamma3=-0.6136 --box I1=0.2:1 > "$scratch/out" 2>&1 || got=$?
 [ $got -eq 2 ] || { echo "a cycle with a box: status $got"; status=1; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A transversal homoclinic orbit of Henon's and Heiles' oscillators is certified and replayed, and certificates that say something else are
-# refused; so is a cycle of determinant 1 as an obstruction, which Lorenz' orbit AB is.
+# A transversal homoclinic orbit of Henon's and Heiles' oscillators is certified and replayed, and certificates that say something
+# else are refused; so is a cycle of determinant 1 as an obstruction, which Lorenz' orbit AB is.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)
@@ -62,15 +62,17 @@ refuse() { # STATUS TEXT OPTION...
     local got=0 want=$1 text=$2
     shift 2
     jellett certify "$@" -o "$scratch/nothing.json" > "$scratch/out" 2>&1 || got=$?
-    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/nothing.json" ] || { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
+    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/nothing.json" ] ||
+        { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
 }
 refuse 1 'its determinant may be 1' obstruction "${henon[@]}"
 refuse 4 'no symmetric homoclinic orbit' homoclinic "${henon[@]}" --orbit 1000
 refuse 4 'no symmetric homoclinic orbit' homoclinic roessler --section y=0 --direction down --start x=-7.2,z=0.0155
-refuse 2 'leave out --period' homoclinic "${henon[@]}" --period 2
+refuse 2 '--period is an option of cycle' homoclinic "${henon[@]}" --period 2
 lorenz=(obstruction lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12)
 jellett certify "${lorenz[@]}" -o "$scratch/lorenz.json" && jellett check "$scratch/lorenz.json" > "$scratch/out" \
-    && grep -q 'no measure whose density' "$scratch/out" && python3 tools/check_certificate.py "$scratch/lorenz.json" > /dev/null || status=1
+    && grep -q 'no measure whose density' "$scratch/out" && python3 tools/check_certificate.py "$scratch/lorenz.json" > /dev/null ||
+    status=1
 
 # The second program serves cycles alone.
 got=0

@@ -59,9 +59,17 @@ expect 1 "$scratch/cycle.json" 'does not follow'
 second() { # STATUS FILE TEXT
     local got=0
     python3 tools/check_certificate.py --table "$table" "$2" > "$scratch/out" 2>&1 || got=$?
-    [ $got -eq "$1" ] && grep -qF -- "$3" "$scratch/out" || { echo "second program on $2: status $got"; cat "$scratch/out"; status=1; }
+    [ $got -eq "$1" ] && grep -qF -- "$3" "$scratch/out" ||
+        { echo "second program on $2: status $got"; cat "$scratch/out"; status=1; }
 }
 second 0 "$certificate" 'proved by a second program'
+# A reversor that the table claims, but that does not turn its motion around, or does more than change signs.
+for claim in 'x -> -x, y -> -y' 'x -> -x, px -> y, y -> px'; do
+    sed "s/^reversor .*/reversor $claim/" "$table" > "$scratch/claimed.tt"
+    change claimed 's["reversor"] = ["x"] + ["y"] * ("-y" in "'"$claim"'")
+c["given"]["table"]["sha256"] = "'"$(sha256sum < "$scratch/claimed.tt" | cut -c1-64)"'"'
+    table=$scratch/claimed.tt second 1 "$scratch/claimed.json" 'the table claims another reversor, or none'
+done
 second 1 "$scratch/type.json" 'it is not hyperbolic'
 second 1 "$scratch/reversor.json" 'the table claims another reversor'
 
@@ -69,14 +77,15 @@ refuse() { # STATUS TEXT OPTION...
     local got=0 want=$1 text=$2
     shift 2
     jellett certify "$@" -o "$scratch/nothing.json" > "$scratch/out" 2>&1 || got=$?
-    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/nothing.json" ] || { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
+    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && [ ! -e "$scratch/nothing.json" ] ||
+        { echo "certify $*: status $got"; cat "$scratch/out"; status=1; }
 }
 refuse 1 'no reversor of the table' symmetric lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12
 refuse 1 'not shown to be its own mirror image' symmetric "${centre[@]:0:7}" --start y=0.3014,py=-0.29987
 refuse 1 'not shown to be its own mirror image' symmetric "${centre[@]:0:7}" --period 4 --start y=-0.12188955,py=-0.26566932
-# Elliptic: the twist is what rotation numbers of curves around the point make of it. With r the amplitude of y along a curve, (angle of
-# a return - that at the point)/r^2 differs from it by about c r^2: what two curves make of it by extrapolation is nearer than a tenth
-# of their difference.
+# Elliptic: the twist is what rotation numbers of curves around the point make of it. With r the amplitude of y along a curve,
+# (angle of a return - that at the point)/r^2 differs from it by about c r^2: what two curves make of it by extrapolation is nearer
+# than a tenth of their difference.
 certificate=$scratch/twist.json
 jellett certify elliptic "${centre[@]}" -o "$certificate"
 expect 0 "$certificate" 'the orbit is stable on its levels'
@@ -112,7 +121,51 @@ change less 'c["kind"] = "symmetric"'
 expect 1 "$scratch/less.json" 'does not follow'
 change theorem 'c["theorem"][-1] = c["theorem"][-1].replace("stable", "unstable")'
 expect 1 "$scratch/theorem.json" 'its theorem is not what its numbers say'
-second 3 "$scratch/theorem.json" 'it is of kind elliptic'
+# The second program finds the same twist, and refuses another twist, another rotation number.
+second 0 "$certificate" 'elliptic proved by a second program'
+change turned 's["rotation"]["middle"] = "0.3246002013692"'
+second 1 "$scratch/turned.json" 'the rotation number is another one'
+change untwisted 'c["shown"]["twist"]["coefficient"]["middle"] = str(-float(c["shown"]["twist"]["coefficient"]["middle"]))'
+second 1 "$scratch/untwisted.json" 'the twist is another one'
+change shallow 'from decimal import Decimal as D
+t = c["shown"]["twist"]["coefficient"]; t["middle"] = str(D(t["middle"]) * (1 + D("1e-6")))'
+second 1 "$scratch/shallow.json" 'the twist is another one'
+second 1 "$scratch/coordinate.json" 'the amplitude of another state'
+# For all levels of an interval: the one in the middle has its twist within, levels at both ends theirs, and no wider one is said to
+# exclude 0 than does so as it is written.
+# So for a parameter, the coupling. Boxes are as wide as the orbits spread, without which none is shown to be there.
+jellett certify elliptic "${centre[@]:0:3}" --level H=1/8 --spread H=1e-8 "${centre[@]:5}" -o "$scratch/levels.json"
+sed 's/^state x/param c\ndefault c = 1\n&/; s/2\*x\*y/c*&/; s/- x^2/- c*x^2/; s/+ x^2\*y/+ c*x^2*y/' "$table" > \
+    "$scratch/coupled.tt"
+jellett certify elliptic "$scratch/coupled.tt" "${centre[@]:1}" --spread c=1e-8 -o "$scratch/coupled.json"
+jellett check --model "$scratch/coupled.tt" "$scratch/coupled.json" > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
+expect 0 "$scratch/levels.json" 'What follows holds for each value'
+for end in 12499999/100000000 12500001/100000000; do
+    jellett certify elliptic "${centre[@]:0:3}" --level H=$end "${centre[@]:5}" -o "$scratch/end.${end:7:1}.json"
+done
+for c in 99999999/100000000 100000001/100000000; do
+    jellett certify elliptic "$scratch/coupled.tt" "${centre[@]:1}" --set "c=$c" -o "$scratch/coupled_${c:0:1}.json"
+done
+cat > "$scratch/within.py" << 'END'
+import json, sys
+from fractions import Fraction as F
+wide, *others = ([s["twist"]["coefficient"], s["trace"], s["symmetry"]["rotation"]]
+                 for s in (json.load(open(path))["shown"] for path in sys.argv[1:]))
+assert len(others) == 3 and abs(F(wide[0]["middle"])) > F(wide[0]["radius"])
+for found in others:
+    for a, b in zip(wide, found):
+        assert abs(F(a["middle"]) - F(b["middle"])) <= F(a["radius"]) and F(b["radius"]) < F(a["radius"])
+END
+python3 "$scratch/within.py" "$scratch/levels.json" "$certificate" "$scratch"/end.*.json ||
+    { echo "another twist than at single levels"; status=1; }
+python3 "$scratch/within.py" "$scratch/coupled.json" "$certificate" "$scratch"/coupled_*.json ||
+    { echo "another twist than with single parameters"; status=1; }
+second 3 "$scratch/levels.json" 'are intervals'
+refuse 1 'its twist may be 0 (try more digits, or intervals that are less wide)' elliptic "${centre[@]:0:3}" --level H=1/8 \
+    --spread H=1e-6 \
+    "${centre[@]:5}"
+jellett certify symmetric "${centre[@]:0:3}" --level H=1/8 --spread H=1e-4 "${centre[@]:5}" -o "$scratch/wider.json" || status=1
+refuse 1 'no orbit is shown to be there' symmetric "${centre[@]:0:3}" --level H=1/8 --spread H=1e-4 "${centre[@]:5}" --radius 1e-10
 refuse 1 'not shown to be elliptic: its trace is 4.02' elliptic "${centre[@]:0:7}" --start y=-0.2,py=0
 # where the trace is -1, to 1e-13, with all levels within 1e-11
 refuse 1 'a resonance of order 4 or 3' elliptic "$table" --section x=0 --level H=0.127217901796567 --spread H=1e-11 --solve px=0.4 \

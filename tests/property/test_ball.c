@@ -189,7 +189,8 @@ static void an_enclosure_is_that_of_a_new_ball_whatever_went_before(void **unuse
     for (size_t k = 0; k < sizeof before / sizeof *before; k++) {
         fixture used = set_up(), fresh = set_up();
         ttc_enclosure ignored, one, other;
-        assert_true(ttc_ball_set(used.ball, used.p, 1.3) && ttc_ball_set(used.ball, used.q, 0.7) && ttc_ball_set(used.ball, used.y, -2.1));
+        assert_true(ttc_ball_set(used.ball, used.p, 1.3) && ttc_ball_set(used.ball, used.q, 0.7)
+                    && ttc_ball_set(used.ball, used.y, -2.1));
         assert_true(ttc_ball_set(used.ball, used.x, before[k]));
         assert_int_equal(ttc_ball_estimate(&ignored, used.ball, ttc_model_field(used.model, 1)), fabs(before[k]) < 1.0);
         assert_true(ttc_ball_set(used.ball, used.x, 0.3));

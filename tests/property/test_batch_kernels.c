@@ -1,4 +1,4 @@
-/* Batched kernels against scalar ones.
+/* Batched kernels against scalar ones, every lane under parameters of its own.
  *
  * The baseline lanes do the scalar kernel's operations in the scalar kernel's order, so they agree bit for bit when both
  * are compiled for the baseline. The wider instruction sets fuse multiply-adds, which rounds once where the scalar code
@@ -17,7 +17,14 @@
 #include "kernel/batch_isa.h"
 #include "registry.h"
 
-enum { LANES_MAX = 8, OUTPUTS_MAX = 512, INPUTS_MAX = 64, ROUNDS = 20 };
+enum {
+    LANES_MAX = 8,
+    ROW_MAX = JLT_BATCH_VECTORS * LANES_MAX,
+    OUTPUTS_MAX = 512,
+    INPUTS_MAX = 64,
+    PREPARED_MAX = 512,
+    ROUNDS = 20
+};
 
 typedef struct {
     const jlt_kernel *scalar;
@@ -92,12 +99,41 @@ static double *make_block(const jlt_descriptor *d, uint64_t *state)
     return p;
 }
 
+/* Prepared values of so many lanes: one's by one's, and as kernels take them. */
+typedef struct {
+    double *of[ROW_MAX];
+    _Alignas(64) double spread[PREPARED_MAX * ROW_MAX];
+} blocks;
+
+static void make_blocks(blocks *p, const jlt_descriptor *d, uint64_t *state)
+{
+    assert_true(d->prepared_count <= PREPARED_MAX);
+    for (unsigned lane = 0; lane < ROW_MAX; lane++) p->of[lane] = make_block(d, state);
+}
+
+static void free_blocks(blocks *p)
+{
+    for (unsigned lane = 0; lane < ROW_MAX; lane++) free(p->of[lane]);
+}
+
+/* Vectors one behind the other. Returns those of the vector that begins at lane `at`, the length of a vector times a whole
+ * number. */
+static const double *spread(blocks *p, const jlt_kernel_batch *kernels, unsigned at)
+{
+    for (unsigned lane = 0; lane < ROW_MAX; lane++)
+        for (unsigned i = 0; i < kernels->prepared; i++)
+            p->spread[(lane / kernels->lanes * kernels->prepared + i) * kernels->lanes + lane % kernels->lanes] = p->of[lane][i];
+    return p->spread + (size_t)kernels->prepared * at;
+}
+
 static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state)
 {
     static double x[INPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
     static double out[JLT_ISA_COUNT][OUTPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
-    double one[INPUTS_MAX], expected[OUTPUTS_MAX], *p = make_block(d, state);
+    static blocks p;
+    double one[INPUTS_MAX], expected[OUTPUTS_MAX];
 
+    make_blocks(&p, d, state);
     assert_true(k->scalar->outputs <= OUTPUTS_MAX && d->state_count <= INPUTS_MAX);
     for (unsigned i = 0; i < d->state_count; i++)
         for (unsigned lane = 0; lane < LANES_MAX; lane++) x[i * LANES_MAX + lane] = inside(&d->states[i], state);
@@ -105,12 +141,13 @@ static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state
         unsigned lanes = d->batches[isa]->lanes;
         assert_true((k->scalar->call == NULL) == (k->lanes[isa] == NULL));
         if (k->lanes[isa] == NULL || !jlt_batch_isa_runs(d->batches[isa])) continue;
-        for (unsigned lane = 0; lane < LANES_MAX; lane += lanes) k->lanes[isa](x + lane, p, out[isa] + lane, LANES_MAX);
+        for (unsigned lane = 0; lane < LANES_MAX; lane += lanes)
+            k->lanes[isa](x + lane, spread(&p, d->batches[isa], lane), out[isa] + lane, LANES_MAX);
     }
     for (unsigned lane = 0; k->scalar->call != NULL && lane < LANES_MAX; lane++) {
         for (unsigned i = 0; i < d->state_count; i++) one[i] = x[i * LANES_MAX + lane];
-        k->scalar->call(one, p, expected);
-        const double size = size_of(d, k, one, p, expected);
+        k->scalar->call(one, p.of[lane], expected);
+        const double size = size_of(d, k, one, p.of[lane], expected);
         for (unsigned i = 0; i < k->scalar->outputs; i++) {
             unsigned at = i * LANES_MAX + lane;
 #ifndef FP_FAST_FMA
@@ -125,7 +162,7 @@ static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state
                 assert_true(fabs(out[1][at] - expected[i]) <= 300 * 1e4 * 0x1p-53 * size);
         }
     }
-    free(p);
+    free_blocks(&p);
 }
 
 static void lanes_agree_with_scalar_kernels(void **unused)
@@ -149,23 +186,24 @@ static void stages_are_fields_of_weighted_sums(void **unused)
     static const jlt_stage_sum sums[] = { { 1, { 0 }, { 0.25 } },
                                           { 2, { 0, 1 }, { -0.5, 1.25 } },
                                           { 2, { 1, 2 }, { 0.75, 0.125 } } };
+    static blocks p;
     uint64_t state = 20232;
 
     (void)unused;
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
-        double *p = make_block(d, &state);
+        make_blocks(&p, d, &state);
         for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
             const jlt_kernel_batch *kernels = d->batches[isa];
             const unsigned n = d->state_count, row = JLT_BATCH_VECTORS * kernels->lanes;
             if (!jlt_batch_isa_runs(kernels)) continue;
             for (unsigned i = 0; i < n * row; i++) x[i] = inside(&d->states[i / row], &state);
             for (unsigned j = 0; j < row; j++) h[j] = 1e-3 * (j + 1);
-            for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(x + at, p, k + at, row);
+            for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(x + at, spread(&p, kernels, at), k + at, row);
             for (unsigned count = 1; count <= 3; count++) {
                 const jlt_stage_sum *sum = &sums[count - 1];
-                kernels->stages(x, k, sums, count, h, p, z);
-                for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(z + at, p, f + at, row);
+                kernels->stages(x, k, sums, count, h, spread(&p, kernels, 0), z);
+                for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(z + at, spread(&p, kernels, at), f + at, row);
                 for (unsigned i = 0; i < n * row; i++) {
                     double total = x[i], size = fabs(x[i]);
                     for (unsigned l = 0; l < sum->count; l++) {
@@ -179,7 +217,7 @@ static void stages_are_fields_of_weighted_sums(void **unused)
                 }
             }
         }
-        free(p);
+        free_blocks(&p);
     }
 }
 
@@ -192,12 +230,13 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
     static const jlt_stage_sum sums[COUNT] = { { 1, { 0 }, { 0.25 } },
                                                { 2, { 0, 1 }, { -0.5, 1.25 } },
                                                { 3, { 0, 1, 2 }, { 0.75, 0.5, 0.125 } } };
+    static blocks p;
     uint64_t state = 20233;
 
     (void)unused;
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
-        double *p = make_block(d, &state);
+        make_blocks(&p, d, &state);
         for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
             const jlt_kernel_batch *kernels = d->batches[isa];
             const unsigned n = d->state_count, row = JLT_BATCH_VECTORS * kernels->lanes, slopes = (n + 1) * row;
@@ -208,17 +247,17 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
                 h[j] = 1e-3 * (j + 1);
                 k[n * row + j] = 0.5;
             }
-            for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(x + at, p, k + at, row);
+            for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(x + at, spread(&p, kernels, at), k + at, row);
             memcpy(plain_k, k, n * row * sizeof *k);
-            kernels->stages(x, plain_k, sums, COUNT, h, p, plain_z);
-            kernels->stages_clock(x, k, sums, COUNT, h, p, z);
+            kernels->stages(x, plain_k, sums, COUNT, h, spread(&p, kernels, 0), plain_z);
+            kernels->stages_clock(x, k, sums, COUNT, h, spread(&p, kernels, 0), z);
             for (unsigned i = 0; i < n * row; i++) {
                 assert_same(z[i], plain_z[i]);
                 for (unsigned s = 1; s <= COUNT; s++) assert_same(k[s * slopes + i], plain_k[s * n * row + i]);
             }
             for (unsigned j = 0; j < row; j++) rate[j] = 1;
             for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes)
-                kernels->time_factor(z + at, p, rate + at, row);
+                kernels->time_factor(z + at, spread(&p, kernels, at), rate + at, row);
             for (unsigned j = 0; j < row; j++) {
                 const double *clock = k + n * row + j, last = clock[COUNT * slopes];
                 const double t = x[n * row + j] + h[j] * (0.75 * clock[0] + 0.5 * clock[slopes] + 0.125 * clock[2 * slopes]);
@@ -226,14 +265,14 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
                 if (isfinite(t)) assert_true(fabs(z[n * row + j] - t) <= 4 * 0x1p-53 * fmax(fabs(t), x[n * row + j]));
             }
         }
-        free(p);
+        free_blocks(&p);
     }
 }
 
-/* Columns of stages_varied after its last stage: sums with 8 roundings of the largest term; slopes of states from the same program as
- * rhs_jacobian, bit for bit; of tangent vectors the Jacobian times them, a rounding a term and one for its product; of the integrals
- * the trace and dt/dtau. */
-static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *d, const double *p, unsigned tangents, uint64_t *state)
+/* Columns of stages_varied after its last stage: sums with 8 roundings of the largest term; slopes of states from the same program
+ * as rhs_jacobian, bit for bit; of tangent vectors the Jacobian times them, a rounding a term and one for its product; of the
+ * integrals the trace and dt/dtau. */
+static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *d, blocks *p, unsigned tangents, uint64_t *state)
 {
     enum { ROW = 16, COUNT = 3, COLUMNS_MAX = 4 * 32 + 2 };
     static _Alignas(64) double x[COLUMNS_MAX * ROW], z[COLUMNS_MAX * ROW], k[(COUNT + 1) * COLUMNS_MAX * ROW], h[ROW], rate[ROW],
@@ -252,7 +291,7 @@ static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *
         h[j] = 1e-3 * (j + 1);
         rate[j] = 1;
     }
-    kernels->stages_varied(x, k, sums, COUNT, h, p, z, tangents);
+    kernels->stages_varied(x, k, sums, COUNT, h, spread(p, kernels, 0), z, tangents);
     for (unsigned i = 0; i < columns * row; i++) {
         double total = x[i], size = fabs(x[i]);
         for (unsigned l = 0; l < COUNT; l++) {
@@ -262,8 +301,9 @@ static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *
         }
         if (isfinite(total)) assert_true(fabs(z[i] - total) <= 8 * 0x1p-53 * size);
     }
-    for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs_jacobian(z + at, p, linear + at, row);
-    for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes) kernels->time_factor(z + at, p, rate + at, row);
+    for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs_jacobian(z + at, spread(p, kernels, at), linear + at, row);
+    for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes)
+        kernels->time_factor(z + at, spread(p, kernels, at), rate + at, row);
     for (unsigned j = 0; j < row; j++) {
         const double *slope = k + (size_t)COUNT * columns * row + j, *jacobian = linear + n * row + j;
         double trace = 0, size = 0;
@@ -290,16 +330,17 @@ static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *
 
 static void variational_equations_are_the_jacobian_times_their_vectors(void **unused)
 {
+    static blocks p;
     uint64_t state = 20234;
 
     (void)unused;
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
-        double *p = make_block(d, &state);
+        make_blocks(&p, d, &state);
         for (int isa = 0; isa < JLT_ISA_COUNT; isa++)
             for (unsigned tangents = 0; jlt_batch_isa_runs(d->batches[isa]) && tangents <= 3; tangents++)
-                check_varied(d->batches[isa], d, p, tangents, &state);
-        free(p);
+                check_varied(d->batches[isa], d, &p, tangents, &state);
+        free_blocks(&p);
     }
 }
 

@@ -85,8 +85,16 @@ static void a_hundred_times_the_rows_ask_for_the_same_memory(void **unused)
         for (int k = 0; k < STATES; k++) starts[i][k] = start[k];
     }
     for (unsigned threads = 1; threads <= 2; threads++) {
-        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = block, .dim = STATES, .column = 2, .direction = 1,
-                                    .root = 4, .root_floor = 1e-9, .tolerance = 1e-8, .max_steps = 1000000, .threads = threads };
+        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0),
+                                    .cases = &(jlt_batch_case){ .p = block },
+                                    .dim = STATES,
+                                    .column = 2,
+                                    .direction = 1,
+                                    .root = 4,
+                                    .root_floor = 1e-9,
+                                    .tolerance = 1e-8,
+                                    .max_steps = 1000000,
+                                    .threads = threads };
         const size_t few = asked_for(&map, starts[0], 20);
         assert_true(few > 0);
         assert_int_equal(asked_for(&map, starts[0], 2000), few);

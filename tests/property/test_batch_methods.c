@@ -1,9 +1,9 @@
 /* The methods of the batched section map have the orders they claim.
  *
  * Oracle: the plane Kepler problem, whose ellipse is known in closed form. Steps are taken in extended precision from the tables
- * themselves. A local error C h^q + O(h^(q+1)) falls by 2^q when h is halved; near the apocentre, at h = 1/2 and 1/4, where the next
- * term is a few tenths of the first, the measured exponent is within 0.7 of q. Errors are above 1e-14 there; weights rounded to double
- * move the end by less than 1e-15. */
+ * themselves. A local error C h^q + O(h^(q+1)) falls by 2^q when h is halved; near the apocentre, at h = 1/2 and 1/4, where the
+ * next term is a few tenths of the first, the measured exponent is within 0.7 of q. Errors are above 1e-14 there; weights rounded
+ * to double move the end by less than 1e-15. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

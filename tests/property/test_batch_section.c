@@ -1,52 +1,10 @@
 /* The batched section map: an orbit's rows do not depend on its company, and agree with quadruple precision. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-
-#include "integrate/batch.h"
-#include "kernel/batch_isa.h"
-#include "registry.h"
-
-enum { ORBITS = 64, RETURNS = 10, STATES = 5 };
-
-static const double I1 = 1.0 / 3, I3 = 1.0 / 3, a3 = 0.51, G = -0.56; /* (5.1), m = R = g = 1 */
-
-typedef struct {
-    double start[ORBITS][STATES];
-    double expected[ORBITS][RETURNS][3]; /* gamma3, v_nu, omega3 */
-} grid;
+#include "batch_grid.h"
 
 typedef struct {
     double x[ORBITS][RETURNS][STATES], last[ORBITS][STATES];
     size_t rows;
 } rows;
-
-static void read_grid(const char *name, grid *g)
-{
-    char path[512], line[512];
-    snprintf(path, sizeof path, "%s/tests/reference/data/%s", JLT_SOURCE_DIR, name);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    assert_non_null(fgets(line, sizeof line, file));
-    while (fgets(line, sizeof line, file) != NULL) {
-        int orbit, number;
-        double t, gamma3, v_nu, omega_n, omega3;
-        assert_int_equal(sscanf(line, "%d,%d,%lf,%lf,%lf,%lf,%lf", &orbit, &number, &t, &gamma3, &v_nu, &omega_n, &omega3), 7);
-        double s = sqrt((1 - gamma3) * (1 + gamma3));
-        if (number == 0)
-            memcpy(g->start[orbit], (double[]){ gamma3, v_nu, 0, (a3 + gamma3) * omega_n + s * omega3, s }, sizeof g->start[0]);
-        else
-            memcpy(g->expected[orbit][number - 1], (double[]){ gamma3, v_nu, omega3 }, sizeof g->expected[0][0]);
-    }
-    fclose(file);
-}
 
 static int keep(void *context, size_t orbit, size_t number, const double *x)
 {
@@ -70,15 +28,7 @@ static int keep_last(void *context, size_t orbit, jlt_lane_end end, size_t retur
     return all_made(context, orbit, end, returns, x);
 }
 
-static const jlt_descriptor *level(void)
-{
-    for (unsigned i = 0; i < jlt_registry_count; i++) {
-        const jlt_descriptor *d = jlt_registry[i];
-        if (strcmp(d->model, "spherical_top_level") == 0 && *d->variant == '\0' && strcmp(d->time, "regular") == 0) return d;
-    }
-    fail();
-    return NULL;
-}
+static double section; /* its level, in what follows */
 
 static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned project, unsigned threads,
                 const double *starts, size_t count, rows *out)
@@ -88,9 +38,16 @@ static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned proj
 
     assert_true(d->prepared_count <= 256 && d->param_count == 7 && d->state_count == STATES);
     d->prepare(params, block);
-    const jlt_instance instance = { .descriptor = d, .params = params, .prepared = block };
-    const jlt_batch_map map = { .kernels = kernels, .p = block, .dim = STATES, .column = 2, .direction = 1, .root = 4,
-                                .root_floor = 1e-9, .tolerance = tolerance, .threads = threads, .project = project ? &instance : NULL,
+    const jlt_batch_map map = { .kernels = kernels,
+                                .cases = &(jlt_batch_case){ .p = block, .level = section, .params = params },
+                                .dim = STATES,
+                                .column = 2,
+                                .direction = 1,
+                                .root = 4,
+                                .root_floor = 1e-9,
+                                .tolerance = tolerance,
+                                .threads = threads,
+                                .project = project ? d : NULL,
                                 .max_steps = 300 /* of a return: all of an orbit take more at the last tolerance */ };
     out->rows = 0;
     assert_int_equal(jlt_batch_section(&map, starts, count, RETURNS, keep, keep_last, out, NULL), JLT_OK);
@@ -183,7 +140,7 @@ static void projected_points_are_on_the_levels_of_their_starts(void **unused)
     assert_true(left < 10 * drift * drift + 1e-15);
 }
 
-/* x[2], whose zero is the section: an integral only in name, that pulls every end back to where the orbit began. */
+/* x[2], which has the section's level there: an integral only in name, that pulls every end back to where the orbit began. */
 static void event_value(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
 {
     (void)p;
@@ -205,12 +162,15 @@ static void no_projection_leads_back_across_the_section(void **unused)
     static rows plain, projected;
 
     read_grid("grid_regular_51.csv", &g);
-    for (unsigned orbit = 0; orbit < ORBITS; orbit++) g.start[orbit][2] = -0.01;
-    run(jlt_batch_isa_best(level(), 0), 1e-10, 0, 1, g.start[0], ORBITS, &plain);
     event.integral_values = event_value;
     event.integral_gradients = event_gradient;
-    run(&event, 1e-10, 1, 1, g.start[0], ORBITS, &projected);
-    assert_memory_equal(plain.x, projected.x, sizeof plain.x);
+    for (section = 0; section < 0.03; section += 0.02) {
+        for (unsigned orbit = 0; orbit < ORBITS; orbit++) g.start[orbit][2] = section - 0.01;
+        run(jlt_batch_isa_best(level(), 0), 1e-10, 0, 1, g.start[0], ORBITS, &plain);
+        run(&event, 1e-10, 1, 1, g.start[0], ORBITS, &projected);
+        assert_memory_equal(plain.x, projected.x, sizeof plain.x);
+    }
+    section = 0;
 }
 
 /* Carried by the clock: t of the reference within what its states keep to, and rows of states that keep their own bound. */
@@ -245,8 +205,16 @@ static void the_clock_matches_quadruple_precision(void **unused)
     d->prepare(params, block);
     for (int i = 0; i < 3; i++) {
         double error = 0;
-        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = block, .dim = STATES, .clock = true, .column = 2,
-                                    .direction = 1, .root = 4, .root_floor = 1e-9, .tolerance = tolerance[i], .max_steps = 1000000 };
+        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0),
+                                    .cases = &(jlt_batch_case){ .p = block },
+                                    .dim = STATES,
+                                    .clock = true,
+                                    .column = 2,
+                                    .direction = 1,
+                                    .root = 4,
+                                    .root_floor = 1e-9,
+                                    .tolerance = tolerance[i],
+                                    .max_steps = 1000000 };
         assert_int_equal(jlt_batch_section(&map, starts[0], ORBITS, RETURNS, keep_clock, all_made, t, NULL), JLT_OK);
         for (int orbit = 0; orbit < ORBITS; orbit++)
             for (int n = 0; n < RETURNS; n++) error = fmax(error, fabs(t[orbit][n] - expected[orbit][n]));

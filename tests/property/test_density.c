@@ -12,7 +12,9 @@ static jlt_instance *bind(const double *params)
 {
     jlt_instance *instance = NULL;
 
-    assert_ok(jlt_instance_create(&instance, jlt_descriptor_choose(jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL, NULL, params), params));
+    assert_ok(jlt_instance_create(&instance,
+                                  jlt_descriptor_choose(jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL, NULL, params),
+                                  params));
     return instance;
 }
 

@@ -136,8 +136,9 @@ static void separatrices_cross_transversally(void **unused)
     jlt_system_destroy(rough);
 }
 
-/* Crossings of Figure 3b, of which half are taken for images under the reversor, against all of them refined: each is there, with its
- * angle to within the sum of error bars and, of a point that differs by rounding times the conditioning of 30 returns, its parameters. */
+/* Crossings of Figure 3b, of which half are taken for images under the reversor, against all of them refined: each is there, with
+ * its angle to within the sum of error bars and, of a point that differs by rounding times the conditioning of 30 returns, its
+ * parameters. */
 static void images_of_crossings_are_crossings(void **unused)
 {
     const jlt_manifold_options options = { .length_max = 0.7 };
@@ -204,7 +205,9 @@ static jlt_status record(void *context, const jlt_continuation_point *point)
  * trace of orbits found at fixed energies on both sides, without continuation. */
 static void bifurcations_lie_where_multipliers_say(void **unused)
 {
-    jlt_top_family tops = { .values = jlt_system_top_defaults(), .name = "E", .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
+    jlt_top_family tops = { .values = jlt_system_top_defaults(),
+                            .name = "E",
+                            .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
     jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
     const jlt_family maps = { jlt_system_map_at, &family };
     const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };

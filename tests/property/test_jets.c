@@ -13,7 +13,7 @@
 #include "kernel/batch_isa.h"
 #include "registry.h"
 
-enum { STATES_MAX = 64, PARAMS_MAX = 64, ORDER = 16, ROUNDS = 10, LANES_MAX = 8 };
+enum { STATES_MAX = 64, PARAMS_MAX = 64, ORDER = 16, ROUNDS = 10, LANES_MAX = 8, PREPARED_MAX = 512 };
 
 /* xorshift64*, Vigna 2016. */
 static double uniform(uint64_t *state)
@@ -134,6 +134,7 @@ static void every_lane_has_the_scalar_coefficients_bit_for_bit(void **unused)
 {
     static _Alignas(64) double many[STATES_MAX * LANES_MAX], jets[(ORDER + 1) * (STATES_MAX + 1) * LANES_MAX];
     static double jet[(ORDER + 1) * (STATES_MAX + 1)];
+    static _Alignas(64) double spread[PREPARED_MAX * LANES_MAX];
     uint64_t state = 8;
 
     (void)unused;
@@ -147,12 +148,15 @@ static void every_lane_has_the_scalar_coefficients_bit_for_bit(void **unused)
             for (int isa = 0; isa < JLT_ISA_COUNT && inside; isa++) {
                 const jlt_kernel_batch *kernels = d->batches[isa];
                 if (!jlt_batch_isa_runs(kernels)) continue;
-                /* The point in one lane, its scaled copies in the others. */
+                /* The point in one lane, in the others its scaled copies under scaled parameters. */
                 const unsigned lane = (unsigned)round % kernels->lanes;
+                assert_true(kernels->prepared <= PREPARED_MAX);
+                for (unsigned i = 0; i < kernels->prepared; i++)
+                    for (unsigned j = 0; j < kernels->lanes; j++) spread[i * kernels->lanes + j] = p[i] * (j == lane ? 1 : 0.8);
                 for (unsigned i = 0; i < d->state_count; i++)
                     for (unsigned j = 0; j < kernels->lanes; j++) many[i * kernels->lanes + j] = x[i] * (j == lane ? 1 : 0.9);
                 d->jet(x, p, ORDER, jet);
-                kernels->jet(many, p, ORDER, jets, kernels->lanes);
+                kernels->jet(many, spread, ORDER, jets, kernels->lanes);
                 for (unsigned i = 0; i < entries; i++) assert_memory_equal(&jets[i * kernels->lanes + lane], &jet[i], sizeof *jet);
             }
         }

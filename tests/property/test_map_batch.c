@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "dynamics/map_batch.h"
+#include "dynamics/lyapunov.h"
 #include "dynamics/surface.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
@@ -14,7 +14,8 @@
 enum { POINTS_MAX = 512 };
 
 typedef struct {
-    double q[2 * POINTS_MAX], slope[4 * POINTS_MAX], T[POINTS_MAX], determinant[POINTS_MAX], expansion[POINTS_MAX], defect[POINTS_MAX];
+    double q[2 * POINTS_MAX], slope[4 * POINTS_MAX], T[POINTS_MAX], determinant[POINTS_MAX], expansion[POINTS_MAX],
+        defect[POINTS_MAX];
     jlt_status status[POINTS_MAX];
 } images;
 
@@ -30,8 +31,8 @@ static jlt_system *system_51(double tolerance)
     return system;
 }
 
-static void apply(images *out, const jlt_system *system, const jlt_kernel_batch *kernels, unsigned threads, const double *q, size_t count,
-                  size_t returns)
+static void apply(images *out, const jlt_system *system, const jlt_kernel_batch *kernels, unsigned threads, const double *q,
+                  size_t count, size_t returns)
 {
     const jlt_map_images into = { out->status, out->q, out->slope, out->T, out->determinant, out->expansion, out->defect };
     jlt_map_batch *batch;
@@ -44,8 +45,9 @@ static void apply(images *out, const jlt_system *system, const jlt_kernel_batch 
 
 static const jlt_kernel_batch *best(const jlt_system *system) { return jlt_batch_isa_best(system->instance->descriptor, 0); }
 
-/* DP of 64 points of a regular island, relative to its largest entry. A step errs by a tolerance in states and tangent vectors; there are
- * 100 steps at most, and DP's entries reach 3 from tangent vectors of 1: errors of a step are amplified by no more than 10. Rounding:
+/* DP of 64 points of a regular island, relative to its largest entry. A step errs by a tolerance in states and tangent vectors;
+ * there are 100 steps at most, and DP's entries reach 3 from tangent vectors of 1: errors of a step are amplified by no more than
+ * 10. Rounding:
  * 100 steps of 15 stages, whose weights are at most 3, so that 1e-13 holds at any tolerance. */
 static void derivatives_match_quadruple_precision(void **unused)
 {
@@ -61,7 +63,9 @@ static void derivatives_match_quadruple_precision(void **unused)
     assert_non_null(fgets(line, sizeof line, file));
     while (fgets(line, sizeof line, file) != NULL) {
         double *r = row[rows++];
-        assert_int_equal(sscanf(line, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", r, r + 1, r + 2, r + 3, r + 4, r + 5, r + 6, r + 7, r + 8, r + 9), 10);
+        assert_int_equal(sscanf(line, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", r, r + 1, r + 2, r + 3, r + 4, r + 5, r + 6, r + 7,
+                                r + 8, r + 9),
+                         10);
         memcpy(q + 2 * (rows - 1), r + 1, 2 * sizeof *q);
     }
     fclose(file);
@@ -82,7 +86,8 @@ static void derivatives_match_quadruple_precision(void **unused)
             assert_near(out.q[2 * k + 1], row[k][4], bound);
             assert_near(out.T[k], row[k][5], bound);
             assert_below(fabs(out.defect[k]), bound);
-            assert_near(out.determinant[k], out.slope[4 * k] * out.slope[4 * k + 3] - out.slope[4 * k + 1] * out.slope[4 * k + 2], 1e-14 * size * size);
+            assert_near(out.determinant[k], out.slope[4 * k] * out.slope[4 * k + 3] - out.slope[4 * k + 1] * out.slope[4 * k + 2],
+                        1e-14 * size * size);
         }
         print_message("tolerance %g: DP is off by %.1e\n", tolerance[i], worst);
         assert_below(worst, bound);
@@ -145,8 +150,8 @@ static void images_do_not_depend_on_company_order_or_threads(void **unused)
     }
 }
 
-/* Fates are those of one point at a time, but where an orbit comes as near to a pole or to the section's edge as methods may differ;
- * images differ by what DP makes of the errors of both. */
+/* Fates are those of one point at a time, but where an orbit comes as near to a pole or to the section's edge as methods may
+ * differ; images differ by what DP makes of the errors of both. */
 static void images_are_those_of_one_point_at_a_time(void **unused)
 {
     static double q[2 * POINTS_MAX];
@@ -167,7 +172,8 @@ static void images_are_those_of_one_point_at_a_time(void **unused)
         if (st != JLT_OK || out.status[i] != JLT_OK) continue;
         made++;
         for (unsigned k = 0; k < 4; k++) size = fmax(size, fabs(image.slope[k]));
-        /* An error of the states at the return, which DP's size tells, moves DP by its second derivatives: by its size once more. */
+        /* An error of the states at the return, which DP's size tells, moves DP by its second derivatives: by its size once
+         * more. */
         const double error = 1e-10 * size;
         for (unsigned k = 0; k < 4; k++) assert_near(out.slope[4 * i + k], image.slope[k], error * size);
         assert_near(out.q[2 * i + 1], image.q[1], error);
@@ -243,6 +249,106 @@ static void images_do_not_depend_on_the_ways_of_others(void **unused)
     jlt_system_destroy(system);
 }
 
+enum { FLOWS = 3, ORBITS = 24, RETURNS = 40, SKIPPED = 3 };
+
+/* The sphere's section under parameters, and on levels, of their own; with other masses in other units. */
+static void several_systems(jlt_system **systems)
+{
+    const jlt_flow flow = { .tolerance = 1e-11, .direction = JLT_RISING };
+    const jlt_claim *broken;
+    jlt_surface surface;
+
+    assert_ok(jlt_surface_find(&surface, &broken, jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL), NULL, NULL));
+    for (unsigned k = 0; k < FLOWS; k++) {
+        double values[JLT_CHART_VALUES_MAX];
+        memcpy(values, surface.defaults, sizeof values);
+        values[jlt_surface_value(&surface, "a3")] -= 0.02 * k;
+        values[jlt_surface_value(&surface, "E")] += 0.01 * k;
+        assert_ok(jlt_surface_system(&systems[k], &surface, values, &flow));
+    }
+}
+
+static void images_of_several_flows_are_those_of_each(void **unused)
+{
+    static double q[2 * POINTS_MAX];
+    static images mixed, alone;
+    jlt_system *systems[FLOWS];
+    size_t flow_of[POINTS_MAX], index;
+    const jlt_map_images into = { mixed.status, mixed.q, mixed.slope, mixed.T, mixed.determinant, mixed.expansion, mixed.defect };
+    const size_t count = whole_section(q);
+    jlt_map_batch *batch;
+
+    (void)unused;
+    several_systems(systems);
+    for (size_t i = 0; i < count; i++) flow_of[i] = i % 7 % FLOWS;
+    for (int isa = 0; isa <= JLT_ISA_COUNT; isa++) { /* the last without kernels */
+        const jlt_kernel_batch *kernels = isa < JLT_ISA_COUNT ? systems[0]->instance->descriptor->batches[isa] : NULL;
+        if (kernels != NULL && !jlt_batch_isa_runs(kernels)) continue;
+        assert_ok(jlt_map_batch_create(&batch, &systems[0]->flow, kernels, NULL, 1 + (unsigned)isa % 2));
+        for (size_t k = 1; k < FLOWS; k++) {
+            assert_ok(jlt_map_batch_add(batch, &index, &systems[k]->flow));
+            assert_int_equal(index, k);
+        }
+        assert_ok(jlt_map_batch_apply_flows(batch, &into, q, flow_of, count, 2, 1, NULL, NULL));
+        jlt_map_batch_destroy(batch);
+        for (size_t k = 0; k < FLOWS; k++) {
+            apply(&alone, systems[k], kernels, 1, q, count, 2);
+            for (size_t i = 0; i < count; i++)
+                if (flow_of[i] == k) assert_same_image(&mixed, i, &alone, i);
+        }
+    }
+    for (size_t k = 0; k < FLOWS; k++) jlt_system_destroy(systems[k]);
+}
+
+/* On the regular island an orbit's error grows no faster than its returns: over 43 of them, each of which errs by 1000 tolerances
+ * at most (see above), 4e-7 in the point; DP is off by that times its slopes, some 10, and so is the growth of each return, whose
+ * mean over t, more than a unit of time a return, is what is compared. */
+static void exponents_of_several_flows_are_those_of_each(void **unused)
+{
+    jlt_system *systems[FLOWS];
+    jlt_lyapunov_state together[ORBITS], alone, single;
+    jlt_status statuses[ORBITS], status;
+    double q[2 * ORBITS];
+    size_t flow_of[ORBITS], index;
+    jlt_map_batch *batch, *own;
+    jlt_image image;
+    jlt_map *map;
+
+    (void)unused;
+    several_systems(systems);
+    assert_ok(jlt_map_batch_create(&batch, &systems[0]->flow, best(systems[0]), NULL, 2));
+    for (size_t k = 1; k < FLOWS; k++) assert_ok(jlt_map_batch_add(batch, &index, &systems[k]->flow));
+    for (size_t i = 0; i < ORBITS; i++) {
+        q[2 * i] = i == 5 ? 2 : 0.42 + 0.001 * (double)i; /* one ends at a pole */
+        q[2 * i + 1] = i == 5 ? -0.5 : -0.62;
+        flow_of[i] = i % FLOWS;
+    }
+    assert_ok(jlt_lyapunov_run_each(batch, together, statuses, q, flow_of, ORBITS, SKIPPED, RETURNS));
+    jlt_map_batch_destroy(batch);
+    assert_int_not_equal(statuses[5], JLT_OK);
+    for (size_t i = 0; i < ORBITS; i++) {
+        const jlt_system *system = systems[flow_of[i]];
+        assert_ok(jlt_map_batch_create(&own, &system->flow, best(system), NULL, 1));
+        assert_ok(jlt_lyapunov_run_each(own, &alone, &status, q + 2 * i, &(size_t){ 0 }, 1, SKIPPED, RETURNS));
+        jlt_map_batch_destroy(own);
+        assert_int_equal(status, statuses[i]);
+        assert_int_equal(alone.returns, together[i].returns);
+        assert_memory_equal(alone.exponents, together[i].exponents, 2 * sizeof *alone.exponents);
+        assert_memory_equal(&alone.t, &together[i].t, sizeof alone.t);
+        assert_memory_equal(&alone.sum_check, &together[i].sum_check, sizeof alone.t);
+        if (status != JLT_OK) continue;
+        assert_ok(jlt_map_create(&map, &system->flow));
+        assert_ok(jlt_map_point(map, &image, q + 2 * i, SKIPPED, 1));
+        assert_ok(jlt_lyapunov_run(map, &single, image.q, RETURNS, NULL, NULL));
+        jlt_map_destroy(map);
+        assert_int_equal(single.returns, alone.returns);
+        assert_near(single.t, alone.t, 4e-7);
+        for (unsigned k = 0; k < 2; k++) assert_near(single.exponents[k], alone.exponents[k], 4e-6);
+        assert_near(single.sum_check, alone.sum_check, 4e-6);
+    }
+    for (size_t k = 0; k < FLOWS; k++) jlt_system_destroy(systems[k]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -251,6 +357,8 @@ int main(void)
         cmocka_unit_test(images_do_not_depend_on_the_ways_of_others),
         cmocka_unit_test(images_are_those_of_one_point_at_a_time),
         cmocka_unit_test(points_that_no_lane_serves_go_by_themselves),
+        cmocka_unit_test(images_of_several_flows_are_those_of_each),
+        cmocka_unit_test(exponents_of_several_flows_are_those_of_each),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

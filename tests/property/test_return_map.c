@@ -69,8 +69,8 @@ static void chart_lies_on_its_levels_and_agrees_with_the_paper(void **unused)
     }
 }
 
-/* Oracle: the chart typed by hand from the paper. Slopes are compared along directions that keep gamma3^2 + s^2 = 1, for off it the two
- * differ. States are of the size 10 and slopes of 1000 with s > 0.01: some 100 roundings of that, relative to s. */
+/* Oracle: the chart typed by hand from the paper. Slopes are compared along directions that keep gamma3^2 + s^2 = 1, for off it the
+ * two differ. States are of the size 10 and slopes of 1000 with s > 0.01: some 100 roundings of that, relative to s. */
 static void the_tables_chart_is_that_of_the_witness(void **unused)
 {
     static const double rounding = 100 * 1000 * 2.3e-16 / 0.01;
@@ -105,7 +105,8 @@ static void the_tables_chart_is_that_of_the_witness(void **unused)
             for (unsigned k = 0; k < 5; k++) here += slope[5 * j + k] * way[k], there += slope_there[5 * j + k] * way[k];
             assert_near(here, there, rounding * (1 + fabs(there)));
         }
-        assert_near(chart->flux(chart, x, way), witness->flux(witness, x, way), rounding * (1 + fabs(witness->flux(witness, x, way))));
+        assert_near(chart->flux(chart, x, way), witness->flux(witness, x, way),
+                    rounding * (1 + fabs(witness->flux(witness, x, way))));
         jlt_system_destroy(system);
     }
 }

@@ -1,6 +1,6 @@
 /* Problems that differ by units of mass, length and time, powers of two, have solutions that differ by them: to the last bit, since
- * nothing is rounded by such a change. Random tops, also without gravity, as a rod, balanced, with the centre of mass outside, on the
- * level G = 0; all methods, batches, derivatives and tiers. */
+ * nothing is rounded by such a change. Random tops, also without gravity, as a rod, balanced, with the centre of mass outside, on
+ * the level G = 0; all methods, batches, derivatives and tiers. */
 #include "unit/check.h"
 
 #include "core/random.h"
@@ -165,7 +165,9 @@ static void scaled_sections_are_the_same(void **unused)
             const jlt_units u = random_units(&random);
             const jlt_top_values w = scaled(&v, &u);
             for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
-                const jlt_flow options = { .method = jlt_method_at(m), .direction = JLT_BOTH, .tolerance = 1e-9, .max_steps = 2000 };
+                const jlt_flow options = {
+                    .method = jlt_method_at(m), .direction = JLT_BOTH, .tolerance = 1e-9, .max_steps = 2000
+                };
                 jlt_system *first, *second;
                 assert_ok(jlt_system_top(&first, &v, &options));
                 assert_ok(jlt_system_top(&second, &w, &options));
@@ -199,7 +201,9 @@ static int course_rows(double rows[TIMES][COLUMNS], const jlt_top_values *v, con
 {
     const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
     const double params[] = { v->m, v->R, v->g, v->a3, v->I1, v->I3 };
-    const jlt_question question = { .model = model, .params = params, .start = x, .more = jlt_course_more_is_told(tier->table, model), .tier = tier->name };
+    const jlt_question question = {
+        .model = model, .params = params, .start = x, .more = jlt_course_more_is_told(tier->table, model), .tier = tier->name
+    };
     const jlt_course_options options = { .method = method, .tolerance = 1e-9, .max_steps = 2000 };
     jlt_course *course;
     jlt_plan plan;
@@ -239,8 +243,9 @@ static void scaled_courses_are_the_same(void **unused)
                              rate * jlt_random_between(&random, -1, 1), rate * jlt_random_between(&random, -1, 1),
                              rate * jlt_random_between(&random, -1, 1) };
         const jlt_units u = random_units(&random);
-        const int s = u.length - u.time, exponents[COLUMNS] = { u.time, 0, s, -u.time, -u.time, -u.time,
-                                                                u.mass + u.length - 2 * u.time, u.length, u.length, u.length, u.length };
+        const int s = u.length - u.time,
+                  exponents[COLUMNS] = { u.time,   0,        s,        -u.time, -u.time, -u.time, u.mass + u.length - 2 * u.time,
+                                         u.length, u.length, u.length, u.length };
         const jlt_top_values w = scaled(&v, &u);
         double y[JLT_TOP_STATES];
         for (int k = 0; k < JLT_TOP_STATES; k++) y[k] = ldexp(x[k], exponents[1 + k]);

@@ -17,7 +17,8 @@ for model in $models; do
     done
     grep -q '"failed": 0' "$scratch/one" || fail "$model: the JSON says that something fails"
     case $model in spherical_top | spherical_top_balanced | chaplygin_sleigh | lorenz)
-        jellett verify "$model" --seed 7 --samples 40 --json | cmp -s - "$scratch/one" || fail "$model: the same seed gives another JSON"
+        jellett verify "$model" --seed 7 --samples 40 --json | cmp -s - "$scratch/one" ||
+            fail "$model: the same seed gives another JSON"
     esac
 done
 jellett verify > "$scratch/one" || { fail "spherical_top: does not hold with the default seed"; grep FAILS "$scratch/one"; }

@@ -19,30 +19,37 @@ expect() { # STATUS WORDS COMMAND...
 cp "$JLT_SOURCE_DIR"/tests/reference/data/forced_pendulum.tt .
 strobe=(./forced_pendulum.tt --section phi=0 --modulo 'phi=2*pi,theta=2*pi')
 
-# Without gravity v' = -c v + A cos w t: from v(0) = 0 at t_n = 2 pi n/w it is v = A (c + ...)/(c^2 + w^2) (1 - exp(-c t_n)). Ten returns
-# err by about the tolerance of 1e-12.
+# Without gravity v' = -c v + A cos w t: from v(0) = 0 at t_n = 2 pi n/w it is v = A (c + ...)/(c^2 + w^2) (1 - exp(-c t_n)). Ten
+# returns err by about the tolerance of 1e-12.
 expect 0 '^0,10,' jellett section "${strobe[@]}" --set k=0 --start theta=0.1,v=0 --returns 10
 awk -F, -v pi=3.141592653589793 '/^0,[0-9]/ { n++; t = 2*pi*$2*3/2; A = w = 0; c = 0.5; w = 2/3; A = 0.5
-    bad += ($3 - t)^2 > 1e-20 || ($5 - A*c/(c^2 + w^2)*(1 - exp(-c*t)))^2 > 1e-22 || $4 > pi || $4 < -pi } END { exit !(n == 11 && !bad) }' out ||
+    bad += ($3 - t)^2 > 1e-20 || ($5 - A*c/(c^2 + w^2)*(1 - exp(-c*t)))^2 > 1e-22 || $4 > pi || $4 < -pi } END { exit !(n == 11 &&
+    !bad) }' out ||
     fail "returns of the linear system: $(cat out)"
 # What is no period of the field, or is known at no point of it, is refused.
-expect 3 'theta is no angle' jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=2*pi,theta=3 --start theta=0.1,v=0 --returns 1
+expect 3 'theta is no angle' jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=2*pi,theta=3 --start theta=0.1,v=0 \
+    --returns 1
 printf 'model apart\nstate r in (2, 9)\nstate b\nroot s = sqrt(r - 2)\neq r = 0*r\neq b = s*(1 + b^2)\n' > apart.tt
 expect 3 'b is no angle' jellett section ./apart.tt --section r=2.9 --modulo 'b=2*pi' --start b=1 --returns 1
 printf 'model sizes\nparam k\ndefault k = 1e12\nstate a\nstate b\neq a = k\neq b = -b\n' > sizes.tt
 expect 3 'b is no angle' jellett section ./sizes.tt --section a=0 --modulo b=1 --start b=2.5 --returns 1
 # Its multipliers are 1, of theta, and exp(-2 pi c/w); its exponents 0 and -c.
 expect 0 '^1,' jellett orbits "${strobe[@]}" --set k=0 --start theta=0,v=0 --hold theta --period 1
-awk -F, '/^1,/ { good = ($7 - 1)^2 < 1e-20 && ($9 - exp(-1.5*3.141592653589793))^2 < 1e-22 && ($4 - 3*3.141592653589793)^2 < 1e-20 } END { exit !good }' out ||
+awk -F, '/^1,/ { good = ($7 - 1)^2 < 1e-20 && ($9 - exp(-1.5*3.141592653589793))^2 < 1e-22 &&
+    ($4 - 3*3.141592653589793)^2 < 1e-20 } END { exit !good }' out ||
     fail "the orbit of the linear system: $(tail -1 out)"
 expect 0 '^100,' jellett lyapunov "${strobe[@]}" --set k=0 --start theta=0,v=0.3 --returns 100
-awk -F, '/^100,/ { s = $3 + $4; good = (s + 0.5)^2 < 1e-18 && $3^2 < 1e-3 } END { exit !good }' out || fail "its exponents: $(tail -1 out)"
+awk -F, '/^100,/ { s = $3 + $4; good = (s + 0.5)^2 < 1e-18 && $3^2 < 1e-3 } END { exit !good }' out ||
+    fail "its exponents: $(tail -1 out)"
 
-# Without damping a weak torque leaves an orbit near each equilibrium, the upper one a saddle; from starts in many turns of theta each is found once.
+# Without damping a weak torque leaves an orbit near each equilibrium, the upper one a saddle; from starts in many turns of theta
+# each is found once.
 expect 0 'centre' jellett orbits "${strobe[@]}" --set A=0.05,c=0 --grid theta=-6*pi:6*pi:13,v=0 --period 1
-awk -F, '/^1,/ { n++; for (i in at) { d = $2 - at[i]; bad += d^2 + ($3 - v[i])^2 < 1e-6 } at[n] = $2; v[n] = $3 } END { exit !(n > 0 && !bad) }' out ||
+awk -F, '/^1,/ { n++; for (i in at) { d = $2 - at[i]; bad += d^2 + ($3 - v[i])^2 < 1e-6 } at[n] = $2;
+    v[n] = $3 } END { exit !(n > 0 && !bad) }' out ||
     fail "an orbit is listed twice: $(cat out)"
-awk -F, '/^1,/ && !($2 > -3.2 && $2 < 3.2) { bad = 1 } END { exit bad }' out || fail "theta is not within half a period of 0: $(cat out)"
+awk -F, '/^1,/ && !($2 > -3.2 && $2 < 3.2) { bad = 1 } END { exit bad }' out ||
+    fail "theta is not within half a period of 0: $(cat out)"
 
 for theta in pi -pi 7*pi; do
     expect 0 '^1,.*,saddle' jellett orbits "${strobe[@]}" --set A=0.05,c=0,w=3 --start theta=$theta,v=0 --period 1
@@ -50,17 +57,21 @@ for theta in pi -pi 7*pi; do
 done | uniq > saddles
 [ "$(wc -l < saddles)" -eq 1 ] || fail "one saddle has several places: $(cat saddles)"
 
-# Without torque it turns over and over: T = integral of 1/sqrt(v0^2 - 2 (1 - cos theta)) over a turn, by the trapezoidal rule, which for
-# a periodic function errs by rounding. It does so one way and the other, and swings through theta = 0 below H = k.
+# Without torque it turns over and over: T = integral of 1/sqrt(v0^2 - 2 (1 - cos theta)) over a turn, by the trapezoidal rule,
+# which for a periodic function errs by rounding. It does so one way and the other, and swings through theta = 0 below H = k.
 free=(./forced_pendulum.tt --section theta=0 --modulo 'phi=2*pi,theta=2*pi' --set A=0,c=0)
-turn() { awk 'BEGIN { v0 = 2.3; n = 4096; for (i = 0; i < n; i++) s += 1/sqrt(v0^2 - 2*(1 - cos(6.283185307179586*i/n))); printf "%.17g", s*6.283185307179586/n }'; }
+turn() { awk 'BEGIN { v0 = 2.3; n = 4096; for (i = 0; i < n; i++) s += 1/sqrt(v0^2 - 2*(1 - cos(6.283185307179586*i/n)));
+    printf "%.17g", s*6.283185307179586/n }'; }
 T=$(turn)
 for way in up down; do
-    expect 0 '^0,5,' jellett section "${free[@]}" --direction $way --start v=$([ $way = up ] && echo 2.3 || echo -2.3),phi=0 --returns 5
-    awk -F, -v T="$T" '/^0,5,/ { exit !(($3 - 5*T)^2 < 1e-20 && ($4^2 - 2.3^2)^2 < 1e-20) }' out || fail "turning $way: $(tail -1 out), T = $T"
+    v=$([ $way = up ] && echo 2.3 || echo -2.3)
+    expect 0 '^0,5,' jellett section "${free[@]}" --direction $way --start v=$v,phi=0 --returns 5
+    awk -F, -v T="$T" '/^0,5,/ { exit !(($3 - 5*T)^2 < 1e-20 && ($4^2 - 2.3^2)^2 < 1e-20) }' out ||
+        fail "turning $way: $(tail -1 out), T = $T"
 done
 expect 0 '^0,0,.*^|^0,3,' jellett section "${free[@]}" --direction both --start v=1,phi=0 --returns 4
-awk -F, '/^0,[1-4],/ { n++; bad += ($4 - (n % 2 ? -1 : 1))^2 > 1e-22 } END { exit !(n == 4 && !bad) }' out || fail "swinging: $(cat out)"
+awk -F, '/^0,[1-4],/ { n++; bad += ($4 - (n % 2 ? -1 : 1))^2 > 1e-22 } END { exit !(n == 4 && !bad) }' out ||
+    fail "swinging: $(cat out)"
 expect 0 '^0,1,' jellett section "${free[@]}" --level H=1.5 --solve v=2 --start phi=0 --returns 1
 awk -F, '/^0,0,/ { exit !(($5^2 - 5)^2 < 1e-24) }' out || fail "the level of H: $(cat out)"
 
@@ -73,7 +84,8 @@ expect 3 "the period of phi must be positive" jellett section ./forced_pendulum.
 expect 3 "has no state 'psi'" jellett section ./forced_pendulum.tt --section phi=0 --modulo psi=1 "${start[@]}"
 expect 3 "'2pi' is no finite number" jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=2pi "${start[@]}"
 expect 3 "'2\*pi/0' is no finite number" jellett section ./forced_pendulum.tt --section phi=0 --modulo 'phi=2*pi/0' "${start[@]}"
-expect 0 "one orbit at a time by gauss: the section.s state is an angle" jellett section "${strobe[@]}" "${start[@]}" --start theta=1,v=0 --returns 1
+expect 0 "one orbit at a time by gauss: the section.s state is an angle" jellett section "${strobe[@]}" "${start[@]}" \
+    --start theta=1,v=0 --returns 1
 expect 2 "--modulo goes with --section" jellett section --start eta=0.1,gamma3=-0.6 --modulo eta=1
 expect 3 "H is an integral of forced_pendulum when" jellett section "${strobe[@]}" "${start[@]}" --level H=1 --solve v=1
 # What the table proves to be a period needs no option, which takes it back by 0; one that is refuted makes no angle.
@@ -89,9 +101,10 @@ awk -F, '/^0,/ && ($4 > 4 || $4 < -4) { far = 1 } END { exit !far }' out || fail
 expect 0 '^0,[0-9]' jellett section ./refuted.tt --section phi=0 "${turns[@]}"
 grep -v '^#' out | cmp -s - wanted && fail "a refuted period is taken for one"
 
-# On a torus b x - a y is kept along orbits, and counts turns: at returns to x = 0 it is another, which is no drift. What the rest of
-# the integrals do is told.
-printf 'model torus\nparam a != 0\nparam b\ndefault a = 1, b = 3/5\nstate x\nstate y\nstate z\nangle c s = cos(x) sin(x)\neq x = a\neq y = b\n' > torus.tt
+# On a torus b x - a y is kept along orbits, and counts turns: at returns to x = 0 it is another, which is no drift. What the rest
+# of the integrals do is told.
+printf 'model torus\nparam a != 0\nparam b\ndefault a = 1, b = 3/5\nstate x\nstate y\nstate z\nangle c s = cos(x) sin(x)\n'\
+'eq x = a\neq y = b\n' > torus.tt
 printf 'eq z = a*c\nperiodic x = 2*pi\nperiodic y = 2*pi\nintegral turning = b*x - a*y\nintegral height = z - s\n' >> torus.tt
 expect 0 'turning is another after a turn of x, and returns do not count turns: its drift is left out' \
     jellett drift ./torus.tt --section x=0 --start y=0.1,z=0 --returns 4

@@ -25,7 +25,8 @@ for step in 0.01 0.003; do
     done
     [ "$(cut -d' ' -f2- found | sort | uniq -d)" = "" ] || fail "G, step $step: listed twice: $(cat found)"
     # The asymmetric orbits on the way out of the range: the last row is on its end.
-    awk -F, '/^0,/ { last = $2 } END { exit !(last > -0.2 - 1e-12 && last < -0.2 + 1e-12) }' rows.csv || fail "G: the end -0.2 is not reached"
+    awk -F, '/^0,/ { last = $2 } END { exit !(last > -0.2 - 1e-12 && last < -0.2 + 1e-12) }' rows.csv ||
+        fail "G: the end -0.2 is not reached"
 done
 
 # The branch of I3 turns by half a circle within 0.01 before its fold.
@@ -48,7 +49,8 @@ jellett continue --along G=-0.56:-0.2 --generations 2 -o rows.csv 2> log || fail
 
 # Roessler's cascade, generation by generation: each branch begins where the one before it loses its stability.
 for step in 0.05 0.02; do
-    jellett continue roessler --set c=2.5 --section y=0 --direction down --start x=-4,z=0 --along c=2:4.2 --step $step --generations 3 \
+    jellett continue roessler --set c=2.5 --section y=0 --direction down --start x=-4,z=0 --along c=2:4.2 --step $step \
+        --generations 3 \
         -o rows.csv 2> log || fail "cascade: status $?"
     awk -F, '/^[0-9]/ && /period doubling/ { printf "%s:%s:%.8f ", $1, $4, $2 }' rows.csv > found
     [ "$(cat found)" = "0:1:2.83244503 1:2:3.83735817 2:4:4.12421473 3:8:4.18699700 " ] || fail "cascade, step $step: $(cat found)"
@@ -65,10 +67,12 @@ periodic phi = 2*pi
 eq phi = 1
 eq r = ((r - 2)^2 + p^2 - 1)/20
 TABLE
-jellett continue ./circle.tt --section phi=0 --along p=-2:2 --set p=0 --start r=2.99 --step 0.05 -o rows.csv 2> log || fail "circle: status $?"
+jellett continue ./circle.tt --section phi=0 --along p=-2:2 --set p=0 --start r=2.99 --step 0.05 -o rows.csv 2> log ||
+    fail "circle: status $?"
 grep -q 'branch 0: it closes$' log || fail "circle: $(cat log)"
 awk -F, '/^0,/ && $14 == "fold" { folds++; off += ($2 - 1)*($2 - 1)*($2 + 1)*($2 + 1) } /^0,/ { rows++ }
-         END { exit !(folds == 2 && off < 1e-16 && rows > 20 && rows < 60) }' rows.csv || fail "circle: $(grep -c '^0,' rows.csv) rows, $(grep fold rows.csv)"
+         END { exit !(folds == 2 && off < 1e-16 && rows > 20 && rows < 60) }' rows.csv ||
+             fail "circle: $(grep -c '^0,' rows.csv) rows, $(grep fold rows.csv)"
 
 # The orbit theta = p is followed once around, and further: its angle stays in (-pi, pi].
 cat > turning.tt << 'TABLE'
@@ -82,12 +86,14 @@ periodic theta = 2*pi
 eq phi = 1
 eq theta = s/20
 TABLE
-jellett continue ./turning.tt --section phi=0 --along p=0:7 --set p=0.1 --start theta=0.1 --step 0.1 -o rows.csv 2> log || fail "turning: status $?"
+jellett continue ./turning.tt --section phi=0 --along p=0:7 --set p=0.1 --start theta=0.1 --step 0.1 -o rows.csv 2> log ||
+    fail "turning: status $?"
 awk -F, '/^0,/ { off = $5 - $2 + ($2 > 3.141592653589793 ? 6.283185307179586 : 0); if (off*off > 1e-20) bad++; last = $2 }
-         END { exit bad > 0 || last < 7 - 1e-12 || last > 7 + 1e-12 }' rows.csv || fail "turning: $(grep '^0,' rows.csv | cut -d, -f2,5 | tr '\n' ' ')"
+         END { exit bad > 0 || last < 7 - 1e-12 || last > 7 + 1e-12 }' rows.csv ||
+             fail "turning: $(grep '^0,' rows.csv | cut -d, -f2,5 | tr '\n' ' ')"
 
-# Where orbits double, and periods and multipliers at the end of the range, at every tolerance against quadruple precision. Periods err by
-# the tolerance at most, what depends on derivatives by a hundred times that; doublings are located to 1e-10 of arc.
+# Where orbits double, and periods and multipliers at the end of the range, at every tolerance against quadruple precision. Periods
+# err by the tolerance at most, what depends on derivatives by a hundred times that; doublings are located to 1e-10 of arc.
 held() { # END DOUBLING ARGUMENT...: rows of cycles.csv; DOUBLING may be empty
     local end=$1 doubling=$2 tolerance
     shift 2
@@ -108,7 +114,8 @@ held top_E top_doubling --along E=1.9:2.15 --decreasing
 
 # From the upper end of the range there is one way to go, and from it no row is outside.
 jellett continue --along E=2.1:2.15 -o rows.csv 2> /dev/null
-awk -F, '/^[0-9]/ { if ($2 < 2.1 - 1e-12 || $2 > 2.15 + 1e-12) outside++; else rows++; last = $2 } END { exit outside > 0 || rows < 3 || last > 2.1 + 1e-12 }' rows.csv ||
+awk -F, '/^[0-9]/ { if ($2 < 2.1 - 1e-12 || $2 > 2.15 + 1e-12) outside++; else rows++;
+    last = $2 } END { exit outside > 0 || rows < 3 || last > 2.1 + 1e-12 }' rows.csv ||
     fail "E=2.1:2.15: $(grep '^[0-9]' rows.csv | cut -d, -f2 | tr '\n' ' ')"
 ! grep -q '^# levels.*E=' rows.csv || fail "the header claims a level that runs: $(grep levels rows.csv)"
 
@@ -134,11 +141,14 @@ XDG_CACHE_HOME=$PWD/cache jellett continue ./arcs.tt --section x=0 --start u=0.5
 grep -q '^branch,along_arc,arc,period,u,' arcs.csv || fail "a parameter 'arc': $(cat err) $(grep branch arcs.csv)"
 
 for signal in INT TERM HUP; do
-    interrupted $signal 'interrupted; [0-9]* whole rows' jellett continue --along I3=0.1:0.6 --branches --step 1e-5 --count 1000000 -o long.csv
+    interrupted $signal 'interrupted; [0-9]* whole rows' jellett continue --along I3=0.1:0.6 --branches --step 1e-5 \
+        --count 1000000 -o long.csv
     [ "$(grep -c '^[0-9]' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
 done
-interrupted TERM 'interrupted; nothing is saved, as only [0-9]* of 900000' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:900000
+interrupted TERM 'interrupted; nothing is saved, as only [0-9]* of 900000' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 \
+    --sweep gamma3=-0.9:0.9:900000
 # Proofs end at once, samples after the one in hand.
-interrupted TERM 'interrupted; \(nothing is reported\|what was not saved by now is lost\)' jellett verify spherical_top --samples 10000000
+interrupted TERM 'interrupted; \(nothing is reported\|what was not saved by now is lost\)' jellett verify spherical_top \
+    --samples 10000000
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"

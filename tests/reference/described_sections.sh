@@ -65,7 +65,8 @@ eq u = x
 eq z = - z
 section cut : by folded_cut.tt at x = 0 with q = u^2, z = z
 T
-printf 'model folded_cut\nstate q in (0, inf)\nstate z\nroot u = sqrt(q)\nlift into folded.tt with x = 0, u = u, z = z\n' > folded_cut.tt
+printf 'model folded_cut\nstate q in (0, inf)\nstate z\nroot u = sqrt(q)\nlift into folded.tt with x = 0, u = u, z = z\n' > \
+    folded_cut.tt
 expect 3 'it is the other half that is crossed' jellett orbits ./folded.tt --grid q=1:2:3,z=-0.1:0.1:3 --period 1
 # Downwards it is met once a turn, 2 pi, on which z decays by exp(-2 pi) = 0.0018674427.
 expect 0 '^0,1,6\.28318530717[0-9]*,(1|0\.99999999999|1\.00000000000)[0-9]*,0\.000186744273[0-9]*,alive$' \

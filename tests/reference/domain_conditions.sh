@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Conditions of a table's `domain`: starts and parameters outside are refused, and orbits end where a condition, or an interval, does: at
-# the time of the closed form, also where they would be back within one step; one at a time by every method, and in lanes.
+# Conditions of a table's `domain`: starts and parameters outside are refused, and orbits end where a condition, or an interval,
+# does: at the time of the closed form, also where they would be back within one step; one at a time by every method, and in lanes.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -20,6 +20,10 @@ ends() { # COMMAND-NAME FILE COLUMN-OF-T TIME ALLOWED: the last row is that of a
         fail "$1 does not end at $4: $(tail -1 "$2")"
 }
 
+says() { # WHAT TEXT: in the file err
+    grep -qF -- "$2" err || fail "$1 does not say '$2': $(cat err)"
+}
+
 # u = cos t dips below -(1 - depth) for 2 arccos(1 - depth), which steps of a smooth motion pass over.
 motion='state v
 eq u = v
@@ -27,7 +31,8 @@ eq v = - u
 eq z = w
 eq w = - z'
 table() { # NAME STATE-U CONDITION
-    printf 'model %s\nparam depth\nparam top\ndefault depth = 1e-6, top = 2\nstate z\nstate w\n%s\n%s\n%s\n' "$1" "$2" "$3" "$motion" > "$1.tt"
+    printf 'model %s\nparam depth\nparam top\ndefault depth = 1e-6, top = 2\nstate z\nstate w\n%s\n%s\n%s\n' "$1" "$2" "$3" \
+        "$motion" > "$1.tt"
 }
 table linear 'state u' $'domain above : 1 - depth + u > 0\ndomain order : top - depth - 1 > 0'
 table curved 'state u' 'domain above : (1 - depth)^2 - u^2 + 3*(1 + u) > 0'
@@ -40,8 +45,10 @@ refuses "--start: outside the domain of moving: u needs -depth + u + 1 > 0, and 
     simulate ./moving.tt --start u=-1.5,v=0,z=0,w=1 --times 1
 refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -0.500001 here" \
     section ./linear.tt --section z=0 --start u=-1.5,v=0,w=1
-refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -1.000001 here" eigen ./linear.tt --at u=-2,v=0,z=0,w=0
-for command in "simulate --start u=1,v=0,z=0,w=1 --times 1" "section --section z=0 --start u=1,v=0,w=1" "eigen --at u=0,v=0,z=0,w=0"; do
+refuses "outside the domain of linear: above needs 1 - depth + u > 0, and it is -1.000001 here" eigen ./linear.tt \
+    --at u=-2,v=0,z=0,w=0
+for command in "simulate --start u=1,v=0,z=0,w=1 --times 1" "section --section z=0 --start u=1,v=0,w=1" \
+    "eigen --at u=0,v=0,z=0,w=0"; do
     refuses "parameters: outside the domain of linear: order needs top - depth - 1 > 0, and it is -0.500001 here" \
         ${command%% *} ./linear.tt --set top=0.5 ${command#* }
 done
@@ -50,8 +57,16 @@ ttc cost --json between.tt > cost.json 2> err
 grep -q domain_values cost.json && fail "a condition that follows from an interval has a kernel"
 ttc cost --json linear.tt | grep -q domain_gradients || fail "a condition has no kernel"
 
-# The state errs by tolerances, 1e-12, of which ten are allowed, and is at the end of an interval from 2^-37 of it on; both divided by the
-# rate at which it comes there, 1.4e-3.
+named() { # MODEL: what ends its orbits
+    case $1 in
+    linear) echo "above needs 1 - depth + u > 0" ;;
+    between) echo "u is at the end -0.999999 of its interval" ;;
+    moving) echo "u needs -depth + u + 1 > 0" ;;
+    esac
+}
+
+# The state errs by tolerances, 1e-12, of which ten are allowed, and is at the end of an interval from 2^-37 of it on; both divided
+# by the rate at which it comes there, 1.4e-3.
 allowed=1.2e-8
 time=$(awk 'BEGIN { d = 1e-6; printf "%.15g", atan2(0, -1) - atan2(sqrt(2*d - d*d), 1 - d) }')
 for method in $methods; do
@@ -59,6 +74,7 @@ for method in $methods; do
         for sign in "" -; do
             jellett simulate ./$model.tt --start u=1,v=0,z=0,w=1 --times "${sign}1,${sign}20" --method $method > rows.csv 2> err
             ends "simulate $model $method" rows.csv 1 "$sign$time" $allowed
+            says "simulate $model $method" "the orbit comes to the edge of the domain of $model: $(named $model)"
         done
     done
     # The condition is u^2's too: (1 - depth)^2 - u^2 + 3 (1 + u) = 0 at a u near -1 + depth/5.
@@ -70,15 +86,32 @@ for method in $methods; do
     tail -1 rows.csv | grep -q '^20,.*,alive$' || fail "$method ends an orbit that stays inside: $(tail -1 rows.csv)"
 done
 
+# Where parameters have units motions are counted in units of their own, in which intervals lie elsewhere: x = 5 cos t comes to -3
+# at arccos(-3/5), whatever L is, which chooses the unit of length: L/2 or more. It is there from 1e-12 of max(3, that unit) on, at
+# a rate of 4.
+printf 'model lengths\nparam L > 0 [m]\nparam k > 0 [1/s]\ndefault L = 1, k = 1\nstate x in (-3, 3000) [m]\nstate v [m/s]
+eq x = v\neq v = - k^2*x\n' > lengths.tt
+for length in 1 1000 1/1000; do
+    for method in $methods; do
+        jellett simulate ./lengths.tt --set L=$length --start x=5,v=0 --times 1,4 --method $method > rows.csv 2> err
+        ends "simulate lengths $length $method" rows.csv 1 2.214297435588181 2.5e-10
+        says "simulate lengths $length $method" "the domain of lengths: x is at the end -3 of its interval"
+    done
+done
+
 # In a time that lifts a root, which keeps orbits from the pole, the other intervals end them.
-printf 'model lifted\nparam top\ndefault top = 0.5\nstate x in (-1, 1)\nstate u in (-2, top)\nstate z in (-3, 0.25)\nroot s = sqrt(1 - x^2)
+printf 'model lifted\nparam top\ndefault top = 0.5\nstate x in (-1, 1)\nstate u in (-2, top)\nstate z in (-3, 0.25)\n'\
+'root s = sqrt(1 - x^2)
 eq x = s^2/2\neq u = 1\neq z = - 1\ntime slow : s lifting s\npole x\n' > lifted.tt
-jellett plan simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1 | grep -qE '^  \* .*lifted in slow' || fail "lifted is not computed in its time"
+jellett plan simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1 | grep -qE '^  \* .*lifted in slow' ||
+    fail "lifted is not computed in its time"
 for method in $methods; do
     jellett simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1,2 --method $method > rows.csv 2> err
     ends "simulate lifted $method" rows.csv 1 1.5 1e-11
+    says "simulate lifted $method" "the domain of lifted: u needs top - u > 0"
     jellett simulate ./lifted.tt --start x=0,u=-1,z=0 --times -0.1,-1 --method $method > rows.csv 2> err
     ends "simulate lifted $method" rows.csv 1 -0.25 1e-11
+    says "simulate lifted $method" "the domain of lifted: z needs -z + 1/4 > 0"
     jellett section ./lifted.tt --section x=0.9 --start u=-1,z=0 --start u=-1.1,z=0 --method $method > rows.csv 2> err
     ends "section lifted $method" rows.csv 3 1.6 1e-11
 done
@@ -93,11 +126,28 @@ for method in gauss dop853 taylor rk8pd msadams; do
         fail "simulate $method does not tell a short loss: $(cat rows.csv err)"
 done
 
+# And by section, one orbit at a time as in lanes: u = A cos(t + 1) passes -1 + depth where A does, far from the section z = 0 and
+# from the ends of steps.
+starts=()
+for a in 0.5 0.9999989 0.9999995 1 1.1; do
+    starts+=(--start "$(awk -v a=$a 'BEGIN { printf "u=%.17g,v=%.17g,w=1", a*cos(1), -a*sin(1) }')")
+done
+for how in "" "--tol 1e-8" "--tol 1e-5" "--method gauss" "--method dop853" "--method taylor" "--method rkf45"; do
+    for lanes in 2 4 8; do
+        JELLETT_LANES=$lanes jellett section ./short.tt --section z=0 --direction down --returns 2 --contact report \
+            $how "${starts[@]}" > rows.csv 2> err
+        grep -v '^#' rows.csv | awk -F, '$2 == 2 { lost = lost ($8 <= 0) } END { exit lost != "00111" }' &&
+            grep -q '3 of 5 orbits lose' err ||
+            fail "section $how in $lanes lanes does not tell short losses: $(cat rows.csv err)"
+    done
+done
+
 # Where the field grows beyond bounds methods give up just before the end: x" = 1/(1 - x) from rest at 0 is there at sqrt(pi/2).
 printf 'model wall\nstate x\nstate p\ndomain before : 1 - x > 0\neq x = p\neq p = 1/(1 - x)\n' > wall.tt
 for method in $methods; do
     jellett simulate ./wall.tt --start x=0,p=0 --times 1,2 --method $method > rows.csv 2> err
     ends "simulate wall $method" rows.csv 1 1.2533141373155003 1.3e-8
+    says "simulate wall $method" "the domain of wall: before needs 1 - x > 0"
 done
 refuses "--sweep: at top=0.5: outside the domain of linear: order needs top - depth - 1 > 0" \
     fates ./linear.tt --section z=0 --start u=0,v=0.5,w=1 --returns 1 --sweep top=2:0.5:2
@@ -107,12 +157,15 @@ starts=()
 for a in 0.5 0.9999989 0.9999995 1 1.1 2; do starts+=(--start "u=$a,v=0,w=1"); done
 for model in linear between moving; do
     for how in "" "--method gauss"; do
-        jellett section ./$model.tt --section z=0 --direction down --returns 3 $how "${starts[@]}" > rows.csv 2> err || fail "section: $(cat err)"
+        jellett section ./$model.tt --section z=0 --direction down --returns 3 $how "${starts[@]}" > rows.csv 2> err ||
+            fail "section: $(cat err)"
         grep -v '^#' rows.csv | grep left_domain | cut -d, -f1-3 | awk -F, -v from=2 '
             BEGIN { split("0.5 0.9999989 0.9999995 1 1.1 2", A, " "); b = 1 - 1e-6 }
-            { a = A[$1 + 1]; off = $3 - (atan2(0, -1) - atan2(sqrt(a*a - b*b), b)); if (off*off > (2^-37 + 1e-11)^2/(a*a - b*b) || $2 != 1) bad = 1; n++ }
+            { a = A[$1 + 1]; off = $3 - (atan2(0, -1) - atan2(sqrt(a*a - b*b), b));
+            if (off*off > (2^-37 + 1e-11)^2/(a*a - b*b) || $2 != 1) bad = 1; n++ }
             END { exit bad || n < 3 }' || fail "section $model ${how:-in lanes}: $(grep left_domain rows.csv)"
-        grep -q '^0,3,.*alive' rows.csv && grep -q '^1,3,.*alive' rows.csv || fail "section $model ${how:-in lanes} ends an orbit inside"
+        grep -q '^0,3,.*alive' rows.csv && grep -q '^1,3,.*alive' rows.csv ||
+            fail "section $model ${how:-in lanes} ends an orbit inside"
     done
 done
 exit $status

@@ -8,7 +8,8 @@ trap 'rm -rf "$scratch"' EXIT
 status=0
 fail() { echo "$*"; status=1; }
 
-# run STATUS ARGUMENTS...: jellett's table in $scratch/out, its words in $scratch/err; fields that are neither numbers nor names fail.
+# run STATUS ARGUMENTS...: jellett's table in $scratch/out, its words in $scratch/err; fields that are neither numbers nor names
+# fail.
 run() {
     local want=$1 got=0
     shift
@@ -23,22 +24,26 @@ near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d
 # What begins at an equilibrium (spin without weight) stays there to the last bit, by every method, however far it goes.
 for tier in five five_plain; do
     for method in gauss dop853 taylor rk8pd rkf45 msadams; do
-        run 0 simulate --set g=0 --start gamma3=-0.25,v_nu=-0.125,omega_tau=0,omega_n=0,omega3=-0.75 --tier $tier --method $method --times 0,1,1e6
-        [ "$(tail -1 "$scratch/out" | cut -d, -f 1-4)" = "1000000,-0.25,-0.125,0" ] || fail "$tier, $method: an equilibrium moves: $(tail -1 "$scratch/out")"
+        run 0 simulate --set g=0 --start gamma3=-0.25,v_nu=-0.125,omega_tau=0,omega_n=0,omega3=-0.75 --tier $tier --method $method \
+            --times 0,1,1e6
+        [ "$(tail -1 "$scratch/out" | cut -d, -f 1-4)" = "1000000,-0.25,-0.125,0" ] ||
+            fail "$tier, $method: an equilibrium moves: $(tail -1 "$scratch/out")"
     done
 done
 
 # A balanced sphere spirals into an equilibrium (4.4). The row has the limit, which all methods agree on to the error of twenty
 # returns, a thousand tolerances at most.
 spiral=(--set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 100)
-for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd" "--method rkf45" "--method msadams" "--start eta=1,gamma3=0.3"; do
+for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd" "--method rkf45" "--method msadams" \
+    "--start eta=1,gamma3=0.3"; do
     run 0 section "${spiral[@]}" $how
     grep -E '^(o|0,)' "$scratch/out" > "$scratch/first" && mv "$scratch/first" "$scratch/out"
     [ "$(last 9)" = equilibrium ] || fail "spiral, $how: ends by '$(last 9)'"
     near "$(last 5)" -0.673987147562 1e-9 || fail "spiral, $how: limit gamma3 = $(last 5)"
     near "$(last 7)" 0 1e-9 || fail "spiral, $how: omega_n = $(last 7)"
 done
-# At a loose tolerance, by methods that step at their limit of stability and hold the orbit at some tolerances: at rest all the same.
+# At a loose tolerance, by methods that step at their limit of stability and hold the orbit at some tolerances: at rest all the
+# same.
 stiff=(--set m=0.046734604353749626,R=22.446218763535271,g=0.025455591964824414,I1=0.29057800922835364,I3=0.29057800922835364,a3=0
     --level E=0.0039105511413038392,G=0.9313121078740304 --start eta=1.8457677938053836,gamma3=-0.99999999261361949 --tol 1.67e-06)
 for method in gauss dop853 taylor rk8pd rkf45 msadams; do
@@ -62,8 +67,8 @@ while read -r set level; do
     [ "$(last 1)" = 23 ] || fail "$set $level: in batches the last orbit is $(last 1)"
 done < "$scratch/spheres"
 
-# A failure of the method is a row as well: of an orbit that begins where Lorenz's field overflows, beside a good one. The status says
-# so at the end.
+# A failure of the method is a row as well: of an orbit that begins where Lorenz's field overflows, beside a good one. The status
+# says so at the end.
 run 4 section lorenz --section x=0 --start y=1e200,z=1 --start y=1,z=1 --returns 3
 grep -q '^0,[01],.*,\(nonfinite\|no_progress\)$' "$scratch/out" || fail "the orbit that fails has no row"
 [ "$(last 1),$(last 2),$(last 6)" = 1,3,alive ] || fail "an orbit that fails took the next one away: $(tail -1 "$scratch/out")"
@@ -84,8 +89,9 @@ run 0 separation --set m=0.42,R=0.5,g=0,I1=0.03,I3=0.014,a3=0.19 --level E=0.043
 run 0 drift --returns 2 --set a3=0 --level E=1,G=0 --start eta=0.8,gamma3=-0.5 --method gauss
 run 0 section --check --set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 3
 
-# Planar motion (omega_n = omega3 = 0) runs into the pole. By the quadrature of the energy, with gamma3 = (g0 - 1)/2 - (g0 + 1)/2 cos u,
-# t = integral from 0 to pi of sqrt((I1 + m a3^2 s^2)/(2 m g a3 (1 - gamma3))) du, smooth and periodic: 64 points of the midpoint rule.
+# Planar motion (omega_n = omega3 = 0) runs into the pole. By the quadrature of the energy, with gamma3 = (g0 - 1)/2 - (g0 + 1)/2
+# cos u, t = integral from 0 to pi of sqrt((I1 + m a3^2 s^2)/(2 m g a3 (1 - gamma3))) du, smooth and periodic: 64 points of the
+# midpoint rule.
 planar=(--start gamma3=0.3,v_nu=0,omega_tau=0,omega_n=0,omega3=0 --times 1,2.1,3)
 end=$(awk 'BEGIN { pi = atan2(0, -1); for (k = 0; k < 64; k++) { c = -0.35 - 0.65*cos(pi*(k + 0.5)/64)
     sum += sqrt((1/3 + 0.51^2*(1 - c*c))/(1.02*(1 - c))) } printf "%.15g", sum*pi/64 }')
@@ -100,8 +106,9 @@ for tier in full level_plain level_omega_n five_plain model; do # plain time: as
     [ "$(last 10)" = left_domain ] && near "$(last 1)" "$end" 1e-4 || fail "planar, $tier: $(tail -1 "$scratch/out")"
     grep -q 'near a pole' "$scratch/err" || fail "planar, $tier: $(cat "$scratch/err")"
 done
-# A balanced sphere in planar motion turns evenly: t = (pi/2 - asin gamma3)/omega_tau. In plain time its series runs smoothly through
-# the pole, where the field's root changes its sign, and long steps of other methods ask for the field beyond: neither is an orbit.
+# A balanced sphere in planar motion turns evenly: t = (pi/2 - asin gamma3)/omega_tau. In plain time its series runs smoothly
+# through the pole, where the field's root changes its sign, and long steps of other methods ask for the field beyond: neither is an
+# orbit.
 end=$(awk 'BEGIN { g = 0.63; print atan2(sqrt(1 - g*g), g)/10 }')
 for tier in level_plain level_omega_n five_plain full; do
     for method in gauss dop853 taylor rk8pd rkf45 msadams; do
@@ -123,8 +130,9 @@ run 0 simulate --track --set m=0.67395,R=0.470985,g=0,I1=0.0591889,I3=0.0591889,
     --start gamma3=-0.0607461,v_nu=-1.39643,omega_tau=3.62448,omega_n=-0.986603779295012,omega3=-1.73545
 tail -1 "$scratch/out" | grep -q ',pole+$' || fail "|a3| > R: $(tail -1 "$scratch/out")"
 
-# The chart without omega3 ends before b = a3 + R gamma3 vanishes: an error of omega3 is there one of omega_n divided by b. It ends where
-# I3^2 b^2 (1 + omega3^2) = 2e-6 G^2, nearer than 5e-3 for |G| < 1, and up to there the orbit is that of the level, within a tolerance of 1e-12 times a thousand for that and a thousand for steps and conditioning.
+# The chart without omega3 ends before b = a3 + R gamma3 vanishes: an error of omega3 is there one of omega_n divided by b. It ends
+# where I3^2 b^2 (1 + omega3^2) = 2e-6 G^2, nearer than 5e-3 for |G| < 1, and up to there the orbit is that of the level, within a
+# tolerance of 1e-12 times a thousand for that and a thousand for steps and conditioning.
 for start in v_nu=0,omega_tau=0,omega_n=0.3,omega3=0.2 v_nu=2.4,omega_tau=-1.1,omega_n=0.26,omega3=-0.34 \
     v_nu=1.28,omega_tau=-0.25,omega_n=-1.1,omega3=-0.36 v_nu=0.16,omega_tau=-0.24,omega_n=0.59,omega3=-0.64; do
     run 4 simulate --tier level_omega3 --compare level --start "gamma3=0.3,$start" --until 10 --every 1/20
@@ -144,12 +152,12 @@ run 3 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.17
 run 0 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.15 --orbits 4 --until 2 --trajectories "$scratch/trajectories"
 grep -q '^3,' "$scratch/trajectories" || fail "no orbits on a level that is not empty"
 
-# A pole's limits are the orbit's, to ten tolerances: of quadruple precision. What is left of the way decays at two rates, and is all but
-# gone at one of them.
+# A pole's limits are the orbit's, to ten tolerances: of quadruple precision. What is left of the way decays at two rates, and is
+# all but gone at one of them.
 for method in gauss dop853 taylor rk8pd rkf45 msadams; do
-    run 0 section --set m=12.866166371398588,R=0.14524217514756682,g=9.81,I1=0.45002889890013548,I3=2.1321580562758649,a3=-0.094012934376266802 \
-        --level E=5.7174220524306136,G=0.020454462471229184 --start eta=-0.36744439882633673,gamma3=-0.32513254690187954 --tol 1.71e-08 \
-        --direction down --method $method
+    run 0 section --set m=12.866166371398588,R=0.14524217514756682,g=9.81,I1=0.45002889890013548 \
+        --set I3=2.1321580562758649,a3=-0.094012934376266802 --level E=5.7174220524306136,G=0.020454462471229184 \
+        --start eta=-0.36744439882633673,gamma3=-0.32513254690187954 --tol 1.71e-08 --direction down --method $method
     [ "$(last 9)" = pole+ ] && near "$(last 6)" 1.61970498298205 1.7e-7 || fail "two rates, $method: v_nu = $(last 6) at $(last 9)"
 done
 

@@ -42,7 +42,8 @@ def axis(kind):
 
 def draw(family, kind):
     m, R, I1 = magnitude(-1, 1), magnitude(-1, 1), magnitude(-2, 1)
-    I3 = I1 * random.choice((magnitude(-6, -3), magnitude(-1, 0), Q(1), magnitude(0, 0.3), Q(0) if family != "precession" else Q(1, 7)))
+    I3 = I1 * random.choice((magnitude(-6, -3), magnitude(-1, 0), Q(1), magnitude(0, 0.3),
+                             Q(0) if family != "precession" else Q(1, 7)))
     c, s = axis(kind)
     wn = wt = v = w3 = Q(0)
     g, a3 = magnitude(-1, 2), sign() * R * magnitude(-2, 0.5)
@@ -108,7 +109,8 @@ def main(path):
             assert all(sp.Rational(f) == 0 for f in evaluate_field(*numbers)), (family, states, params)
             a = sp.Matrix(5, 5, [sp.Rational(q) for q in evaluate_matrix(*numbers)])
             verdict, eigenvalues = judge(a)
-            names = lambda symbols, values: ",".join(f"{n}={v}" for n, v in zip(symbols, values) if v != 0 or str(n) in ("g", "a3", "I3"))
+            names = lambda symbols, values: ",".join(f"{n}={v}" for n, v in zip(symbols, values)
+                                                     if v != 0 or str(n) in ("g", "a3", "I3"))
             row = [family, names(top.params, params), names(top.states, states), verdict]
             for z in eigenvalues:
                 row += [mpmath.nstr(z.real, 20), mpmath.nstr(z.imag, 20)]

@@ -31,15 +31,18 @@ falling=(./fall.tt --section h=0 --returns 3)
 for at in g=0,p=0.1 g=0,p=0.75 g=-0.9,p=1 g=-0.9,p=0.95; do falling+=(--start "$at,q=1"); done
 section one.csv --method gauss "${falling[@]}"
 section many.csv "${falling[@]}"
-cmp -s <(cut -d, -f1,2,7 one.csv) <(cut -d, -f1,2,7 many.csv) || fail "where orbits leave an interval, orbits, returns or fates differ"
+cmp -s <(cut -d, -f1,2,7 one.csv) <(cut -d, -f1,2,7 many.csv) ||
+    fail "where orbits leave an interval, orbits, returns or fates differ"
 [ "$(grep -c ',left_domain$' many.csv)" -eq 4 ] || fail "not all orbits leave the interval: $(cat many.csv)"
 
-# The end of each is where the parabola says: a state is followed to the tolerance of its end, 1e-12, or 2^-37, at a rate of 0.22 or more,
-# and the time to it is as good. So an orbit that ends 1e-9 after a return still makes it, and one that ends 1e-9 before does not.
+# The end of each is where the parabola says: a state is followed to the tolerance of its end, 1e-12, or 2^-37, at a rate of 0.22 or
+# more, and the time to it is as good. So an orbit that ends 1e-9 after a return still makes it, and one that ends 1e-9 before does
+# not.
 turn=6.283185307179586
 p_of() { awk -v t="$1" 'BEGIN { printf "%.17g", (t*t/8 - 1)/t }'; } # from g = 0
 ends_near() { # FILE ORBIT TIME
-    awk -F, -v orbit="$2" -v t="$3" '$1 == orbit && /left_domain/ { off = $3 - t; found = 1 } END { exit !(found && off*off <= 25e-22) }' "$1" ||
+    awk -F, -v orbit="$2" -v t="$3" \
+        '$1 == orbit && /left_domain/ { off = $3 - t; found = 1 } END { exit !(found && off*off <= 25e-22) }' "$1" ||
         fail "$1: orbit $2 does not end at $3: $(cat "$1")"
 }
 after=$(awk -v t=$turn 'BEGIN { printf "%.17g", t + 1e-9 }') before=$(awk -v t=$turn 'BEGIN { printf "%.17g", t - 1e-9 }')

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sections on levels of a table's own integrals: Newton's method meets the levels, the rest is that of the plain section, and what is
-# no integral, no state or no branch is refused by name.
+# Sections on levels of a table's own integrals: Newton's method meets the levels, the rest is that of the plain section, and what
+# is no integral, no state or no branch is refused by name.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -31,7 +31,8 @@ paste -d , on_level plain | awk -F, '
     NR == 1 { for (i = 12; i <= NF; i++) at[$i] = i; bad = !($4 == "y" && $5 == "py" && $6 == "px"); next }
     { rows++; bad += ($4 - $at["y"])^2 + ($5 - $at["py"])^2 + ($6 - $at["px"])^2 > 1e-22 }
     END { exit !(rows == 5 && !bad) }' || fail "on the level rows differ: $(paste on_level plain)"
-# The same section as the tables describe it, whose lift is that formula: the same rows, to ten roundings of the start stretched by DP.
+# The same section as the tables describe it, whose lift is that formula: the same rows, to ten roundings of the start stretched by
+# DP.
 cp "$JLT_SOURCE_DIR"/tools/docs/henon{,_section}.tt .
 sed -i 's/^state \(p*y\) .*/state \1/' henon_section.tt
 expect 0 '^# levels H=0.0833333333333333[0-9]*$' jellett section ./henon.tt --level H=1/12 --start y=0.1,py=0.05 --returns 4 --check
@@ -40,7 +41,8 @@ paste -d , on_level described | awk -F, '
     NR == 1 { half = NF/2; next }
     { rows++; for (i = 3; i <= 6; i++) bad += ($i - $(half + i))^2 > 1e-22 }
     END { exit !(rows == 5 && !bad) }' || fail "the described section has other rows: $(paste on_level described)"
-expect 3 'it is the other half that is crossed in this --direction' jellett section ./henon.tt --start y=0.1,py=0.05 --direction both
+expect 3 'it is the other half that is crossed in this --direction' jellett section ./henon.tt --start y=0.1,py=0.05 \
+    --direction both
 expect 3 'no state has the levels asked for' jellett section ./henon.tt --level H=-1 --start y=0.1,py=0.05
 expect 3 'no state has the levels asked for' jellett section ./henon.tt --start y=0.9,py=0
 cat > described.scene <<'SCENE'
@@ -60,7 +62,8 @@ sed -i 's/py = py$/py = 2*py/' henon_section.tt # and is on other levels
 expect 3 'section crossing is not proved of this table: ' jellett section ./henon.tt --start y=0.1,py=0.05 --direction down
 
 # The flow keeps volume, so the map keeps area: DP in (y, py) has determinant 1, which --check holds its own against.
-awk -F, 'NR > 2 { n++; bad += ($9 - 1)^2 > 1e-20 } END { exit !(n == 4 && !bad) }' on_level || fail "det DP is not 1: $(cat on_level)"
+awk -F, 'NR > 2 { n++; bad += ($9 - 1)^2 > 1e-20 } END { exit !(n == 4 && !bad) }' on_level ||
+    fail "det DP is not 1: $(cat on_level)"
 
 # The orbits of one level, not a family in E: multipliers of the two coordinates alone. Those with x <-> -x on either side of y have
 # one period, and every multiplier comes with its inverse.
@@ -73,22 +76,28 @@ awk -F, '/^64,/ { good = NF == 5 && ($3 + $4)^2 < 1e-18 } END { exit !good }' ou
 # Two levels of a nonholonomic table, where one is the length of a unit vector: rows keep both. Four returns err by the tolerance.
 two=(--section gamma1=0 --level E=2,gamma=1 --solve omega1=1,gamma3=0.9)
 expect 0 alive jellett section ./suslov.tt "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 4 --direction both
-awk -F, '/^[0-9]/ { n++; bad += (($5^2 + $7^2) - 1)^2 + (($6^2 + 2*$4^2)/2 + $7 - 2)^2 > 1e-22 } END { exit !(n == 5 && !bad) }' out ||
+awk -F, '/^[0-9]/ { n++; bad += (($5^2 + $7^2) - 1)^2 + (($6^2 + 2*$4^2)/2 + $7 - 2)^2 > 1e-22 }
+    END { exit !(n == 5 && !bad) }' out ||
     fail "off the levels: $(cat out)"
 
 # After every step back onto the levels, a thousand returns at a loose tolerance drift no more than a step errs.
-drift() { jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0.05,px="$px" --returns 300 --tol 1e-6 --method rk8pd "$@" |
+drift() { jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0.05,px="$px" --returns 300 --tol 1e-6 --method rk8pd \
+    "$@" |
     awk -F, '$2 == 300 { y = $4; px = $5; py = $6; e = (px^2 + py^2 + y^2)/2 - y^3/3 - 1/12; printf "%.3g", e < 0 ? -e : e }'; }
 loose=$(drift) projected=$(drift --project)
-awk -v a="$loose" -v b="$projected" 'BEGIN { exit !(b < 1e-9 && a > 20*b) }' || fail "--project: drift $projected, without it $loose"
+awk -v a="$loose" -v b="$projected" 'BEGIN { exit !(b < 1e-9 && a > 20*b) }' ||
+    fail "--project: drift $projected, without it $loose"
 
 # Lanes put orbits back onto the relation of the lifted root that the table says, whatever the order of its states.
 mkdir turned && cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt turned
-awk '/^state gamma3/ { held = $0; next } { print } /^state v_nu/ { print held }' "$JLT_SOURCE_DIR/codegen/models/spherical_top_level.tt" > turned/spherical_top_level.tt
+awk '/^state gamma3/ { held = $0; next } { print } /^state v_nu/ { print held }' \
+    "$JLT_SOURCE_DIR/codegen/models/spherical_top_level.tt" > turned/spherical_top_level.tt
 grid=(--grid eta=0.40:0.48:3,gamma3=-0.635:-0.605:3 --returns 10 --project)
-(cd turned && jellett section ./spherical_top_level.tt "${grid[@]}" -o rows.csv 2> log) || fail "states in another order: $(cat turned/log)"
+(cd turned && jellett section ./spherical_top_level.tt "${grid[@]}" -o rows.csv 2> log) ||
+    fail "states in another order: $(cat turned/log)"
 jellett section spherical_top_level "${grid[@]}" -o rows.csv 2> log || fail "--project: $(cat log)"
-paste -d, rows.csv turned/rows.csv | awk -F, '/^[0-9]/ { n++; bad += ($4 - $13)^2 + ($5 - $14)^2 > 1e-20 || $9 != $18 } END { exit !(n == 99 && !bad) }' ||
+paste -d, rows.csv turned/rows.csv |
+    awk -F, '/^[0-9]/ { n++; bad += ($4 - $13)^2 + ($5 - $14)^2 > 1e-20 || $9 != $18 } END { exit !(n == 99 && !bad) }' ||
     fail "states in another order are put back elsewhere: $(tail -1 rows.csv) $(tail -1 turned/rows.csv)"
 
 # Refused by name.
@@ -99,20 +108,24 @@ expect 2 "levels determine as many states: --level names 0, and --solve 1" "${se
 expect 3 "crosses the section the other way" jellett orbits lorenz --section z=20 --set rho=22 --start x=7,y=5
 expect 3 "has no state 'p'" "${section[@]}" --level E=1/12 --solve p=1
 expect 3 "x is fixed by --section already" "${section[@]}" --level E=1/12 --solve x=1
-expect 4 "Newton's method finds no state with these levels there: try another guess in --solve" "${section[@]}" --level E=-1 --solve px=1
+expect 4 "Newton's method finds no state with these levels there: try another guess in --solve" "${section[@]}" --level E=-1 \
+    --solve px=1
 expect 4 "Newton's method finds no state with these levels" "${section[@]}" --level E=1/12 --solve px=0
-expect 4 "an iteration did not converge" jellett lyapunov ./henon_heiles.tt "${level[@]}" --direction down --start y=0.1,py=0 --returns 3
+expect 4 "an iteration did not converge" jellett lyapunov ./henon_heiles.tt "${level[@]}" --direction down --start y=0.1,py=0 \
+    --returns 3
 expect 0 "^0,1," "${section[@]}" --level E=1/12 --solve px=-1 --returns 1
 awk -F, '/^0,0,/ { exit !($6 < 0) }' out || fail "the guess's sign does not choose the branch: $(cat out)"
 expect 0 "points of the grid have no state" jellett section ./henon_heiles.tt "${level[@]}" --grid y=0:2:5,py=0 --returns 1
 expect 2 "--project: roessler has no integrals" jellett section roessler --section y=0 --start x=-7,z=0.02 --project
 expect 2 "lives on past steps" jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0,px=1 --project --method msadams
 # On the other branch of the level DP is not known: a check that checks nothing does not pass.
-expect 1 "DP could not be computed at 3 of 3 returns" jellett section ./henon_heiles.tt --section x=0 --level E=1/12 --solve px=0.3 \
+expect 1 "DP could not be computed at 3 of 3 returns" jellett section ./henon_heiles.tt --section x=0 --level E=1/12 \
+    --solve px=0.3 \
     --start y=0.1,py=0 --returns 3 --check --direction both
 
 # On the fold of a level, where the state that is solved for is 0, there is no derivative and nothing to compare.
-printf 'model kepler\nstate r in (0, inf)\nstate f\nstate p\nstate L\neq r = p\neq f = L/r^2\neq p =\n    + L^2/r^3\n    - 1/r^2\neq L = 0*L\n' > kepler.tt
+printf 'model kepler\nstate r in (0, inf)\nstate f\nstate p\nstate L\neq r = p\neq f = L/r^2\neq p =\n    + L^2/r^3\n'\
+'    - 1/r^2\neq L = 0*L\n' > kepler.tt
 printf 'periodic f = 2*pi\nintegral E = p^2/2 + L^2/(2*r^2) - 1/r\n' >> kepler.tt
 expect 1 'DP could not be computed at 3 of 3 returns' jellett section ./kepler.tt --section f=0 --start r=1,L=1.2 --returns 3 \
     --level E=-0.28 --solve p=0 --check

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Exponents of returns that stretch by more than 1e16: the sum of all is known from flux and divergence, and what is in doubt is told.
+# Exponents of returns that stretch by more than 1e16: the sum of all is known from flux and divergence, and what is in doubt is
+# told.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -7,8 +8,8 @@ cd "$scratch" || exit 1
 export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
 status=0
 fail() { echo "$*"; status=1; }
-# u' = v, v' = u once a period of 20 pi: exponents 1 and -1, from vectors that are not the eigenvectors, whose growth is exp(t)/2. After n
-# returns the first is 1 - log(2)/(20 pi n) or a little more; z' = -z/2 makes a third.
+# u' = v, v' = u once a period of 20 pi: exponents 1 and -1, from vectors that are not the eigenvectors, whose growth is exp(t)/2.
+# After n returns the first is 1 - log(2)/(20 pi n) or a little more; z' = -z/2 makes a third.
 cat > saddle.tt <<'TABLE'
 model saddle
 state u
@@ -22,7 +23,8 @@ periodic phi = 2*pi
 TABLE
 sed -e 's/^state phi/state z\nstate phi/' -e 's/^eq phi/eq z = -z\/2\neq phi/' saddle.tt > three.tt
 jellett lyapunov ./saddle.tt --section phi=0 --start u=0,v=0 --returns 100 > out 2> err < /dev/null || fail "saddle: $(cat err)"
-awk -F, '/^[0-9]/ { n++; bad += ($3 + $4)^2 > 1e-24 || !($3 < 1 + 1e-12 && $3 > 1 - 0.7/$2) || $5^2 > 1e-24 } END { exit !(n > 20 && !bad) }' out ||
+awk -F, '/^[0-9]/ { n++; bad += ($3 + $4)^2 > 1e-24 || !($3 < 1 + 1e-12 && $3 > 1 - 0.7/$2) || $5^2 > 1e-24 } END { exit !(n > 20 &&
+    !bad) }' out ||
     fail "exponents of the saddle: $(tail -1 out)"
 grep -q 'in doubt' err && fail "two exponents are never in doubt: $(cat err)"
 jellett lyapunov ./three.tt --section phi=0 --start u=0,v=0,z=0 --returns 9 > out 2> err < /dev/null || fail "three: $(cat err)"

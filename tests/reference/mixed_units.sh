@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The verdict of a condition is that of the table's units, whatever units a problem is counted in: a number beside a length is one in metres.
+# The verdict of a condition is that of the table's units, whatever units a problem is counted in: a number beside a length is one
+# in metres.
 set -uo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
@@ -17,7 +18,8 @@ run() { # STATUS OPTION...
 }
 near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; exit !(d < 1e-11 && d > -1e-11) }'; }
 
-# a = 10 cos t. The unit of length is that of L, so that a is counted in hundreds of metres; the coordinates are good while a > -3 m.
+# a = 10 cos t. The unit of length is that of L, so that a is counted in hundreds of metres; the coordinates are good while a > -3
+# m.
 cat > spring.tt <<'T'
 model spring
 param L > 0 [m] "what lengths are compared with"
@@ -33,11 +35,13 @@ T
 end=$(awk 'BEGIN { c = -0.3; printf "%.17g", atan2(sqrt(1 - c*c), c) }')
 for L in 1 1000 1e6 1e-6; do
     run 4 simulate ./spring.tt --set L=$L --start a=10,b=0 --times 1,3
-    [ "$(tail -1 out | cut -d, -f5)" = left_domain ] && near "$(tail -1 out | cut -d, -f1)" "$end" && near "$(tail -1 out | cut -d, -f2)" -3 ||
+    [ "$(tail -1 out | cut -d, -f5)" = left_domain ] && near "$(tail -1 out | cut -d, -f1)" "$end" &&
+        near "$(tail -1 out | cut -d, -f2)" -3 ||
         fail "L = $L: $(tail -1 out)"
 done
 
-# On a circle of radius r; the way there is meant where a < 3 m, and the orbit goes on in the table asked where it comes to that edge.
+# On a circle of radius r; the way there is meant where a < 3 m, and the orbit goes on in the table asked where it comes to that
+# edge.
 cat > turning.tt <<'T'
 model turning
 param L > 0 [m]
@@ -94,7 +98,8 @@ for L in 1000 3e5; do
     own=$(tail -1 out)
     run 0 section ./stiff.tt --set L=$L --start u=-200,v=0.5 --returns 2
     for column in 3 4 5; do
-        near "$(tail -1 out | cut -d, -f$column)" "$(echo "$own" | cut -d, -f$column)" || fail "section, L = $L: $(tail -1 out), not $own"
+        near "$(tail -1 out | cut -d, -f$column)" "$(echo "$own" | cut -d, -f$column)" ||
+            fail "section, L = $L: $(tail -1 out), not $own"
     done
 done
 exit $status

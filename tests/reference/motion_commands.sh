@@ -22,7 +22,8 @@ expect() {
 against() {
     awk -F, 'FNR == 1 { file++ } /^#/ || $1 == "t" { next }
         file == 1 { for (i = 2; i <= 6; i++) want[$1 + 0, i] = $i; known[$1 + 0]; next }
-        ($1 + 0) in known { rows++; for (i = 2; i <= 6; i++) { d = $i - want[$1 + 0, i]; if (d < 0) d = -d; if (d > worst) worst = d } }
+        ($1 + 0) in known { rows++; for (i = 2; i <= 6; i++) { d = $i - want[$1 + 0, i]; if (d < 0) d = -d;
+        if (d > worst) worst = d } }
         END { printf "%d %.3g\n", rows, worst }' "$1" "$2"
 }
 
@@ -32,7 +33,8 @@ rod=(jellett simulate --set I1=0.7,I3=0,a3=0.3 --start gamma3=0.2,v_nu=0.6,omega
 for method in dop853 taylor rk8pd msadams; do
     "${generic[@]}" --times 0,0.5,1 --tol 1e-13 --method $method -o "$scratch/generic.csv"
     read -r rows worst < <(against tests/reference/data/flow_generic.csv "$scratch/generic.csv")
-    awk -v r="$rows" -v w="$worst" 'BEGIN { exit !(r == 3 && w <= 1e-11) }' || fail "$method, generic orbit: $rows rows, error $worst"
+    awk -v r="$rows" -v w="$worst" 'BEGIN { exit !(r == 3 && w <= 1e-11) }' ||
+        fail "$method, generic orbit: $rows rows, error $worst"
 done
 for tier in quadrature level five track; do
     "${rod[@]}" --times 0,1,3,10 --tol 1e-13 --tier $tier -o "$scratch/rod.csv"
@@ -93,16 +95,19 @@ awk -F, '/^[0-9]/ { n++; if ($9 > 1e-12 || $10 > 1e-12) bad = 1 } END { exit !(n
 jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.6,v_nu=0,omega_tau=0.4,omega_n=1.2,omega3=-27/20 --check -o "$scratch/rod.csv"
 awk -F, '/^[0-9]/ { exit !($10 <= 1e-12) }' "$scratch/rod.csv" || fail "an orbit with E1 = 0 does not return"
 
-# Near a pole, where the pace changes a thousandfold and Newton's steps alone went to and fro: the level's orbit, within 1e-12 times a
-# hundred for steps and conditioning.
-jellett simulate --tier quadrature --compare level --tol 1e-12 -o "$scratch/thin.csv" --set m=0.0175,R=0.117,g=9.81,I1=1.075e-05,I3=0,a3=0.2195 \
-    --start gamma3=0.9999999835,v_nu=-2.527,omega_tau=-0.5707,omega_n=1.256,omega3=22.167 --times 0.0123,0.0246,0.037 2> "$scratch/err" ||
+# Near a pole, where the pace changes a thousandfold and Newton's steps alone went to and fro: the level's orbit, within 1e-12 times
+# a hundred for steps and conditioning.
+jellett simulate --tier quadrature --compare level --tol 1e-12 -o "$scratch/thin.csv" --set \
+    m=0.0175,R=0.117,g=9.81,I1=1.075e-05,I3=0,a3=0.2195 \
+    --start gamma3=0.9999999835,v_nu=-2.527,omega_tau=-0.5707,omega_n=1.256,omega3=22.167 --times 0.0123,0.0246,0.037 2> \
+    "$scratch/err" ||
     fail "a thin rod beside a pole: $(cat "$scratch/err")"
 
 # M^2: two attracting and two repelling foci, as (4.5) has them.
 jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 -o "$scratch/m2.csv" \
     --trajectories "$scratch/orbits.csv" --orbits 6
-[ "$(grep -c 'attracting focus' "$scratch/m2.csv")$(grep -c 'repelling focus' "$scratch/m2.csv")" = 22 ] || fail "fixed points on M^2"
+[ "$(grep -c 'attracting focus' "$scratch/m2.csv")$(grep -c 'repelling focus' "$scratch/m2.csv")" = 22 ] ||
+    fail "fixed points on M^2"
 [ "$(grep -c '^5,' "$scratch/orbits.csv")" -gt 100 ] || fail "orbits on M^2"
 
 expect 3 'omega_n as well' jellett simulate --start gamma3=0,v_nu=0,omega_tau=0 --times 1
@@ -130,18 +135,21 @@ printf 'accuracy = { tier = "five"; };\ncompute = ( { what = "simulate"; start =
     'gamma3 = 0.25; v_nu = 0.8; omega_tau = -0.6; omega_n = 1.1; omega3 = -2.3;' > "$scratch/forced.scene"
 jellett plan "$scratch/forced.scene" > "$scratch/plan" || fail "jellett plan, a tier by name"
 grep -q '^  \* five .*asked for by name' "$scratch/plan" && grep -q '^    level .*is smaller' "$scratch/plan" &&
-    jellett run "$scratch/forced.scene" > "$scratch/out" && grep -q '^# tier five' "$scratch/out" || fail "a tier by name: $(cat "$scratch/plan")"
+    jellett run "$scratch/forced.scene" > "$scratch/out" && grep -q '^# tier five' "$scratch/out" ||
+    fail "a tier by name: $(cat "$scratch/plan")"
 plan_takes rod quadrature "not by quadratures"
 plan_takes balanced plane "not on M^2"
 plan_takes fig3a level "not on a level of G"
 plan_takes full track "not by quadratures for attitude and track"
 for scene in rod full; do
-    jellett run "tools/scenes/$scene.scene" --into "$scratch" > /dev/null 2> "$scratch/err" || fail "jellett run $scene: $(cat "$scratch/err")"
+    jellett run "tools/scenes/$scene.scene" --into "$scratch" > /dev/null 2> "$scratch/err" ||
+        fail "jellett run $scene: $(cat "$scratch/err")"
 done
 for file in rod_orbit.csv rod_orbit.svg rod.csv rod.svg rod_periodic.csv full.csv full_track.svg full_states.csv full_states.svg; do
     [ -s "$scratch/$file" ] || fail "no $file"
 done
-awk -F, '/^[0-9]/ { if ($(NF - 1) > 1e-9) bad = 1 } END { exit bad }' "$scratch/full.csv" || fail "quadratures and the full system differ"
+awk -F, '/^[0-9]/ { if ($(NF - 1) > 1e-9) bad = 1 } END { exit bad }' "$scratch/full.csv" ||
+    fail "quadratures and the full system differ"
 printf 'title = "x";\ncompute = ( { what = "simulate"; start = { gamma4 = 1; }; until = 1; } );\n' > "$scratch/bad.scene"
 # Plans look at starts and grids, and say what would follow the orbits.
 expect 3 "gamma3 must lie strictly between -1 and 1" jellett plan section --start eta=0.1,gamma3=3

@@ -86,4 +86,17 @@ for inside in 'domain inside : c^2 - (x - 5/4)^2 > 0' 'state x in (5/4 - c, 5/4 
                for (i = 1; i <= n; i++) { off = rho[i]/(exp(m - x[i])*m/x[i]) - 1; if (off*off > 1e-20) bad = 1 }
                exit bad }' out || fail "measure of a domain that ends: $(tail -3 out)"
 done
+
+# However narrow an interval is whose ends are parameters: rho = 1/(1 + x^2), which at 1e-9 is 1 to all digits.
+printf 'model narrow\nparam a > 0\nstate x in (-a, a)\nstate y\neq x = (1 + x^2)*y\neq y = 1\n' > narrow.tt
+for a in 2 1 1e-9 1e-100; do
+    expect 0 'density of x alone' jellett measure ./narrow.tt --set a=$a
+    awk -v a=$a '/in the middle/ { reads = 1; next }
+         reads && NF == 2 { x[++n] = $1; rho[n] = $2 }
+         END { bad = n < 10 || x[1] > -0.97*a || x[n] < 0.97*a
+               for (i = 1; i <= n; i++) { off = rho[i]*(1 + x[i]^2) - 1; if (off*off > 1e-20) bad = 1 }
+               exit bad }' out || fail "measure in an interval of $a: $(tail -3 out)"
+done
+# Where x^2 is lost that is said; it is no pole of the density.
+for a in 1e-150 1e-160 1e-300; do expect 4 'use units in which parameters' jellett measure ./narrow.tt --set a=$a; done
 exit $status

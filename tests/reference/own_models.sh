@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Models of one's own through the commands: three bodies on the figure of eight, Suslov's problem on levels, a sleigh with a rotor, a
-# rattleback, separatrices of a Henon-Heiles level.
+# Models of one's own through the commands: three bodies on the figure of eight, Suslov's problem on levels, a sleigh with a rotor,
+# a rattleback, separatrices of a Henon-Heiles level.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -18,10 +18,10 @@ expect() { # STATUS WORDS COMMAND...
 }
 cp "$JLT_SOURCE_DIR"/tests/reference/data/{figure_eight,suslov,sleigh_rotor,rattleback,henon_heiles}.tt .
 
-# Oracle: A. Chenciner, R. Montgomery, Ann. Math. 152 (2000), with C. Simo's start to eight digits, and period 6.32591398. Body 3 comes
-# down through y3 = 0 twice a period. Held are where along x it does so and the size, x1; T goes as the size to 3/2, so that its error is
-# 1.5 T times that of x1, 5e-9, and as much of the other digits: 1e-7, twice. Simo's orbit is elliptic: all multipliers have modulus 1;
-# the double one of H is off by the root of the derivative's error, 1e-12.
+# Oracle: A. Chenciner, R. Montgomery, Ann. Math. 152 (2000), with C. Simo's start to eight digits, and period 6.32591398. Body 3
+# comes down through y3 = 0 twice a period. Held are where along x it does so and the size, x1; T goes as the size to 3/2, so that
+# its error is 1.5 T times that of x1, 5e-9, and as much of the other digits: 1e-7, twice. Simo's orbit is elliptic: all multipliers
+# have modulus 1; the double one of H is off by the root of the derivative's error, 1e-12.
 free=x1=0.97000436,y1=-0.24308753,x2=-0.97000436,y2=0.24308753,x3=0,u1=0.46620368,v1=0.43236573,u2=0.46620368,v2=0.43236573
 eight=(./figure_eight.tt --section y3=0 --direction down --level Px=0,Py=0 --solve u3=-0.93,v3=-0.86)
 expect 0 '^2,0.97000436,' jellett orbits "${eight[@]}" --start $free --period 2 --hold x1,x3
@@ -33,22 +33,26 @@ expect 0 '^0,1,' jellett section "${eight[@]}" --start $free --returns 2
 awk -F, '/^0,0,/ { bad = ($13 + 0.93240737)^2 > 1e-15 || ($14 + 0.86473146)^2 > 1e-15 }
     /^0,1,/ { bad += ($4 + 0.97000436)^2 + ($6 - 0.97000436)^2 + ($8)^2 > 1e-13 || ($13 - 0.93240737)^2 > 1e-13 }
     /^0,2,/ { bad += ($3 - 6.32591398)^2 > 4e-14 } END { exit bad != 0 }' out || fail "returns on the eight: $(tail -3 out)"
-expect 0 '^8,' jellett lyapunov ./figure_eight.tt --section y3=0 --direction down --start $free,u3=-0.93240737,v3=-0.86473146 --returns 8
+expect 0 '^8,' jellett lyapunov ./figure_eight.tt --section y3=0 --direction down --start $free,u3=-0.93240737,v3=-0.86473146 \
+    --returns 8
 awk -F, '/^8,/ { exit !(NF == 14 && $14 == 0) }' out || fail "exponents of twelve states: $(tail -1 out)"
 expect 0 '11 checks hold, 0 fail' jellett verify ./figure_eight.tt
 
 # Suslov with levels: without the products of inertia the flow keeps volume, whose flux through the section has the density
-# gamma1'/det d(E, gamma)/d(omega1, gamma3) = -omega2/(2 omega1) in (omega2, gamma2): det DP is the ratio of it. The fifth return has
-# another sign of omega1, another branch: there is no derivative of it.
+# gamma1'/det d(E, gamma)/d(omega1, gamma3) = -omega2/(2 omega1) in (omega2, gamma2): det DP is the ratio of it. The fifth return
+# has another sign of omega1, another branch: there is no derivative of it.
 two=(./suslov.tt --section gamma1=0 --direction down --level E=2,gamma=1 --solve omega1=1,gamma3=0.9)
 expect 0 '^0,5,' jellett section "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 5 --check
-awk -F, '/^0,[0-5],/ { flux = $4/$6; if ($2 >= 1 && $2 <= 4) { n++; bad += ($10 - last/flux)^2 > 1e-20 } last = flux; of_last = $10 }
+awk -F, '/^0,[0-5],/ { flux = $4/$6; if ($2 >= 1 && $2 <= 4) { n++; bad += ($10 - last/flux)^2 > 1e-20 } last = flux;
+    of_last = $10 }
     END { exit !(n == 4 && !bad && $6 < 0 && of_last == "") }' out || fail "Suslov: $(tail -6 out)"
-# Where omega2 = 0 gamma1 stays 0: such an orbit lies in the section, which it meets by rounding alone, and is no periodic point of it.
+# Where omega2 = 0 gamma1 stays 0: such an orbit lies in the section, which it meets by rounding alone, and is no periodic point of
+# it.
 expect 4 "finds no periodic orbit" jellett orbits "${two[@]}" --start omega2=0.3,gamma2=0.2 --period 1
 expect 3 "reversor that takes the section to itself" jellett separation "${two[@]}" --grid omega2=0.1:0.5:2,gamma2=0.1:0.3:2 \
     --cells omega2=0.1:0.5:2,gamma2=0.1:0.3:2 --returns 2
-expect 4 "a return left the branch of --solve" jellett lyapunov "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 9 --direction both
+expect 4 "a return left the branch of --solve" jellett lyapunov "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 9 \
+    --direction both
 
 # A sleigh that a rotor drives: det DP is the exponential of the divergence; the phase is met once in 2 pi/w.
 rotor=(./sleigh_rotor.tt --section phi=0 --modulo 'phi=2*pi')
@@ -57,7 +61,8 @@ awk -F, '/^0,10,/ { exit !(($3 - 62.83185307179586)^2 < 1e-18) }' out || fail "t
 expect 0 '^10,' jellett lyapunov "${rotor[@]}" --start v=1,om=0.1 --returns 10 --skip 5
 
 # A rattleback: P^(1/lambda) R is kept as well, so that orbits on a level of E close: P and R of S = 0 change places and come back.
-expect 0 '^0,4,' jellett section ./rattleback.tt --section S=0 --direction both --level E=0.05 --solve R=0.3 --start P=0.1 --returns 4
+expect 0 '^0,4,' jellett section ./rattleback.tt --section S=0 --direction both --level E=0.05 --solve R=0.3 --start P=0.1 \
+    --returns 4
 awk -F, '/^0,[024],/ { n++; bad += ($4 - 0.1)^2 > 1e-22 } /^0,[13],/ { bad += !($4 > 0.1) } END { exit !(n == 3 && !bad) }' out ||
     fail "rattleback: $(tail -5 out)"
 
@@ -68,5 +73,6 @@ grep -q '^# saddle of period 1: y=-0.12030059' out || fail "the saddle: $(grep s
 expect 3 "the orbit near .* \(y=-?0.[0-9]*, py=.*\) is no saddle but centre" jellett manifolds "${level[@]}" --start y=0.25,py=0
 expect 0 '^y,py,exponent,t$' jellett lyapunov "${level[@]}" --grid y=-0.1:0.1:2,py=0 --returns 3
 expect 3 "where y runs is not known" jellett separation "${level[@]}" --mirror x,py
-expect 0 '^4,' jellett separation "${level[@]}" --mirror x,py --grid y=-0.1:0.2:2,py=0.05 --cells y=-0.5:0.6:9,py=-0.4:0.4:9 --returns 4 --settle 2
+expect 0 '^4,' jellett separation "${level[@]}" --mirror x,py --grid y=-0.1:0.2:2,py=0.05 --cells y=-0.5:0.6:9,py=-0.4:0.4:9 \
+    --returns 4 --settle 2
 exit $status

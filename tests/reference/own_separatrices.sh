@@ -7,8 +7,8 @@ cd "$scratch" || exit 1
 export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
 
 # A particle in a double well, seen once a period of a clock that does nothing: multipliers exp(+-2 pi/w). The separatrices of the
-# saddle at rest lie on v^2 = x^2 - x^4/2, where its energy is. Their points are images of starts on the tangent at most 1e-4 away, of
-# energy 1e-17; the rest is what the method errs by, 1e-13 a few times.
+# saddle at rest lie on v^2 = x^2 - x^4/2, where its energy is. Their points are images of starts on the tangent at most 1e-4 away,
+# of energy 1e-17; the rest is what the method errs by, 1e-13 a few times.
 cat > well.tt <<'TABLE'
 model well
 param w > 0
@@ -26,14 +26,18 @@ periodic phi = 2*pi
 TABLE
 status=0
 for w in 1 2/3; do
-    jellett manifolds ./well.tt --set w=$w --section phi=0 --start x=1e-9,v=0 --length 1.2 --no-crossings > out 2> err < /dev/null || cat err
+    jellett manifolds ./well.tt --set w=$w --section phi=0 --start x=1e-9,v=0 --length 1.2 --no-crossings > out 2> err < /dev/null \
+        || cat err
     awk -F, '/^(un)?stable,/ { off = $6^2 - $5^2 + $5^4/2; if (off*off > worst) worst = off*off; n++ }
         END { if (n > 100 && worst < 1e-24) exit 0; print n " points, the worst off by " sqrt(worst); exit 1 }' out ||
         { echo "w = $w: not on the separatrix"; status=1; }
 done
 
 # Unstable and stable branches are one curve. Where their polygons cross there is no homoclinic point to tell.
-jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --length 2.4 --crossings points.csv > out 2> err < /dev/null || cat err
-[ "$(grep -vc '^#' points.csv)" -eq 1 ] || { echo "homoclinic points of an integrable system: $(grep -v '^#' points.csv | head -3)"; status=1; }
-grep -qE 'at [0-9]+ places separatrices touch, or cross by no more than errors tell' err || { echo "nothing is said of touching: $(cat err)"; status=1; }
+jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --length 2.4 --crossings points.csv > out 2> err < /dev/null ||
+    cat err
+[ "$(grep -vc '^#' points.csv)" -eq 1 ] ||
+    { echo "homoclinic points of an integrable system: $(grep -v '^#' points.csv | head -3)"; status=1; }
+grep -qE 'at [0-9]+ places separatrices touch, or cross by no more than errors tell' err ||
+    { echo "nothing is said of touching: $(cat err)"; status=1; }
 exit $status

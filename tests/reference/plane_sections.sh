@@ -27,7 +27,8 @@ expect 0 '^0,1,' jellett section ./oscillators.tt --section q1=0 --start p1=1,$o
 grep -q '^orbit,return,t,p1,q2,p2,q3,p3,q4,p4,q5,p5,q6,p6,fate$' out || fail "columns: $(grep orbit out)"
 # A return errs by about the tolerance, times the largest frequency.
 awk -F, '/^0,0,/ { for (i = 4; i <= 14; i++) q[i] = $i }
-    /^0,1,/ { bad = ($3 - 6.283185307179586)^2 > 1e-22; for (i = 4; i <= 14; i++) bad += ($i - q[i])^2 > 1e-22 } END { exit bad != 0 }' out ||
+    /^0,1,/ { bad = ($3 - 6.283185307179586)^2 > 1e-22; for (i = 4; i <= 14;
+    i++) bad += ($i - q[i])^2 > 1e-22 } END { exit bad != 0 }' out ||
     fail "a return is not the identity: $(tail -1 out)"
 # Every point is one: the search stays where it begins.
 expect 0 '^1,1,0.1,0.2,.*degenerate' jellett orbits ./oscillators.tt --section q1=0 --start p1=1,$others --period 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sections STATE=VALUE of a table whose poles are proved go in the time that lifts their root: orbits end at poles by name, and returns and
-# their derivatives are what closed forms say; one at a time by every method, and in lanes; with levels and without.
+# Sections STATE=VALUE of a table whose poles are proved go in the time that lifts their root: orbits end at poles by name, and
+# returns and their derivatives are what closed forms say; one at a time by every method, and in lanes; with levels and without.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -39,7 +39,8 @@ starts=(--start x=0,w=0.3,q=1 --start x=0,w=-0.3,q=1 --start x=0,w=0.1,q=1)
 solved=(--level K=1/2 --solve q=0.9 --start x=0,w=0.3 --start x=0,w=-0.3 --start x=0,w=0.1)
 judge='function off(a, b) { if ((a - b)^2 > 1e-20*(1 + b*b)) bad = 1 }
     BEGIN { pi = atan2(0, -1); end = -log(1 - pi/6)/0.1 }
-    $NF ~ /^pole/ { poles++; off($3, end); if ($2 != int(end/(2*pi)) + 1 || $NF != ($1 == 0 ? "pole+" : "pole-") || $1 > 1) bad = 1; next }
+    $NF ~ /^pole/ { poles++; off($3, end); if ($2 != int(end/(2*pi)) + 1 || $NF != ($1 == 0 ? "pole+" : "pole-") || $1 > 1) bad = 1;
+    next }
     $1 == 2 || $2 > 0 { w0 = $1 == 2 ? 0.1 : $1 == 1 ? -0.3 : 0.3; t = 2*pi*$2; theta = w0*(1 - exp(-0.1*t))/0.1; returns++
                         off($3, t); off($4, sin(theta)); off($5, w0*exp(-0.1*t)); off($6, 1) }
     END { exit bad || poles != 2 || returns != 6 }'
@@ -53,9 +54,12 @@ done
 grep -q 'time regular' all.csv || fail "the header does not name the time: $(head -3 all.csv)"
 # What is told of ends is the states, without the root.
 rows fates.csv fates ./mast.tt --section h=0 --returns 3 "${starts[@]}"
-awk -F, 'NR == 1 { if ($0 !~ /x_end,w_end,h_end,q_end$/) bad = 1; next } NF != 9 || $4 != ($1 == 0 && $2 > 0.2 ? "pole+" : $2 < 0 ? "pole-" : "alive") { bad = 1 }
-         /pole/ { if ($6 != ($4 == "pole+" ? 1 : -1)) bad = 1 } END { exit bad || NR != 4 }' fates.csv || fail "fates: $(cat fates.csv)"
-# theta' = theta + w (1 - e)/c, w' = e w with e = exp(-2 pi c): trace and determinant of the return map in (x, w) and q, or of (x, w).
+awk -F, 'NR == 1 { if ($0 !~ /x_end,w_end,h_end,q_end$/) bad = 1; next } NF != 9 || $4 != ($1 == 0 &&
+    $2 > 0.2 ? "pole+" : $2 < 0 ? "pole-" : "alive") { bad = 1 }
+         /pole/ { if ($6 != ($4 == "pole+" ? 1 : -1)) bad = 1 } END { exit bad || NR != 4 }' fates.csv ||
+             fail "fates: $(cat fates.csv)"
+# theta' = theta + w (1 - e)/c, w' = e w with e = exp(-2 pi c): trace and determinant of the return map in (x, w) and q, or of (x,
+# w).
 rows check.csv section ./mast.tt --section h=0 --returns 1 --check --start x=0,w=0.1,q=1
 rows checked.csv section ./mast.tt --section h=0 --returns 1 --check --level K=1/2 --solve q=0.9 --start x=0,w=0.1
 for file in check.csv:1 checked.csv:0; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Many orbits of `jellett section`, as typed: rows against quadruple precision and against those of one orbit at a time, fates, threads,
-# rows that wait in the temporary file, projection, refusals, and what an interrupt leaves.
+# Many orbits of `jellett section`, as typed: rows against quadruple precision and against those of one orbit at a time, fates,
+# threads, rows that wait in the temporary file, projection, refusals, and what an interrupt leaves.
 set -uo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
@@ -45,8 +45,9 @@ paste -d, <(tail -n +2 one.csv) <(tail -n +2 many.csv) | awk -F, '
     { for (i = 3; i <= 8; i++) if (!(abs($i - $(i + 9)) < 1e-9)) print "column " i ": " $0 }' > wrong
 [ -s wrong ] && fail "against one at a time: $(head -1 wrong)"
 
-# A nearly balanced sphere creeps for 840 units of time, where explicit methods are at their limit of stability and a batch was off by
-# 0.4 in t: after 400 steps it is the default method's, which at 9e-10 is off by 7e-5 (at 1e-13 it and DOP853 agree on 838.42538).
+# A nearly balanced sphere creeps for 840 units of time, where explicit methods are at their limit of stability and a batch was off
+# by 0.4 in t: after 400 steps it is the default method's, which at 9e-10 is off by 7e-5 (at 1e-13 it and DOP853 agree on
+# 838.42538).
 creeping=eta=1.1596285976164666,gamma3=-0.09498910085690882
 section creeps.csv --tol 9e-10 --returns 2 --start $creeping --start $creeping \
     --set m=2.9679390030820643,R=5.7487378158665905,g=9.81,I1=4.6941652960533755,I3=4.6941652960533755,a3=0.0012273549505698084 \
@@ -131,8 +132,8 @@ awk -F, 'function abs(x) { return x < 0 ? -x : x }
     $2 == 20 && !(abs($4 - ($1 == 0 ? 0.44 : 0.41)) < 1e-10 && abs($5 + ($1 == 0 ? 0.62 : 0.61)) < 1e-10)' back.csv > wrong
 [ -s wrong ] || [ "$(grep -c '^[01],20,' back.csv)" -ne 2 ] && fail "back and forth: $(cat wrong)"
 
-# Contact is looked at after every step, as one at a time: the same orbits lose it. Steps end elsewhere, so that the least N differs by
-# what it moves within one.
+# Contact is looked at after every step, as one at a time: the same orbits lose it. Steps end elsewhere, so that the least N differs
+# by what it moves within one.
 section one.csv --method gauss --contact report --grid 12x9 --returns 6
 cp err one.err
 section many.csv --contact report --grid 12x9 --returns 6
@@ -142,10 +143,12 @@ paste -d, <(tail -n +2 one.csv) <(tail -n +2 many.csv) | awk -F, '
     END { if (other > NR/100) print other " of " NR " rows differ in whether contact is lost" }' > wrong
 [ -s wrong ] && fail "where contact is lost: $(head -1 wrong)"
 
-# Where no lanes can go, orbits go one at a time, on threads; the header says so, and rows are those of the method named. So are checks.
+# Where no lanes can go, orbits go one at a time, on threads; the header says so, and rows are those of the method named. So are
+# checks.
 for threads in 1 2; do
     section ends$threads.csv --contact end --grid 12x9 --returns 6 --threads $threads
-    grep -q '^# one orbit at a time by gauss: orbits end where the model loses its conditions' all.csv || fail "--contact end: the header does not tell"
+    grep -q '^# one orbit at a time by gauss: orbits end where the model loses its conditions' all.csv ||
+        fail "--contact end: the header does not tell"
 done
 section one.csv --contact end --grid 12x9 --returns 6 --method gauss
 cmp -s ends1.csv one.csv && cmp -s ends2.csv one.csv || fail "--contact end: rows depend on threads"
@@ -175,10 +178,12 @@ chain_drift() { # FILE: the largest relative change of the energy
                      off = H/first - 1; if (off < 0) off = -off; if (off > most) most = off; rows++ }
              END { if (rows != 201) most = 1; print most }' "$1"
 }
-toda=(toda --section q1=0 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.7 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.6 --returns 200 --tol 1e-6)
+toda=(toda --section q1=0 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.7 --start q2=0.1,q3=-0.2,p1=1,p2=-0.3,p3=-0.6 --returns 200 \
+    --tol 1e-6)
 section plain.csv "${toda[@]}"
 section projected.csv "${toda[@]}" --project
-awk -v plain="$(chain_drift plain.csv)" -v projected="$(chain_drift projected.csv)" 'BEGIN { exit !(plain < 1e-6 && 10*projected < plain) }' ||
+awk -v plain="$(chain_drift plain.csv)" -v projected="$(chain_drift projected.csv)" \
+    'BEGIN { exit !(plain < 1e-6 && 10*projected < plain) }' ||
     fail "toda: the energy drifts by $(chain_drift plain.csv), projected by $(chain_drift projected.csv)"
 
 # An interrupt leaves whole rows, orbit after orbit without a gap, none of orbits that have no return, and says how many.

@@ -11,7 +11,8 @@ for direction in up down both; do
     grid=(--grid 300x40 --returns 1 --direction $direction)
     jellett section --method gauss "${grid[@]}" > one.csv && jellett section "${grid[@]}" > many.csv || status=1
     paste -d, <(grep -v '^[#o]' one.csv) <(grep -v '^[#o]' many.csv) | awk -F, '
-        { late = $3 - $12; if ($1 != $10 || $2 != $11 || $9 != $18 || !(late*late < 1e-16)) print; soon += $2 == 1 && $3 < 0.01; rows++ }
+        { late = $3 - $12; if ($1 != $10 || $2 != $11 || $9 != $18 || !(late*late < 1e-16)) print; soon += $2 == 1 && $3 < 0.01;
+        rows++ }
         END { if (rows < 12000 || soon < 2) print rows " rows, " soon + 0 " returns within a first step" }' > wrong
     if [ -s wrong ]; then
         echo "$direction: $(wc -l < wrong) differ: $(head -1 wrong)"

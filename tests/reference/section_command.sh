@@ -37,7 +37,8 @@ eval "$command" 2> /dev/null | cmp -s - rows.csv || fail "the header's command g
 
 # --check: at every return det DP is what flux and divergence make of it, and an orbit's own determinant is their product.
 jellett section --check --returns 10 --start eta=0.1,gamma3=-0.6 --tol 1e-13 > check.csv 2> err || fail "--check: $(cat err)"
-awk -F, '$2 > 0 && /^[0-9]/ { n++; if ($13 == "" || $13 > 1e-12 || $13 < -1e-12) bad = 1 } END { exit !(n == 10 && !bad) }' check.csv ||
+awk -F, '$2 > 0 && /^[0-9]/ { n++; if ($13 == "" || $13 > 1e-12 || $13 < -1e-12) bad = 1 } END { exit !(n == 10 && !bad) }' \
+    check.csv ||
     fail "--check: $(tail -1 check.csv)"
 jellett section --check --returns 1 --start eta=0,gamma3=-0.613584389706638 > check.csv 2> err || fail "--check: $(cat err)"
 awk -F, 'function abs(x) { return x < 0 ? -x : x }
@@ -56,7 +57,8 @@ paste -d, <(grep -v '^[#e]' fates.csv) <(tail -n +2 "$data/poles_51.csv") | awk 
 
 # Orbits: the symmetric fixed point.
 jellett orbits --period 1 --grid 0x0 > orbits.csv || fail "orbits"
-sed '/^#/d; q' orbits.csv | grep -qx 'period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual' || fail "orbits: columns"
+sed '/^#/d; q' orbits.csv | grep -qx 'period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual' ||
+    fail "orbits: columns"
 awk -F, '
     function abs(x) { return x < 0 ? -x : x }
     $1 == 1 && abs($2) < 1e-11 && abs($3 + 0.613584389706638) < 1e-11 && abs($5 + 2.047418461622422) < 1e-11 &&
@@ -73,7 +75,8 @@ orbit_is() { # COLUMN VALUE ERROR COLUMN VALUE ERROR COMMAND...
         -v f="${want[5]}" 'function abs(x) { return x < 0 ? -x : x } { exit !(abs($a - x) < e && abs($b - y) < f) }' ||
         fail "$*: $(tail -1 orbit.csv)"
 }
-orbit_is 4 1.5586522107161747 1e-12 6 5.60842940466e-10 1e-20 jellett orbits lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58
+orbit_is 4 1.5586522107161747 1e-12 6 5.60842940466e-10 1e-20 jellett orbits lorenz --section z=27 --period 2 \
+    --start x=-13.76,y=-19.58
 orbit_is 4 5.88108845555 1e-11 7 -2.40395353185 1e-10 \
     jellett orbits roessler --section y=0 --direction down --period 1 --start x=-7,z=0.02
 orbit_is 5 17.06521656015796 1e-11 4 -2.001585106379082 1e-12 jellett orbits restricted_three_body --section y=0 --direction both \

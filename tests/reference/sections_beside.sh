@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A section that stands in a smaller table of the user's own: found, planned, in batches, and refused where the smaller table does not
-# know what the model's conditions are.
+# A section that stands in a smaller table of the user's own: found, planned, in batches, and refused where the smaller table does
+# not know what the model's conditions are.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -46,14 +46,16 @@ section turning : by turns.tt at p = 0 with x = x
 TABLE
 printf 'model turns\nparam K > 0\ndefault K = 1\nstate x\nlift into small.tt with x = x, p = 0\nstart regular : x = -1\n' > turns.tt
 
-# The period is 4 F/sqrt(K + x0^2), F the complete elliptic integral of parameter x0^2/(2 (K + x0^2)): by the arithmetic-geometric mean
-# pi/(2 agm(1, sqrt(1 - m))).
-period() { awk -v K="$1" -v x="$2" 'BEGIN { a = 1; b = sqrt(1 - x^2/(2*(K + x^2))); for (i = 0; i < 30; i++) { c = (a + b)/2; b = sqrt(a*b); a = c }
+# The period is 4 F/sqrt(K + x0^2), F the complete elliptic integral of parameter x0^2/(2 (K + x0^2)): by the arithmetic-geometric
+# mean pi/(2 agm(1, sqrt(1 - m))).
+period() { awk -v K="$1" -v x="$2" 'BEGIN { a = 1; b = sqrt(1 - x^2/(2*(K + x^2))); for (i = 0; i < 30; i++) { c = (a + b)/2;
+    b = sqrt(a*b); a = c }
     printf "%.17g", 2*3.141592653589793/a/sqrt(K + x^2) }'; }
 for K in 1 2; do
     for how in '' '--start x=-0.5'; do # two orbits go in lanes
         expect 0 '^# levels K=' jellett section ./big.tt --level K=$K --start x=-1 --returns 3 $how
-        awk -F, -v T="$(period $K 1)" '/^0,[0-3],/ { n++; bad += ($3 - $2*T)^2 + ($4 + 1)^2 > 1e-22 } END { exit !(n == 4 && !bad) }' out ||
+        awk -F, -v T="$(period $K 1)" \
+            '/^0,[0-3],/ { n++; bad += ($3 - $2*T)^2 + ($4 + 1)^2 > 1e-22 } END { exit !(n == 4 && !bad) }' out ||
             fail "K = $K $how: T = $(period $K 1), not $(tail -3 out)"
     done
 done

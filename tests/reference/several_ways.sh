@@ -75,8 +75,8 @@ sed "s/^tier $long/tier x$long/" wide.tt > longer.tt
 ttc check longer.tt > out 2> err && fail "a name of 64 letters is read"
 grep -q 'longer.tt:10:6: error: .*63' err || fail "a name of 64 letters: $(cat err)"
 
-# With --track a larger table tells of its own states and quantities. Where another takes its place, which begins at the asked states
-# alone, telling ends: a phase, or a quantity of the same name, would go on from another value.
+# With --track a larger table tells of its own states and quantities. Where another takes its place, which begins at the asked
+# states alone, telling ends: a phase, or a quantity of the same name, would go on from another value.
 cat > swing.tt <<'T'
 model swing
 state q
@@ -105,5 +105,6 @@ run 0 simulate ./swing.tt --start q=1,p=0 --until 4 --every 1 --track
 grep -q 'on the tier whole in place of half' err || fail "the tier stays: $(cat err)"
 awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
          { rows++; if ($1 < 2.05 ? $at["phi"] == "" || $at["twice"] == "" : $at["phi"] $at["twice"] != "") bad = 1 }
-         END { exit !(!bad && rows == 5 && at["phi"] && at["twice"]) }' out || fail "a later tier is told of as if it went on: $(cat out)"
+         END { exit !(!bad && rows == 5 && at["phi"] && at["twice"]) }' out ||
+             fail "a later tier is told of as if it went on: $(cat out)"
 exit $status

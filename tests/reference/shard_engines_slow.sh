@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The same study by the engines that start many processes, each by its job script in tools/scenes, has the same bytes: mpirun, also when it
-# kills a rank on the way; GNU parallel; arrays and steps of a Slurm of this machine alone. One that is not installed is passed over.
+# The same study by the engines that start many processes, each by its job script in tools/scenes, has the same bytes: mpirun, also
+# when it kills a rank on the way; GNU parallel; arrays and steps of a Slurm of this machine alone. One that is not installed is
+# passed over.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap '[ -z "${slurm[1]:-}" ] || exec {slurm[1]}>&-; wait; rm -rf "$scratch"' EXIT
@@ -38,7 +39,8 @@ END
 )
     kill -9 "$rank" || fail "rank 2 of 4 was not there to be killed"
     wait
-    for i in 1 3 4; do grep -q "$i-of-4.shard has its" log || { fail "a rank was killed, and shard $i is not whole:"; cat log; }; done
+    for i in 1 3 4; do grep -q "$i-of-4.shard has its" log ||
+        { fail "a rank was killed, and shard $i is not whole:"; cat log; }; done
     ! grep -q "2-of-4.shard has its" log || fail "rank 2 of 4 was killed too late"
     "$scenes/sweep-mpirun" small.scene killed -n 4 --oversubscribe > log 2>&1 || { fail "mpirun again:"; cat log; }
     same "mpirun, a rank of which was killed" small
@@ -58,10 +60,12 @@ if command -v slurmctld > /dev/null && command -v slurmd > /dev/null && command 
     read -r -t 60 ready <&"${slurm[0]}"
     if [ "$ready" = ready ]; then
         export SLURM_CONF=$scratch/slurm/slurm.conf
-        sbatch --wait --array=1-6 -o array.%a.log "$scenes/sweep-slurm" small.scene array > log 2>&1 || { fail "Slurm array:"; cat log array.*.log; }
+        sbatch --wait --array=1-6 -o array.%a.log "$scenes/sweep-slurm" small.scene array > log 2>&1 ||
+            { fail "Slurm array:"; cat log array.*.log; }
         [ "$(find array -name '*-of-6.shard' | wc -l)" = 6 ] || fail "--array=1-6: $(ls array)"
         rm array/2-of-6.shard array/5-of-6.shard
-        SHARDS=6 sbatch --wait --array=2,5 -o array.%a.log "$scenes/sweep-slurm" small.scene array > log 2>&1 || { fail "Slurm array again:"; cat log; }
+        SHARDS=6 sbatch --wait --array=2,5 -o array.%a.log "$scenes/sweep-slurm" small.scene array > log 2>&1 ||
+            { fail "Slurm array again:"; cat log; }
         jellett merge array -o small.csv -o small.npy -o small.sqlite
         same "a Slurm array" small
         timeout 300 srun --overcommit -n 4 jellett sweep small.scene --into=steps > log 2>&1 || { fail "srun:"; cat log; }
@@ -69,8 +73,10 @@ if command -v slurmctld > /dev/null && command -v slurmd > /dev/null && command 
         jellett merge steps -o small.csv -o small.npy -o small.sqlite
         same srun small
         if command -v mpirun > /dev/null; then # as many ranks as the job has tasks
-            sbatch --wait --ntasks="$(nproc)" -o job.log "$scenes/sweep-mpirun" small.scene job > log 2>&1 || { fail "mpirun in a job of Slurm:"; cat log job.log; }
-            [ "$(find job -name "*-of-$(nproc).shard" | wc -l)" = "$(nproc)" ] || fail "mpirun in a job of $(nproc) tasks: $(ls job)"
+            sbatch --wait --ntasks="$(nproc)" -o job.log "$scenes/sweep-mpirun" small.scene job > log 2>&1 ||
+                { fail "mpirun in a job of Slurm:"; cat log job.log; }
+            [ "$(find job -name "*-of-$(nproc).shard" | wc -l)" = "$(nproc)" ] ||
+                fail "mpirun in a job of $(nproc) tasks: $(ls job)"
             same "mpirun in a job of Slurm" small
         fi
     else

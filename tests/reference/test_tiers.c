@@ -307,7 +307,8 @@ static void contact_force_is_the_acceleration_of_the_centre(void **unused)
     double force;
 
     (void)unused;
-    assert_int_equal(jlt_observed_create(&observed, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), params, &(jlt_units){ 0 }),
+    assert_int_equal(jlt_observed_create(&observed, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), params,
+                                         &(jlt_units){ 0 }),
                      JLT_OK);
     assert_int_equal(jlt_observed_count(observed), 1);
     assert_string_equal(jlt_observed_quantities(observed)[0].name, "contact_force");

@@ -10,7 +10,8 @@ fail() { echo "$*"; status=1; }
 run() { jellett "$@" > out 2> err < /dev/null || fail "jellett $*: $(cat err)"; }
 said() { grep -q -- "$1" out err || fail "'$1' is not said: $(grep -v '^#' out; cat err)"; }
 
-# With x = r cos, v = -r sin: where both are above 709 the second condition is the difference of two infinities, while the first holds.
+# With x = r cos, v = -r sin: where both are above 709 the second condition is the difference of two infinities, while the first
+# holds.
 cat > large.tt <<'T'
 model large
 state x

@@ -38,9 +38,9 @@ static const drift_run drift_runs[] = {
 };
 enum { DRIFT_RUNS = sizeof drift_runs / sizeof *drift_runs };
 
-/* Ten returns err by about a tolerance (test_equal_tolerances.c), one by a tenth, and a return at least doubles what the last erred, which
- * makes up for |grad E| < 5: E drifts by at most a tenth of the tolerance a return, and by the roundings of 200 steps of 2^-53 at random.
- * A single step adds at most its share of the tolerance to each state, and five times that to E. */
+/* Ten returns err by about a tolerance (test_equal_tolerances.c), one by a tenth, and a return at least doubles what the last
+ * erred, which makes up for |grad E| < 5: E drifts by at most a tenth of the tolerance a return, and by the roundings of 200 steps
+ * of 2^-53 at random. A single step adds at most its share of the tolerance to each state, and five times that to E. */
 static inline double drift_bound(const drift_run *run, size_t returns)
 {
     const double n = (double)returns;

@@ -48,9 +48,16 @@ static inline void drift_batch_follow(drift_batch *w, bool project)
         w->E[i] = jlt_chart_top_energy(&w->chart, starts[i]);
     }
     assert_ok(jlt_instance_create(&instance, d, params));
-    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->prepared, .dim = 5, .column = 2, .direction = 1,
-                                .root = 4, .root_floor = 1e-10, .tolerance = 1e-12, .max_steps = SIZE_MAX,
-                                .project = project ? instance : NULL };
+    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0),
+                                .dim = 5,
+                                .column = 2,
+                                .direction = 1,
+                                .cases = &(jlt_batch_case){ .p = instance->prepared, .params = instance->params },
+                                .root = 4,
+                                .root_floor = 1e-10,
+                                .tolerance = 1e-12,
+                                .max_steps = SIZE_MAX,
+                                .project = project ? d : NULL };
     assert_ok(jlt_batch_section(&map, starts[0], DRIFT_ORBITS, w->returns, drift_batch_row, drift_batch_end, w, NULL));
     jlt_instance_destroy(instance);
 }

@@ -43,13 +43,14 @@ static inline void ride_open(ride *out, const char *tier, const jlt_top *top, co
     assert_ok(ride_look(&out->view, y, tier, top, x));
     out->tier = out->view.tier;
     const jlt_descriptor *special = out->view.instance->descriptor;
-    const jlt_descriptor *d = jlt_descriptor_sibling(special, NULL, special->time, special->elimination); /* the general field, whatever the parameters */
+    /* the general field, whatever the parameters */
+    const jlt_descriptor *d = jlt_descriptor_sibling(special, NULL, special->time, special->elimination);
     assert_ok(jlt_instance_create(&out->instance, d, out->view.instance->params));
     jlt_instance_destroy(out->view.instance);
     out->view.instance = out->instance;
     assert_true(d->state_count <= RIDE_COLUMNS);
     memcpy(out->start, y, d->state_count * sizeof *y);
-    assert_ok(jlt_field_of(&out->field, d, out->instance->prepared));
+    assert_ok(jlt_field_of(&out->field, out->instance));
     jlt_options watched = *options;
     watched.invariants = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call,
                                             out->instance->prepared };

@@ -22,7 +22,8 @@ static void runs_are_right_or_end_by_name_or_drift(void **unused)
             jlt_outcome at;
             int made = 0;
             ride r;
-            ride_open(&r, "level", &top_51, x, jlt_method_at(m), &(jlt_options){ .tolerance = tolerances[k], .max_steps = BUDGET }, +1);
+            ride_open(&r, "level", &top_51, x, jlt_method_at(m), &(jlt_options){ .tolerance = tolerances[k], .max_steps = BUDGET },
+                      +1);
             while (made + 1 < ROWS && st == JLT_OK) {
                 st = jlt_orbit_next(r.orbit, 1000, &upward, 1, &at);
                 if (st != JLT_OK || at.end != JLT_END_EVENT) break;

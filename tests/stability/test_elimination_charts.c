@@ -93,7 +93,8 @@ static void a_start_on_b_0_is_like_any_other_but_in_the_chart_that_divides_by_it
         for (size_t k = 0; k < 3; k++) {
             double here[JLT_TOP_STATES];
             ride r;
-            ride_open(&r, tiers[k], &top_51, x, jlt_method_find(k == 0 ? "gauss" : "dop853"), &(jlt_options){ .tolerance = 1e-13 }, +1);
+            ride_open(&r, tiers[k], &top_51, x, jlt_method_find(k == 0 ? "gauss" : "dop853"), &(jlt_options){ .tolerance = 1e-13 },
+                      +1);
             assert_ok(jlt_orbit_propagate(r.orbit, 1, y));
             ride_states(&r, here, y);
             for (int j = 0; j < JLT_TOP_STATES; j++) {

@@ -1,4 +1,5 @@
-/* Drift of E (and of G where it is not the level itself) by every method over a thousand returns; test_energy_drift_slow.c goes further. */
+/* Drift of E (and of G where it is not the level itself) by every method over a thousand returns; test_energy_drift_slow.c goes
+ * further. */
 #include "drift_batch.h"
 
 enum { RETURNS = 1000, BATCH_RETURNS = 20000 };
@@ -10,8 +11,8 @@ static void integrals_drift_by_less_than_the_steps_allow(void **state)
         for (int orbit = 0; orbit < DRIFT_ORBITS; orbit++) {
             const drift_run *run = &drift_runs[i];
             const drift_result d = drift_follow(run, orbit, RETURNS, *state);
-            print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier, run->name,
-                          run->tolerance, d.last, d.slope, d.steps);
+            print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier,
+                          run->name, run->tolerance, d.last, d.slope, d.steps);
             assert_below(d.last, drift_bound(run, RETURNS));
         }
 }

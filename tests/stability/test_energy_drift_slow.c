@@ -4,17 +4,18 @@
 
 enum { RETURNS = 100000, BATCH_RETURNS = 1000000 };
 
-/* As there. The slope tells the systematic from the random: 1 where every step errs to the same side, 1/2 where not. Linear growth that
- * begins late, as where an orbit has to leave the saddle first, shows as up to four times the ratio of the returns. */
+/* As there. The slope tells the systematic from the random: 1 where every step errs to the same side, 1/2 where not. Linear growth
+ * that begins late, as where an orbit has to leave the saddle first, shows as up to four times the ratio of the returns. */
 static void over_a_hundred_thousand_returns_the_drift_is_linear_at_most(void **state)
 {
     for (size_t i = 0; i < DRIFT_RUNS; i++)
         for (int orbit = 0; orbit < DRIFT_ORBITS; orbit++) {
             const drift_run *run = &drift_runs[i];
-            const size_t returns = strcmp(run->method, "rkf45") == 0 || strcmp(run->method, "msadams") == 0 ? RETURNS / 10 : RETURNS;
+            const size_t returns = strcmp(run->method, "rkf45") == 0 || strcmp(run->method, "msadams") == 0 ? RETURNS / 10
+                                                                                                            : RETURNS;
             const drift_result d = drift_follow(run, orbit, returns, *state);
-            print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier, run->name,
-                          run->tolerance, d.last, d.slope, d.steps);
+            print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier,
+                          run->name, run->tolerance, d.last, d.slope, d.steps);
             assert_below(d.last, drift_bound(run, returns));
             assert_below(d.slope, 1 + log10(4) / 2);
         }

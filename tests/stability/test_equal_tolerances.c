@@ -57,8 +57,8 @@ static double worst_error(const jlt_method *method, double tolerance)
     return worst;
 }
 
-/* At 1e-12 the roundings of msadams' 5600 steps, amplified by less than 100, are of the order of the tolerance: sqrt(5600) 2^-53 100
- * = 8e-13; it is held to the tolerance there, but to no other method. */
+/* At 1e-12 the roundings of msadams' 5600 steps, amplified by less than 100, are of the order of the tolerance: sqrt(5600) 2^-53
+ * 100 = 8e-13; it is held to the tolerance there, but to no other method. */
 static void methods_err_by_about_the_tolerance(void **unused)
 {
     static const double tolerances[] = { 1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12 };

@@ -87,14 +87,15 @@ static void grazing_costs_at_most_half_as_much_again(void **unused)
     for (size_t m = 0; m < 4; m++) {
         const grid_result near = follow(grazing, "level", jlt_method_find(methods[m]), 1e-14, ORBITS);
         const grid_result far = follow(regular, "level", jlt_method_find(methods[m]), 1e-14, ORBITS);
-        print_message("%-8s %.0f evaluations a return, on the regular island %.0f\n", methods[m], near.evaluations, far.evaluations);
+        print_message("%-8s %.0f evaluations a return, on the regular island %.0f\n", methods[m], near.evaluations,
+                      far.evaluations);
         assert_below(near.evaluations, 1.5 * far.evaluations);
     }
 }
 
 /* Every method in every form. In regularised time none fails, and those of high order keep twelve digits. In plain time GSL's
- * steps drown in the noise of the field (relative 2^-53/s^2) when the tolerance asks for more; with omega_n eliminated, divided by s,
- * nobody keeps ten digits, and with omega3 eliminated, divided by b = a3 + R gamma3, which changes sign twice a return, nobody
+ * steps drown in the noise of the field (relative 2^-53/s^2) when the tolerance asks for more; with omega_n eliminated, divided by
+ * s, nobody keeps ten digits, and with omega3 eliminated, divided by b = a3 + R gamma3, which changes sign twice a return, nobody
  * keeps eight, but for Taylor's series, whose steps are halved where they no longer follow the field: it keeps nine, not ten. */
 static void other_forms_lose_digits_by_every_method(void **state)
 {
@@ -109,7 +110,8 @@ static void other_forms_lose_digits_by_every_method(void **state)
                 const bool lifted = i < 2, high = strcmp(name, "rkf45") != 0 && strcmp(name, "msadams") != 0;
                 table_row(*state, "%s,%s,%g,%.3e,%.0f,%d,%s", tiers[i], name, tolerances[k], g.error, g.evaluations, g.failed,
                           g.failed == 0 ? "" : g.st == JLT_OK ? "no return" : jlt_status_text(g.st));
-                print_message("%-13s %-8s %g: error %.1e, %.0f evaluations a return, %2d of 64 fail\n", tiers[i], name, tolerances[k], g.error, g.evaluations, g.failed);
+                print_message("%-13s %-8s %g: error %.1e, %.0f evaluations a return, %2d of 64 fail\n", tiers[i], name,
+                              tolerances[k], g.error, g.evaluations, g.failed);
                 if (lifted) assert_int_equal(g.failed, 0);
                 if (lifted && k == 1 && high) assert_below(g.error, strcmp(name, "taylor") == 0 ? 2e-11 : 1e-12);
                 if ((i == 2 || i == 3) && strcmp(name, "rk8pd") == 0) assert_true(g.failed > 0 || g.error > 1e-12);
@@ -170,8 +172,15 @@ static void batches_hold_twelve_digits_at_full_speed(void **state)
 
     assert_non_null(d);
     assert_ok(jlt_instance_create(&instance, d, params));
-    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->prepared, .dim = 5, .column = 2, .direction = 1,
-                                .root = 4, .root_floor = 1e-9, .tolerance = 1e-14, .max_steps = 100000 };
+    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0),
+                                .cases = &(jlt_batch_case){ .p = instance->prepared },
+                                .dim = 5,
+                                .column = 2,
+                                .direction = 1,
+                                .root = 4,
+                                .root_floor = 1e-9,
+                                .tolerance = 1e-14,
+                                .max_steps = 100000 };
     const jlt_batch_work near = batch_work(grazing, &map, judge_row, &r), far = batch_work(regular, &map, skip_row, NULL);
     print_message("batch: error %.1e, %zu steps, on the regular island %zu\n", r.error, near.steps, far.steps);
     table_row(*state, "level,batch,1e-14,%.3e,%.0f,0,", r.error,

@@ -5,7 +5,7 @@
 #include "kernel/descriptor.h"
 #include "reference/spherical_top.h"
 
-enum { BLOCK = 512, RETURNS = 1000000, COMPARED = 50000 };
+enum { RETURNS = 1000000, COMPARED = 50000 };
 static const double params[6] = { 1, 1, 1, 0.51, 1.0 / 3, 1.0 / 3 }; /* m, R, g, a3, I1, I3 */
 static const double by_hand[6] = { 1, 1, 1, 1.0 / 3, 1.0 / 3, 0.51 };
 
@@ -27,14 +27,13 @@ static int count_signs(void *context, jlt_orbit *orbit)
     return 0;
 }
 
-static jlt_field field_of_top(double *block)
+static jlt_field field_of_top(jlt_instance **instance)
 {
     jlt_field field;
     const jlt_descriptor *descriptor = jlt_descriptor_find("spherical_top", NULL, "regular", NULL);
     assert_non_null(descriptor);
-    assert_true(descriptor->prepared_count <= BLOCK);
-    descriptor->prepare(params, block);
-    assert_ok(jlt_field_of(&field, descriptor, block));
+    assert_ok(jlt_instance_create(instance, descriptor, params));
+    assert_ok(jlt_field_of(&field, *instance));
     return field;
 }
 
@@ -42,8 +41,8 @@ static jlt_field field_of_top(double *block)
 static void crossings_are_as_many_as_the_changes_of_sign(void **unused)
 {
     (void)unused;
-    _Alignas(64) double block[BLOCK];
-    const jlt_field field = field_of_top(block);
+    jlt_instance *instance;
+    const jlt_field field = field_of_top(&instance);
     const jlt_event section = { .column = 2 };
     double start[6];
     jlt_orbit *orbit = NULL;
@@ -64,6 +63,7 @@ static void crossings_are_as_many_as_the_changes_of_sign(void **unused)
     assert_int_equal(at.end, JLT_END_TIME);
     assert_int_equal(count.changes, COMPARED);
     jlt_orbit_destroy(orbit);
+    jlt_instance_destroy(instance);
 }
 
 /* Upward and downward crossings alternate, and no two are nearer than half the shortest time seen in the first hundred. Rounding
@@ -71,10 +71,10 @@ static void crossings_are_as_many_as_the_changes_of_sign(void **unused)
 static void a_million_returns_alternate_and_keep_the_integrals(void **unused)
 {
     (void)unused;
-    _Alignas(64) double block[BLOCK];
-    const jlt_field field = field_of_top(block);
-    const jlt_descriptor *descriptor = jlt_descriptor_find("spherical_top", NULL, "regular", NULL);
-    const jlt_invariants invariants = { descriptor->integral_count, descriptor->integral_values.call, NULL, block };
+    jlt_instance *instance;
+    const jlt_field field = field_of_top(&instance);
+    const jlt_descriptor *descriptor = instance->descriptor;
+    const jlt_invariants invariants = { descriptor->integral_count, descriptor->integral_values.call, NULL, instance->prepared };
     const jlt_event section = { .column = 2 };
     double start[6], last = 0, shortest = INFINITY, drift[JLT_INVARIANTS_MAX];
     int direction = JLT_RISING;
@@ -101,6 +101,7 @@ static void a_million_returns_alternate_and_keep_the_integrals(void **unused)
         assert_below(drift[i], 1e-10);
     }
     jlt_orbit_destroy(orbit);
+    jlt_instance_destroy(instance);
 }
 
 int main(void)

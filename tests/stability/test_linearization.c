@@ -226,8 +226,9 @@ static void small_spin_keeps_relative_accuracy(void **unused)
             general_qr(&small, &zero, &turned, &r, &exact);
             table_row(table, "1e-%d,%.6Le,%.3e,%.3e,%.3e,%.3e", exponent, exact.re[1], off, small, zero, turned);
             if (exponent % 4 == 0 && exponent <= 20)
-                print_message("omega3 = 1e-%d: small eigenvalue deflated %.0e, by QR %.0e; zeros by QR %.0e, from other axes %.0e\n", exponent,
-                              off, small, zero, turned);
+                print_message(
+                    "omega3 = 1e-%d: small eigenvalue deflated %.0e, by QR %.0e; zeros by QR %.0e, from other axes %.0e\n",
+                    exponent, off, small, zero, turned);
         }
     }
     table_close(table);

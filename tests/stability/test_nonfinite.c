@@ -1,5 +1,5 @@
-/* NaN and both infinities on every number that the library takes: a status says so; nothing is computed with them, and nothing hangs.
- * (For equilibria see test_linearization.c.) */
+/* NaN and both infinities on every number that the library takes: a status says so; nothing is computed with them, and nothing
+ * hangs. (For equilibria see test_linearization.c.) */
 #include "ride.h"
 
 #include "dynamics/branch.h"
@@ -43,7 +43,8 @@ static void orbits_refuse_them(void **unused)
         assert_int_equal(jlt_orbit_create(&orbit, jlt_method_at(m), &r.field, &(jlt_options){ .tolerance = *value }), JLT_ERR_ARG);
         assert_int_equal(jlt_orbit_create(&orbit, jlt_method_at(m), &r.field, &(jlt_options){ .first_step = *value }), JLT_ERR_ARG);
         if (*value < 0 || isnan(*value))
-            assert_int_equal(jlt_orbit_create(&orbit, jlt_method_at(m), &r.field, &(jlt_options){ .max_step = *value }), JLT_ERR_ARG);
+            assert_int_equal(jlt_orbit_create(&orbit, jlt_method_at(m), &r.field, &(jlt_options){ .max_step = *value }),
+                             JLT_ERR_ARG);
         ride_close(&r);
     }
 }
@@ -178,8 +179,15 @@ static void batches_end_such_lanes_by_name(void **unused)
         starts[i][i % 5] = bad[i / 5];
     }
     assert_ok(jlt_instance_create(&instance, d, params));
-    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->prepared, .dim = 5, .column = 2, .direction = 1,
-                                .root = 4, .root_floor = 1e-10, .tolerance = 1e-10, .max_steps = 100000 };
+    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0),
+                                .cases = &(jlt_batch_case){ .p = instance->prepared },
+                                .dim = 5,
+                                .column = 2,
+                                .direction = 1,
+                                .root = 4,
+                                .root_floor = 1e-10,
+                                .tolerance = 1e-10,
+                                .max_steps = 100000 };
     assert_ok(jlt_batch_section(&map, starts[0], 15, 3, no_row, note_end, &ended, NULL));
     assert_int_equal(ended, 15);
     FOR_BAD(value) {
@@ -194,7 +202,8 @@ static void scenes_refuse_them(void **unused)
 {
     const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
     const double params[] = { 1, 1, 1, 0.3, 0.7, 0.2 };
-    static const char *const tiers[] = { "level", "level_plain", "level_omega_n", "level_omega3", "five", "five_plain", "track", "full" };
+    static const char *const tiers[] = { "level", "level_plain", "level_omega_n", "level_omega3",
+                                         "five",  "five_plain",  "track",         "full" };
 
     (void)unused;
     for (size_t t = 0; t < sizeof tiers / sizeof *tiers; t++) FOR_BAD(value)

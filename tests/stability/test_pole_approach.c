@@ -149,8 +149,8 @@ static void unwatched_the_steps_collapse_and_the_digits_are_gone(void **state)
     }
 }
 
-/* Not even to a time beyond the pole, and not by a larger budget. Where a chart's coordinates end before, that is the end: what it has lost
- * at b = 0 may lead past the pole. */
+/* Not even to a time beyond the pole, and not by a larger budget. Where a chart's coordinates end before, that is the end: what it
+ * has lost at b = 0 may lead past the pole. */
 static void nothing_is_ever_reported_beyond_the_pole(void **state)
 {
     static const char *const tiers[] = { "level_plain", "five_plain", "level_omega_n", "level_omega3" };

@@ -111,7 +111,8 @@ static void in_plain_time_digits_go_with_s_and_then_the_run_is_refused(void **st
             int wrong = 0, refused = 0;
             for (int k = 0; k < PASSAGES; k++) {
                 const passage p = pass(tier, jlt_method_at(m), tolerance, rows[k]);
-                const double bound = rows[k][CONDITION] * (10 * (double)p.steps * tolerance + DBL_EPSILON * pow(10, 2 * rows[k][K]));
+                const double bound = rows[k][CONDITION]
+                                     * (10 * (double)p.steps * tolerance + DBL_EPSILON * pow(10, 2 * rows[k][K]));
                 if (i % 2 == 0) note(*state, tier, name, tolerance, rows[k], &p);
                 if (p.st != JLT_OK) {
                     refused++;
@@ -161,9 +162,15 @@ static void batches_pass_as_well_as_single_orbits(void **state)
         start_of(x, rows[k]);
         ride_open(&r, "level", &top_51, x, NULL, &(jlt_options){ .tolerance = 1e-12 }, +1);
         memcpy(y, r.start, sizeof y);
-        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(r.instance->descriptor, 0), .p = r.instance->prepared, .dim = 5,
-                                    .column = 2, .direction = (int)rows[k][POLE], .root = 4, .root_floor = 1e-10,
-                                    .tolerance = 1e-14, .max_steps = 10000 };
+        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(r.instance->descriptor, 0),
+                                    .cases = &(jlt_batch_case){ .p = r.instance->prepared },
+                                    .dim = 5,
+                                    .column = 2,
+                                    .direction = (int)rows[k][POLE],
+                                    .root = 4,
+                                    .root_floor = 1e-10,
+                                    .tolerance = 1e-14,
+                                    .max_steps = 10000 };
         assert_ok(jlt_batch_section(&map, y, 1, 1, keep_row, keep_end, &made, NULL));
         assert_int_equal(made.made, 1);
         ride_states(&r, end, made.x[0]);

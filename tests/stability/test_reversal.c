@@ -1,6 +1,6 @@
-/* There and back: P^-N P^N = id, and by the reversor S of (3.2), (S P^N)^2 = id, all forwards. The defects grow with the returns as the
- * map's own derivative lets errors of single steps grow: by a power on a regular orbit, as exp(lambda T) on a chaotic one. Most methods
- * give the two defects bit by bit the same, because kernels and sums do not round differently under a change of signs. */
+/* There and back: P^-N P^N = id, and by the reversor S of (3.2), (S P^N)^2 = id, all forwards. The defects grow with the returns as
+ * the map's own derivative lets errors of single steps grow: by a power on a regular orbit, as exp(lambda T) on a chaotic one. Most
+ * methods give the two defects bit by bit the same, because kernels and sums do not round differently under a change of signs. */
 #include "unit/check.h"
 #include "table.h"
 
@@ -91,8 +91,8 @@ static defects measure(const char *method, double tolerance, const double *q)
     return d;
 }
 
-/* A return of at most STEPS steps adds sqrt(STEPS) times the tolerance and a rounding, in both directions, and (eta, gamma3) move by less
- * than five times what states do. Where the bound passes 1e-3 the linear theory behind it ends. */
+/* A return of at most STEPS steps adds sqrt(STEPS) times the tolerance and a rounding, in both directions, and (eta, gamma3) move
+ * by less than five times what states do. Where the bound passes 1e-3 the linear theory behind it ends. */
 static void defects_stay_below_the_transported_errors_of_the_steps(void **state)
 {
     static const char *const methods[] = { "dop853", "gauss", "taylor", "rk8pd" };

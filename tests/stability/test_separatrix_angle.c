@@ -12,7 +12,9 @@ enum { SIDES = 9 };
 /* Places of homoclinic points on the two branches, seed 1e-4, with the unstable branch of positive side. */
 static const struct {
     double unstable, stable;
-} places[] = { { 16.16338149, 28.66358933 }, { 18.16338149, 26.66358933 }, { 20.16338149, 24.66358933 }, { 22.16338149, 22.66358933 } };
+} places[] = {
+    { 16.16338149, 28.66358933 }, { 18.16338149, 26.66358933 }, { 20.16338149, 24.66358933 }, { 22.16338149, 22.66358933 }
+};
 enum { PLACES = sizeof places / sizeof *places };
 
 /* A piece of a branch about sigma, as a polygon. */

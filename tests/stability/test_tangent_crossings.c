@@ -164,9 +164,9 @@ static int keep_end(void *context, size_t orbit, jlt_lane_end end, size_t return
     return 0;
 }
 
-static jlt_batch_map batch_of(const ride *r, double tolerance, int direction)
+static jlt_batch_map batch_of(const ride *r, const jlt_batch_case *only, double tolerance, int direction)
 {
-    return (jlt_batch_map){ .kernels = jlt_batch_isa_best(r->instance->descriptor, 0), .p = r->instance->prepared, .dim = 5,
+    return (jlt_batch_map){ .kernels = jlt_batch_isa_best(r->instance->descriptor, 0), .cases = only, .dim = 5,
                             .column = 2, .direction = direction, .root = 4, .root_floor = 1e-10, .tolerance = tolerance,
                             .max_steps = 100000 };
 }
@@ -189,7 +189,7 @@ static void batches_find_the_same_pairs(void **state)
             ride r;
             ride_open(&r, "level", &top_51, all[i].x, NULL, &(jlt_options){ .tolerance = 1e-13 }, +1);
             memcpy(y, r.start, sizeof r.start);
-            const jlt_batch_map map = batch_of(&r, 1e-13, 0);
+            const jlt_batch_map map = batch_of(&r, &(jlt_batch_case){ .p = r.instance->prepared }, 1e-13, 0);
             assert_ok(jlt_batch_section(&map, y, 1, 2, keep_row, keep_end, &rows, NULL));
             double off = 0;
             for (int k = 0; k < rows.count; k++) {
@@ -244,7 +244,7 @@ static void a_start_on_the_section_is_no_crossing(void **state)
             ride_open(&r, "level", &top_51, x, NULL, &(jlt_options){ .tolerance = 1e-12 }, +1);
             memcpy(y, r.start, sizeof r.start);
             y[2] = offsets[k];
-            const jlt_batch_map map = batch_of(&r, 1e-12, 1);
+            const jlt_batch_map map = batch_of(&r, &(jlt_batch_case){ .p = r.instance->prepared }, 1e-12, 1);
             assert_ok(jlt_batch_section(&map, y, 1, 1, keep_row, keep_end, &made, NULL));
             assert_int_equal(made.count, 1);
             assert_near(made.x[0][0], to[3], 1e-9);

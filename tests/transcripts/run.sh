@@ -14,17 +14,17 @@
 # Commands of a page run one after another, each by bash with no standard input, in one new folder with links to the folders
 # of the source and with a cache of its own. A line that is not the same to the letter still agrees if its text does and its
 # numbers do. Whole numbers are counts and parts of fractions: they must be the same. Others, with a point or an exponent, may
-# differ by 1e-6 of the larger, by their sign if they are pi, or if both are below 1e-9: machines sum in vectors of different width, so
-# that results differ by some 1e-12, the default tolerance, times what an orbit amplifies, by up to 1e4 on a page; 1e-6 leaves a factor of a
-# hundred, and is no more than what six digits show. Below 1e-9 are drifts and residuals, which are rounding noise. A line
-# <!-- within 1e-9 --> before a block says another bound for this block alone, with noise up to a thousandth of it; within 0 wants
-# equal values. Blanks beside a number that differs may differ with it.
+# differ by 1e-6 of the larger, by their sign if they are pi, or if both are below 1e-9: machines sum in vectors of different width,
+# so that results differ by some 1e-12, the default tolerance, times what an orbit amplifies, by up to 1e4 on a page; 1e-6 leaves a
+# factor of a hundred, and is no more than what six digits show. Below 1e-9 are drifts and residuals, which are rounding noise. A
+# line <!-- within 1e-9 --> before a block says another bound for this block alone, with noise up to a thousandth of it; within 0
+# wants equal values. Blanks beside a number that differs may differ with it.
 #
-# The line of JSON in which tables repeat their settings is passed over: it has the digests of tables. What vectors the machine has is
-# three dots always, so that no page is written that holds on one make of processor alone.
+# The line of JSON in which tables repeat their settings is passed over: it has the digests of tables. What vectors the machine has
+# is three dots always, so that no page is written that holds on one make of processor alone.
 #
-# --update writes what comes out into the page, where it does not agree; lines that agree stay as they are, but for three dots alone.
-# Exit status: 0 the page is right, 1 it is not (or was not, with --update), 2 usage.
+# --update writes what comes out into the page, where it does not agree; lines that agree stay as they are, but for three dots
+# alone. Exit status: 0 the page is right, 1 it is not (or was not, with --update), 2 usage.
 set -uo pipefail
 
 update=false
@@ -57,7 +57,8 @@ finish() {
     code=${PIPESTATUS[0]}
     [ -z "$(tail -c 1 "$scratch/actual")" ] || printf '\n[no end of line]\n' >> "$scratch/actual"
     [ $code -eq 0 ] || echo "[status $code]" >> "$scratch/actual"
-    if LC_ALL=C awk -v within="$within" -f "$house/tests/transcripts/agree.awk" "$scratch/expected" "$scratch/actual" > "$scratch/near"; then
+    if LC_ALL=C awk -v within="$within" -f "$house/tests/transcripts/agree.awk" "$scratch/expected" "$scratch/actual" > \
+        "$scratch/near"; then
         cat "$scratch/expected" >> "$scratch/page"
     else
         status=1

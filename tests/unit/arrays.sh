@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# -o FILE.npy has what -o FILE.csv has, of every command that writes rows: the same names, doubles bit for bit, texts, and the comments
-# behind the array; in a form that NumPy reads. An interrupt and a full disk leave an array of the rows so far.
+# -o FILE.npy has what -o FILE.csv has, of every command that writes rows: the same names, doubles bit for bit, texts, and the
+# comments behind the array; in a form that NumPy reads. An interrupt and a full disk leave an array of the rows so far.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
@@ -82,7 +82,8 @@ refused jellett measure --set I3=0 --json
 refused "${cycle[@]}"
 jellett certify --help | grep -q npy && fail "help promises a certificate as an array"
 pair jellett measure --set I3=0 --csv
-echo 'compute = ( { what = "eigen"; parameters = { a3 = 0; }; at = { v_nu = 0.7; omega3 = 1.1; }; output = "none.npy"; } );' > report.scene
+echo 'compute = ( { what = "eigen"; parameters = { a3 = 0; }; at = { v_nu = 0.7; omega3 = 1.1; }; output = "none.npy"; } );' > \
+    report.scene
 jellett run report.scene > out 2> err && fail "a scene wrote a report as an array"
 grep -q "a report is no table" err || fail "a scene's report: $(cat err)"
 ln -s /dev/null null.npy
@@ -96,6 +97,7 @@ python3 -c 'from read import *; assert len(read("limited.npy")[1]) > 50' || fail
 jellett section --start eta=0.44,gamma3=-0.62 --returns 100000000 -o stopped.npy 2> err & job=$!
 sleep 1; kill -TERM $job; wait $job
 [ $? -eq 143 ] || fail "an interrupt: $(cat err)"
-python3 -c 'from read import *; rows = read("stopped.npy"); assert len(rows[1]) > 100 and "# command" in rows[2]' || fail "an interrupt left no array"
+python3 -c 'from read import *; rows = read("stopped.npy"); assert len(rows[1]) > 100 and "# command" in rows[2]' ||
+    fail "an interrupt left no array"
 [ -z "$(ls | grep -E 'npy\.')" ] || fail "temporary files stay: $(ls)"
 exit $status

@@ -117,6 +117,65 @@ says ' 0 exactly by the integral M' close.tt --set b=$b
 says ' 9.9999999999999996e-81 error < 3.9e-97, condition 1.41' close.tt --set b=$b
 says 'verdict unstable' close.tt --set b=$b
 
+# What follows for the motion itself. r' = a r^3 around a linear centre: no eigenvalue tells whether it attracts. With a mirror it
+# is a centre, as is the minimum of q^4, of which the linearization, p alone, says nothing. x' = x^2 hides behind zero, unless an
+# integral that is proved makes it zero: K = x is none.
+cat > focus.tt <<'END'
+model focus
+param a
+default a = 1
+state x
+state y
+eq x =
+    - y
+    + a*x*(x^2 + y^2)
+eq y =
+    + x
+    + a*y*(x^2 + y^2)
+END
+says 'verdict centre' focus.tt
+says 'motion not settled by the linearization' focus.tt
+says 'measure the trace is zero, and excludes no invariant measure' focus.tt --set a=-1
+says 'motion stable' even.tt --at q=1.4 --find
+says 'motion not settled by the linearization' odd.tt --at q=1.4 --find
+says 'motion unstable' odd.tt --at q=-1.4 --find
+cat > quartic.tt <<'END'
+model quartic
+state q
+state p
+eq q =
+    + p
+eq p =
+    - q^3
+reversor p -> -p
+END
+says 'verdict unstable' quartic.tt
+says 'motion not settled by the linearization' quartic.tt
+cat > hidden.tt <<'END'
+model hidden
+param k
+default k = 1
+state x
+state y
+eq x =
+    + k*x^2
+eq y =
+    - y
+integral K = x
+integral L = x when k = 0
+variant still : k = 0
+END
+says 'verdict stable' hidden.tt
+says 'motion not settled by the linearization' hidden.tt
+says ' 0 exactly, condition not defined' hidden.tt
+says 'motion stable' hidden.tt --set k=0
+says 'motion stable' carried.tt --at q=1.4,p=1.4,c=1 --find
+says 'motion asymptotically stable' multiple.tt
+says 'motion not settled by the linearization' multiple.tt --fast
+# A mirror that leaves y, which is not zero, says nothing of the pair.
+printf '%s\n' 'model beside' 'state x' 'state y' 'eq x = 1 - y' 'eq y = x + x^3*(1 - y)' 'reversor x -> -x' > beside.tt
+says 'motion stable' beside.tt --at y=1
+
 # x and y at 2^(1/2), lambda^2 = -2 x twice and the oscillators coupled one way: eigenvalues on the axis without eigenvectors.
 cat > resonant.tt <<'END'
 model resonant

@@ -10,9 +10,14 @@ fail() { echo "$*"; status=1; }
 at=v_nu=0.7,omega3=1.1
 sweep=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:37,v_nu=0:0.7:3)
 for how in "" --fast --json; do
-    for count in 1 2 5; do OMP_NUM_THREADS=$count jellett "${sweep[@]}" $how > rows.$count 2> err || fail "$how, $count: $(cat err)"; done
+    for count in 1 2 5; do OMP_NUM_THREADS=$count jellett "${sweep[@]}" $how > rows.$count 2> err ||
+        fail "$how, $count: $(cat err)"; done
     cmp rows.1 rows.2 && cmp rows.1 rows.5 || fail "$how: other rows by several processes"
 done
+for count in 1 3; do jellett "${sweep[@]}" --threads $count 2> err | grep -v '^#' > rows.$count; done
+[ -s rows.1 ] && cmp rows.1 rows.3 || fail "--threads: $(cat err)"
+jellett eigen --set a3=0 --at gamma3=0.3 --threads 2 > rows.1 2>&1
+[ $? -eq 2 ] && grep -q -e "--sweep" rows.1 || fail "--threads without a sweep"
 
 many=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:30000 --fast)
 OMP_NUM_THREADS=1 jellett "${many[@]}" > rows.1

@@ -21,7 +21,8 @@ build() { # COMPILER STANDARD SOURCE PROGRAM
     "$1" "$2" -Wall -Wextra -Wpedantic -Werror "${sanitize[@]}" "$3" -o "$4" $(pkg-config --cflags --libs jellett) -lm
 }
 
-# Numbers agree to 1e-9 of the larger, or of 1: the default tolerance is 1e-12, and these orbits amplify an error by less than a hundred.
+# Numbers agree to 1e-9 of the larger, or of 1: the default tolerance is 1e-12, and these orbits amplify an error by less than a
+# hundred.
 agree() { # NAME: $scratch/NAME.said against $scratch/NAME.expected
     [ -s "$scratch/$1.said" ] || fail "$1 says nothing"
     paste -d ';' "$scratch/$1.said" "$scratch/$1.expected" | awk -F ';' -v name="$1" '
@@ -46,8 +47,10 @@ for name in orbit section continuation own_field; do
 done
 rows() { grep -v '^#' | sed 1d; }
 jellett simulate lorenz --start x=1,y=2,z=20 --times 0.5,1,1.5,2 --method taylor | rows | cut -d, -f1-4 > "$scratch/orbit.expected"
-jellett section --start eta=0.1,gamma3=-0.6 --returns 5 --method dop853 | rows | sed 1d | cut -d, -f2-5,9 > "$scratch/section.expected"
-jellett continue --along E=1.9:2.2 --decreasing 2> "$scratch/log" | rows | grep doubling | cut -d, -f2,17 > "$scratch/continuation.expected"
+jellett section --start eta=0.1,gamma3=-0.6 --returns 5 --method dop853 | rows | sed 1d |
+    cut -d, -f2-5,9 > "$scratch/section.expected"
+jellett continue --along E=1.9:2.2 --decreasing 2> "$scratch/log" | rows | grep doubling |
+    cut -d, -f2,17 > "$scratch/continuation.expected"
 awk 'BEGIN { for (k = 1; k <= 3; k++) printf "%.15g,0.4\n", 2 * k * atan2(0, -1) }' > "$scratch/own_field.expected"
 for name in orbit section continuation own_field; do agree $name; done
 

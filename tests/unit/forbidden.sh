@@ -27,7 +27,8 @@ refuse "the compiler never decides accuracy" "$accuracy" "${build[@]}" "${source
 mapfile -t library < <(list src generated \( -name '*.c' -o -name '*.h' \) ! -path 'src/cli/*' ! -path 'src/top/command_*')
 mapfile -t compiler < <(list codegen -name '*.c' ! -name main.c ! -name 'command*.c')
 refuse "a library never ends the program" '\b(exit|_Exit|abort|quick_exit)[[:space:]]*\(' "${library[@]}" "${compiler[@]}"
-refuse "a library never prints" '(^|[^a-z_])(printf|puts|putchar|perror)[[:space:]]*\(|(^|[^/a-z_])(stdout|stderr)\b' "${library[@]}"
+refuse "a library never prints" '(^|[^a-z_])(printf|puts|putchar|perror)[[:space:]]*\(|(^|[^/a-z_])(stdout|stderr)\b' \
+    "${library[@]}"
 
 mapfile -t prose < <(list src codegen generated tests tools README.md CMakeLists.txt ! -name forbidden.sh)
 refuse "nothing is left unfinished" '\b(TO''DO|FIX''ME|X''XX|HA''CK)\b' "${prose[@]}"

@@ -23,7 +23,9 @@ foreign=$(LD_PRELOAD='' ttc build "$scratch/spherical_top_level.tt")
 python3 "$JLT_SOURCE_DIR/tests/unit/handles.py" "$library" "$object" "$table" "$foreign"
 
 # The lines of Python in the page of the library.
-sed -n '/^    import ctypes/,/^$/s/^    //p' "$JLT_SOURCE_DIR/tools/docs/library.md" | sed "s|libjellett.so.0|$library.0|" > "$scratch/page.py"
+sed -n '/^    import ctypes/,/^$/s/^    //p' "$JLT_SOURCE_DIR/tools/docs/library.md" |
+    sed "s|libjellett.so.0|$library.0|" > "$scratch/page.py"
 python3 "$scratch/page.py" > "$scratch/page"
-LD_PRELOAD='' jellett section --start eta=0.1,gamma3=-0.6 --returns 100 | tail -1 | cut -d, -f3-5 | tr , ' ' | diff "$scratch/page" - ||
+LD_PRELOAD='' jellett section --start eta=0.1,gamma3=-0.6 --returns 100 | tail -1 | cut -d, -f3-5 | tr , ' ' |
+    diff "$scratch/page" - ||
     { echo "tools/docs/library.md: Python says another row"; exit 1; }

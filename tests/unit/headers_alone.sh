@@ -18,7 +18,8 @@ done
 
 status=0
 for i in "${!headers[@]}"; do
-    "$JLT_CC" "${warnings[@]}" "${flags[@]}" -fsyntax-only "$scratch/$i.c" || { echo "${headers[i]}: does not compile alone"; status=1; }
+    "$JLT_CC" "${warnings[@]}" "${flags[@]}" -fsyntax-only "$scratch/$i.c" ||
+        { echo "${headers[i]}: does not compile alone"; status=1; }
 done
 [ $status -ne 0 ] || echo "${#headers[@]} headers compile alone"
 exit $status

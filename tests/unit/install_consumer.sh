@@ -11,7 +11,8 @@ status=0
 fail() { echo "$*"; status=1; }
 
 for path in bin/ttc bin/jellett libexec/jellett/jellett-bench share/man/man1/ttc.1 share/man/man1/jellett.1 \
-    share/jellett/generated/kernel_abi.h share/jellett/models/spherical_top.tt include/jellett/core/status.h include/jellett/jellett.h \
+    share/jellett/generated/kernel_abi.h share/jellett/models/spherical_top.tt include/jellett/core/status.h \
+    include/jellett/jellett.h \
     share/jellett/examples/orbit.c share/doc/jellett/tools/docs/library.md; do
     [ -e "$tree/$path" ] || fail "not installed: $path"
 done

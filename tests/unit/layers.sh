@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Includes point one way: a folder of src/ includes only folders listed above it, codegen/ likewise, and nothing of src/, generated/
-# and codegen/runtime/, which is copied there, only libc (Arb in ball files, vector instructions in lanes); src/top/command_* are commands of src/cli; tools/bench/program stands
-# below src/cli; src/jellett.h, which no file includes, may include what src/scene may; outside libraries are called from their one place; no
-# include goes in a circle, and no files call each other in one.
+# and codegen/runtime/, which is copied there, only libc (Arb in ball files, vector instructions in lanes); src/top/command_* are
+# commands of src/cli; tools/bench/program stands below src/cli; src/jellett.h, which no file includes, may include what src/scene
+# may; outside libraries are called from their one place; no include goes in a circle, and no files call each other in one.
 set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
@@ -23,7 +23,8 @@ failures=$({
     includes src tools/bench/program | awk '
         function fail(message) { print place ": includes " $2 ": " message }
         BEGIN {
-            count = split("core kernel integrate dynamics analysis ext report top scene spectrum validated claims shards cli bench", order, " ")
+            count = split("core kernel integrate dynamics analysis ext report top scene spectrum validated claims shards cli bench",
+            order, " ")
             for (i = 1; i <= count; i++) rank[order[i]] = i
             split("integrate dynamics analysis top scene", callers, " ")
             for (i in callers) calls_ext[callers[i]] = 1
@@ -41,7 +42,8 @@ failures=$({
             if ($2 ~ /^</) {
                 for (prefix in home)
                     if (index($2, "<" prefix) == 1 && rank[here] < rank[home[prefix]] || \
-                        index($2, "<" prefix) == 1 && home[prefix] == "ext" && here != "ext" && !(here == "validated" && prefix ~ /^(flint|arb|acb)/))
+                        index($2, "<" prefix) == 1 && home[prefix] == "ext" && here != "ext" && !(here == "validated" &&
+                        prefix ~ /^(flint|arb|acb)/))
                         fail("only src/" home[prefix] (home[prefix] == "ext" ? "" : " and layers below it") " may")
                 next
             }
@@ -62,14 +64,16 @@ failures=$({
         }'
     includes codegen | awk '
         BEGIN {
-            count = split("base expression read show algebra ball prove challenge discover fields optimize kernels emit readback build command", order, " ")
+            count = split("base expression read show algebra ball prove challenge discover fields optimize " \
+                          "kernels emit readback build command", order, " ")
             for (i = 1; i <= count; i++) rank[order[i]] = i
         }
         { split($1, part, "/") }
         part[2] == "runtime" { next }
         !(part[2] in rank) { print $1 ": codegen/" part[2] " is no room"; next }
         $2 ~ /^</ { next }
-        system("test -f codegen/" $2) != 0 { print $1 ": includes " $2 ": name it from codegen/, which knows nothing outside itself"; next }
+        system("test -f codegen/" $2) != 0 { print $1 ": includes " $2 ": name it from codegen/, which knows nothing outside itself"
+            next }
         { split($2, target, "/") }
         rank[target[1]] > rank[part[2]] { print $1 ": includes " $2 ": codegen/" target[1] " stands below codegen/" part[2] }'
     includes generated codegen/runtime | awk '
@@ -85,7 +89,8 @@ failures=$({
             folder = $1; sub(/\/[^\/]*$/, "", folder)
             if (folder != "codegen/runtime" && system("test -f generated/" $2) == 0 || system("test -f " folder "/" $2) == 0) next
         }
-        { print $1 ": includes " $2 ": generated files, and those that are copied there, include libc only (ball files Arb as well)" }'
+        { print $1 ": includes " $2 ": generated files, and those that are copied there, " \
+            "include libc only (ball files Arb as well)" }'
     # Circles: walk every header depth first; grey is on the path from the start, black is done.
     includes src codegen generated tools/bench/program | awk '
         $2 ~ /^</ { next }

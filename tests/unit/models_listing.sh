@@ -10,13 +10,16 @@ fail() { echo "$*"; status=1; }
 
 jellett models --json > "$scratch/listed"
 # Columns of counts.tsv but for the sums and what `ttc` alone says of kernels.
-listed='.[] | . as $d | .kernels | to_entries[] | [$d.model, ($d | .variant, .time, .elimination | if . == "" then "-" else . end), .key,
+listed='.[] | . as $d | .kernels | to_entries[] | [$d.model, ($d | .variant, .time, .elimination |
+    if . == "" then "-" else . end), .key,
     (.value | .optimized, .naive | .add, .multiply, .fma, .divide, .root, .elementary, .depth)] | map(tostring) | join("\t")'
 jq -r "$listed" "$scratch/listed" | sort > "$scratch/counts"
 [ -s "$scratch/counts" ] || fail "no kernels are listed"
-cut -f 1-5,7-13,16-22 generated/counts.tsv | sort | comm -13 - "$scratch/counts" | grep . && fail "generated/counts.tsv has other counts"
+cut -f 1-5,7-13,16-22 generated/counts.tsv | sort | comm -13 - "$scratch/counts" | grep . &&
+    fail "generated/counts.tsv has other counts"
 
-jq -r '.[] | .model as $m | .parameters[] | select(.default != null) | [$m, .name, .default] | map(tostring) | join("\t")' "$scratch/listed" |
+jq -r '.[] | .model as $m | .parameters[] | select(.default != null) | [$m, .name, .default] | map(tostring) | join("\t")' \
+    "$scratch/listed" |
     sort -u > "$scratch/defaults"
 for table in $(grep -L '^lift into ' codegen/models/*.tt); do # tables of coordinates are no models
     # default NAME = NUMBER, ... with numbers like 1/3
@@ -38,7 +41,9 @@ awk '/^  kernels/ { on = 1; next } /^$/ { on = 0 } on { sub(/^ */, ""); gsub(/ +
     awk 'NR == FNR { row[FNR] = $0; n = FNR; next } index($0, row[FNR]) != 1 { print "printed " $0 ", not " row[FNR]; bad = 1 }
         END { exit bad || FNR != n }' "$scratch/rows" - || fail "print and JSON differ"
 for model in lorenz toda; do
-    jellett models $model | diff - <(awk -v RS= "/^$model:/" "$scratch/printed") > /dev/null || fail "$model alone is not what it is among all"
-    jellett models --json $model | jq -c . | cmp - <(jq -c "map(select(.model == \"$model\"))" "$scratch/listed") || fail "$model alone, JSON"
+    jellett models $model | diff - <(awk -v RS= "/^$model:/" "$scratch/printed") > /dev/null ||
+        fail "$model alone is not what it is among all"
+    jellett models --json $model | jq -c . | cmp - <(jq -c "map(select(.model == \"$model\"))" "$scratch/listed") ||
+        fail "$model alone, JSON"
 done
 exit $status

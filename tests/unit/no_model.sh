@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Nothing in src/ knows a model: no name of a model, state, parameter, or observed quantity of the project's tables, of two letters
-# or more, stands outside src/top/, but in examples of help texts: lines of a parser's text that are indented, as --help shows them. What
-# spells Greek letters is left out: it has all of them.
+# or more, stands outside src/top/, but in examples of help texts: lines of a parser's text that are indented, as --help shows them.
+# What spells Greek letters is left out: it has all of them.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 

@@ -73,21 +73,24 @@ expect 0 alive jellett section ./spherical_top.tt --set mu=0.01 --section omega_
     --start gamma3=0.2,v_nu=0.4,omega_n=0.5,omega3=-2
 expect 0 "UNPROVED: rests on" jellett models ./spherical_top.tt
 
-# A number with a dimension of its own, a unit that is left out or wrong: whatever units an orbit is integrated in, it is that of the
-# table. The same friction with a parameter that has its dimension is another way to it.
+# A number with a dimension of its own, a unit that is left out or wrong: whatever units an orbit is integrated in, it is that of
+# the table. The same friction with a parameter that has its dimension is another way to it.
 mkdir dimension
 cp *.tt dimension
 awk '{ print } /R.omega_n.omega3$/ && ++n == 1 { print "    - v_nu/10" }
-    /^valid contact/ { print "observe spin = omega_n + 1\nobserve unit = omega_n*1 [m]" }' "$JLT_SOURCE_DIR/codegen/models/spherical_top.tt" \
+    /^valid contact/ { print "observe spin = omega_n + 1\nobserve unit = omega_n*1 [m]" }' \
+        "$JLT_SOURCE_DIR/codegen/models/spherical_top.tt" \
     > dimension/spherical_top.tt
 heavy="m=1000,R=100,I1=3000000,I3=3000000,a3=51,g=10"
 expect 0 alive jellett simulate ./dimension/spherical_top.tt --set $heavy --start $start --times 0,1
 rows out > number
-awk '{ print } /R.omega_n.omega3$/ && ++n == 1 { print "    - nu*v_nu" } /^param g/ { print "param nu [1/s] \"friction\"\ndefault nu = 1/10" }' \
+awk '{ print } /R.omega_n.omega3$/ && ++n == 1 { print "    - nu*v_nu" }
+    /^param g/ { print "param nu [1/s] \"friction\"\ndefault nu = 1/10" }' \
     "$JLT_SOURCE_DIR/codegen/models/spherical_top.tt" > dimension/spherical_top.tt
 expect 0 alive jellett simulate ./dimension/spherical_top.tt --set $heavy --start $start --times 0,1
 rows out > parameter
-paste -d, number parameter | awk -F, 'END { exit !(NR == 3 && $3 < -140.98 && $3 > -140.99 && ($3 - $15)^2 < 1e-16 && ($10 - $5 - 1)^2 < 1e-24 && $11 == $5) }' ||
+paste -d, number parameter | awk -F, \
+    'END { exit !(NR == 3 && $3 < -140.98 && $3 > -140.99 && ($3 - $15)^2 < 1e-16 && ($10 - $5 - 1)^2 < 1e-24 && $11 == $5) }' ||
     fail "a number with a dimension: $(paste -d, number parameter | tail -1)"
 
 # What is wrong with a table is said with its place; its name reaches no shell.
@@ -103,7 +106,8 @@ expect 0 0.36787944117144 jellett simulate "./$name" --start x=1 --times 1
 mkfifo pipe.tt
 mkdir folder.tt
 ln -s /dev/zero endless.tt
-expect 5 "pipe.tt: error: cannot read the file: it is a pipe or a device" timeout -s KILL 10 jellett simulate ./pipe.tt --start x=1 --times 1
+expect 5 "pipe.tt: error: cannot read the file: it is a pipe or a device" timeout -s KILL 10 jellett simulate ./pipe.tt \
+    --start x=1 --times 1
 expect 5 "endless.tt: error: cannot read the file: it is a pipe or a device" timeout -s KILL 10 ttc check endless.tt
 expect 5 "folder.tt: error: cannot read the file: Is a directory" ttc check folder.tt
 expect 5 "cannot open|No such file" jellett simulate ./absent.tt --start x=1 --times 1
@@ -126,17 +130,22 @@ for other in narrow batch.1; do
         END { exit !(n == 36 && !bad) }' || fail "batches of an own table ($other) disagree with its single orbits"
 done
 
-# What is not proved is not gone back to, nor mirrored by; of several reversors the section takes one that has its fixed points on it.
+# What is not proved is not gone back to, nor mirrored by; of several reversors the section takes one that has its fixed points on
+# it.
 printf 'model bad\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = x\n - z\nintegral Z = z\nreversor y -> -y\n' > bad.tt
 expect 3 "Z is not proved to be an integral" jellett section ./bad.tt --project --section y=0 --start x=1,z=1 --start x=2,z=1
 expect 3 "Z is not proved to be an integral" jellett simulate ./bad.tt --project --start x=1,y=0,z=1 --times 1
-expect 3 "a reversor" jellett separation ./bad.tt --section y=0 --grid x=1:2:2,z=1:2:2 --cells x=-3:3:4,z=-3:3:4 --returns 2 --settle 0
-printf 'model gyre\nstate x\nstate y\nstate z\neq x = y*z\neq y = -2*x*z\neq z = x*y\nreversor x -> -x\nreversor y -> -y\nreversor z -> -z\n' > gyre.tt
+expect 3 "a reversor" jellett separation ./bad.tt --section y=0 --grid x=1:2:2,z=1:2:2 --cells x=-3:3:4,z=-3:3:4 --returns 2 \
+    --settle 0
+printf 'model gyre\nstate x\nstate y\nstate z\neq x = y*z\neq y = -2*x*z\neq z = x*y\nreversor x -> -x\nreversor y -> -y\n'\
+'reversor z -> -z\n' > gyre.tt
 for section in x:y:z y:x:z z:x:y; do
     IFS=: read -r state a b <<< "$section"
-    expect 0 '^2,' jellett separation ./gyre.tt --section "$state=0" --grid "$a=1:2:2,$b=1:2:2" --cells "$a=-3:3:4,$b=-3:3:4" --returns 2 --settle 0
+    expect 0 '^2,' jellett separation ./gyre.tt --section "$state=0" --grid "$a=1:2:2,$b=1:2:2" --cells "$a=-3:3:4,$b=-3:3:4" \
+        --returns 2 --settle 0
 done
-printf 'model odd\nparam k\ndefault k = 1\nstate x\nstate y\nstate z\nstate w\neq x = y\neq y = -x\neq z = w\neq w = -z\nintegral P = k*x*w\n - k*z*y\nreversor y -> -y, w -> -w\n' > odd.tt
+printf 'model odd\nparam k\ndefault k = 1\nstate x\nstate y\nstate z\nstate w\neq x = y\neq y = -x\neq z = w\neq w = -z\n'\
+'integral P = k*x*w\n - k*z*y\nreversor y -> -y, w -> -w\n' > odd.tt
 for k in 1 1e-12 1e12; do
     expect 3 "a reversor" jellett separation ./odd.tt --set k=$k --section y=0 --level P=$k --solve x=1 --grid z=1:2:2,w=1:2:2 \
         --cells z=-3:3:4,w=-3:3:4 --returns 2 --settle 0
@@ -161,10 +170,12 @@ chmod o+w "$object"
 expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 [ "$(stat -c %a "$object")" = 700 ] || fail "an object that others could write to was used"
 # What is cut short, or has another byte, is made anew.
-for damage in 'truncate -s -4096' 'truncate -s 4096' 'truncate -s 0' "sh -c 'printf x | dd of=\"\$0\" seek=9000 bs=1 conv=notrunc 2>&1'"; do
+for damage in 'truncate -s -4096' 'truncate -s 4096' 'truncate -s 0' \
+    "sh -c 'printf x | dd of=\"\$0\" seek=9000 bs=1 conv=notrunc 2>&1'"; do
     eval "$damage" '"$object"' > /dev/null
     expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 done
 expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
-expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
+expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 \
+    --times 1
 exit $status

@@ -69,7 +69,8 @@ jellett simulate lorenz "${simulate[@]}" | grep -v '^#' > "$scratch/built_in"
 jellett simulate "$tree/share/jellett/models/lorenz.tt" "${simulate[@]}" | grep -v '^#' > "$scratch/loaded"
 [ "$(wc -l < "$scratch/built_in")" = 2 ] || fail "jellett simulate has no row"
 cmp "$scratch/built_in" "$scratch/loaded" || fail "a table compiled from there is another"
-PATH=$here jellett simulate lorenz "${simulate[@]}" | grep -v '^#' | cmp - "$scratch/built_in" || fail "the program built is another"
+PATH=$here jellett simulate lorenz "${simulate[@]}" | grep -v '^#' | cmp - "$scratch/built_in" ||
+    fail "the program built is another"
 
 if ! nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep -E '__[at]san_init' > /dev/null; then
     PKG_CONFIG_LIBDIR=$(dirname "$(find "$tree" -name jellett.pc)")

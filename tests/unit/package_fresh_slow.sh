@@ -10,7 +10,8 @@ trap 'rm -rf "$scratch"' EXIT
 (cd "$JLT_BINARY_DIR" && cpack -G DEB -B "$scratch") > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 
 root=$scratch/root
-mmdebstrap --quiet --variant=minbase "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" || { echo "no root can be made here"; exit 77; }
+mmdebstrap --quiet --variant=minbase "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" ||
+    { echo "no root can be made here"; exit 77; }
 # How this machine reaches the archive (a proxy, clocks that differ) serves in the root too.
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
@@ -34,6 +35,7 @@ apt-get purge -y -q jellett libjellett0 libjellett-dev
 find / -xdev -name '*jellett*' ! -path '/root/*' ! -path '/proc/*' ! -path '/var/*' | tee /root/left
 [ ! -s /root/left ]
 SH
-unshare --mount --pid --fork --kill-child bash -euc 'mount -t proc proc "$0/proc"; exec chroot "$0" bash /root/try' "$root" > "$scratch/log" 2>&1 ||
+unshare --mount --pid --fork --kill-child bash -euc 'mount -t proc proc "$0/proc"; exec chroot "$0" bash /root/try' "$root" > \
+    "$scratch/log" 2>&1 ||
     { tail -40 "$scratch/log"; exit 1; }
 grep -E '^Setting up (lib)?jellett|claims' "$scratch/log"

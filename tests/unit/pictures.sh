@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Options of pictures: every command that draws honours all of them, and the script that is kept draws the same picture; texts are texts,
-# of which gnuplot does nothing; what cannot be is refused, by name, before anything is written.
+# Options of pictures: every command that draws honours all of them, and the script that is kept draws the same picture; texts are
+# texts, of which gnuplot does nothing; what cannot be is refused, by name, before anything is written.
 set -uo pipefail
 gnuplot --version > /dev/null 2>&1 || exit 77
 scratch=$(mktemp -d)
@@ -17,7 +17,8 @@ draw() {
     local kind pattern
     for kind in svg pdf png; do
         rm -f p.* rows.csv
-        jellett "$@" "${look[@]}" --plot p.$kind --keep p.gp -o rows.csv > /dev/null 2> log || { fail "jellett $*: $(cat log)"; return; }
+        jellett "$@" "${look[@]}" --plot p.$kind --keep p.gp -o rows.csv > /dev/null 2> log ||
+            { fail "jellett $*: $(cat log)"; return; }
         mv p.$kind first
         gnuplot p.gp 2> log && [ ! -s log ] || fail "gnuplot on the script of jellett $*: $(cat log)"
         # A PDF has the second in which it was made; where cairo packs it away, both are to be of one.
@@ -29,14 +30,16 @@ draw() {
         done
         cmp <(undated first) <(undated p.$kind) || fail "jellett $*: the script draws another .$kind"
     done
-    for pattern in "^set terminal pngcairo size 945,709 .* font 'DejaVu Sans,7'" "title 'A title' noenhanced" 'set xrange \[0\.1:0\.9\]' \
+    for pattern in "^set terminal pngcairo size 945,709 .* font 'DejaVu Sans,7'" "title 'A title' noenhanced" \
+        'set xrange \[0\.1:0\.9\]' \
         'set yrange \[0\.2:0\.7\]' '^unset key$'; do
         grep -q -- "$pattern" p.gp || fail "jellett $*: no '$pattern' in the script"
     done
     grep -q '^set key' p.gp && fail "jellett $*: a key, in spite of nokey"
     grep -oE "#[0-9a-f]{6}" p.gp | grep -vE '#(..)\1\1' && fail "jellett $*: colours, in spite of grey"
     grep -oE ' lw [0-9.]+' p.gp | grep -vxE ' lw (18|10\.8|0\.7)' && fail "jellett $*: lines of another width"
-    sed 's/keyentry with points pt 7 ps 0.8//g' p.gp | { grep -oE ' ps [0-9.]+' || true; } | awk '$2 < 7 * 0.2 - 1e-6 { exit 1 }' || fail "jellett $*: points of another size"
+    sed 's/keyentry with points pt 7 ps 0.8//g' p.gp | { grep -oE ' ps [0-9.]+' || true; } | awk '$2 < 7 * 0.2 - 1e-6 { exit 1 }' ||
+        fail "jellett $*: points of another size"
 }
 top="--start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 --times 0,1"
 while read -r line; do
@@ -95,8 +98,10 @@ done
 # Texts that would be commands, if they were not quoted, or not quoted enough.
 rm -f ./*
 base=(jellett simulate lorenz --start x=1,y=1,z=20 --times "0,1/2,1")
-texts=("'" "''" "'''" "'; !touch stolen; '" "\`touch stolen\`" '"`touch stolen`"' "'\`touch stolen\`'" '$(touch stolen)' '\' "\\'" '"' '@GPVAL_TERM' "'@GPVAL_TERM'"
-    "'.system('touch stolen').'" '".system("touch stolen")."' $'\n!touch stolen\n' $'a\nset output "stolen"\nreplot' '{/*9 a} a_b^c ~a{b} &{c}' '%s %d'
+texts=("'" "''" "'''" "'; !touch stolen; '" "\`touch stolen\`" '"`touch stolen`"' "'\`touch stolen\`'" '$(touch stolen)' '\' "\\'" \
+    '"' '@GPVAL_TERM' "'@GPVAL_TERM'"
+    "'.system('touch stolen').'" '".system("touch stolen")."' $'\n!touch stolen\n' $'a\nset output "stolen"\nreplot' \
+        '{/*9 a} a_b^c ~a{b} &{c}' '%s %d'
     '<b>&amp;</b>' '# not a comment' 'Ω γ₃ — “q”' '\n' '$ROWS' "$(printf 'a long title %.0s' {1..40})")
 for text in "${texts[@]}"; do
     "${base[@]}" --title "$text" --plot p.svg --keep p.gp -o rows.csv 2> log || fail "--title '$text': $(cat log)"
@@ -104,18 +109,21 @@ for text in "${texts[@]}"; do
     gnuplot p.gp 2> log && [ ! -s log ] || fail "--title '$text', again: $(cat log)"
     # what the picture shows is the text, with its lines broken
     want=$(tr -d '\n ' <<< "$text")
-    shown=$(sed -nE 's/^\t\t<text>(.*)<\/text>$/\1/p' p.svg | grep -v '^<tspan' | sed 's/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' | tr -d '\n ')
+    shown=$(sed -nE 's/^\t\t<text>(.*)<\/text>$/\1/p' p.svg | grep -v '^<tspan' | sed 's/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' |
+        tr -d '\n ')
     [ "$shown" = "$want" ] || fail "--title '$text': the picture shows '$shown'"
     [ "$(echo *)" = "log p.gp p.svg rows.csv" ] || fail "--title '$text' leaves $(echo *)"
 done
 name="it's \`touch stolen\` @a \$b \\ \"c\".svg"
-"${base[@]}" --plot "$name" --keep p.gp -o rows.csv && mv "$name" p.svg && gnuplot p.gp && cmp p.svg "$name" || fail "the path '$name'"
+"${base[@]}" --plot "$name" --keep p.gp -o rows.csv && mv "$name" p.svg && gnuplot p.gp && cmp p.svg "$name" ||
+    fail "the path '$name'"
 [ ! -e stolen ] || fail "a text was done"
 
 # No line of a caption or a title is wider than the picture: 60 letters of 8 points and less are 8 cm.
 for title in --style=grey "--title=$(printf 'long words %.0s' {1..40})"; do
     "${base[@]}" --size 8x6 "$title" --plot p.svg -o rows.csv
-    sed -nE 's/^\t\t<text>(.*)<\/text>$/\1/p' p.svg | sed 's/<[^>]*>//g' | awk -v what="$title" 'length > 60 { print what ": a line of " length " letters: " $0; exit 1 }' || status=1
+    sed -nE 's/^\t\t<text>(.*)<\/text>$/\1/p' p.svg | sed 's/<[^>]*>//g' |
+        awk -v what="$title" 'length > 60 { print what ": a line of " length " letters: " $0; exit 1 }' || status=1
 done
 
 refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
@@ -129,7 +137,8 @@ refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     grep -qF -- "$words" err || fail "$*: says '$(head -1 err)', not '$words'"
 }
 for value in 8 8x 8x6km 2x2 -8x6cm 1e9x1 nanx6 6cm x 8x6cmcm ''; do refuse --size "--size=$value"; done
-for value in "a'b" '$(HOME)' '' ,8 Arial,0 Arial,x Arial,8,9 'Arial"' $'Arial\n!touch stolen' Arial,1e9; do refuse --font "--font=$value"; done
+for value in "a'b" '$(HOME)' '' ,8 Arial,0 Arial,x Arial,8,9 'Arial"' $'Arial\n!touch stolen' Arial,1e9; do refuse \
+    --font "--font=$value"; done
 for value in 1 1:1 2:1 :1 1: 1:nan a:b '1:2]; !touch stolen' ''; do refuse --xrange "--xrange=$value"; done
 refuse --yrange --yrange=3:pi/2
 for value in $'a\tb' $'\xff' $'\xe2\x82'; do refuse --title "--title=$value"; done
@@ -138,11 +147,39 @@ for value in x x,w x,y,z ,x 'x,'; do refuse --axes "--axes=$value"; done
 base=(jellett drift --returns 4 --method dop853) && refuse --yrange --yrange=-1:1 && refuse --xrange --xrange=0:1
 base=(jellett lyapunov --returns 4) && refuse --xrange --xrange=0:1 && refuse --axes --axes=eta,gamma3
 base=(jellett separation) && refuse --xrange --xrange=0:1
+cat > observing.tt <<'T'
+model observing
+param k > 0
+default k = 1
+state x
+state v
+state z
+eq x = v
+eq v = - k*x
+eq z = 0
+observe energy = x^2/2 + v^2/2 [J]
+observe nothing = 1/z
+T
+draws() { # STATUS TEXT OPTION...: of the model above
+    local want=$1 text=$2 got=0
+    shift 2
+    jellett simulate ./observing.tt --start x=1,v=0,z=0 --times 0,1,2 -o observing.csv --plot observing.svg "$@" > out 2> err ||
+        got=$?
+    [ $got -eq "$want" ] && { [ -z "$text" ] || grep -qF -- "$text" err; } || fail "simulate $*: status $got: $(cat err)"
+}
+draws 0 '' --axes x,energy
+grep -q energy observing.svg || fail "what the table observes is not on its axis"
+draws 0 '' --sweep k=1:2:2 --axes k,energy
+draws 3 '--axes: nothing has no value in any row: nothing is drawn' --axes t,nothing
+draws 3 '--axes: nothing has no value in any row: nothing is drawn' --axes nothing,energy
+draws 3 '--axes: nothing has no value in any row: nothing is drawn' --sweep k=1:2:2 --axes k,nothing
+draws 3 '--axes: fate has no value in any row: nothing is drawn' --sweep k=1:2:2 --axes k,fate
 base=(jellett fates --sweep E=1:2:2) && refuse --axes --axes=eta,gamma3
 # The range of an axis in which nothing lies is told, and the table is there; gnuplot's own words are not shown.
 rm -f ./*
 jellett drift --returns 4 --method dop853 --xrange 1e5:1e6 --plot p.svg -o rows.csv 2> err
-[ $? -eq 3 ] && [ -s rows.csv ] && [ ! -e p.svg ] && grep -qF -- '--xrange' err && ! grep -qF 'plot $' err || fail "an empty range: $(cat err)"
+[ $? -eq 3 ] && [ -s rows.csv ] && [ ! -e p.svg ] && grep -qF -- '--xrange' err && ! grep -qF 'plot $' err ||
+    fail "an empty range: $(cat err)"
 
 # The picture of a grid does not grow with its cells.
 jellett fates lorenz --section z=27 --grid x=-20:20:80,y=-20:20:80 --returns 1 --plot p.svg -o rows.csv 2> err

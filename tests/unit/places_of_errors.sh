@@ -32,12 +32,14 @@ done
 [ ! -e folder ] || fail "files are written"
 
 # A table of coordinates alone; beside its model's it is passed over.
-printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q, x = 0, u = r\n' > points.tt
+printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q, x = 0, u = r\n' \
+    > points.tt
 printf 'model moves\nstate q\nstate x\nstate u\neq q = u\neq x = u\neq u = 0*u\nintegral E = u^2/2\n' > moves.tt
 printf 'section cut : by points.tt at x = 0 with q = q, E = E\n' >> moves.tt
 for command in "generate --out folder" cost build; do
     # shellcheck disable=SC2086
-    expect 3 '^points.tt:6:1: error: the coordinates of a section have no kernels of their own .expected moves.tt' ttc $command points.tt
+    expect 3 '^points.tt:6:1: error: the coordinates of a section have no kernels of their own .expected moves.tt' ttc $command \
+        points.tt
 done
 expect 0 '' ttc generate --out folder points.tt moves.tt
 grep -q '\.chart = "points"' folder/moves/general.c || fail "the kernels of a model lack those of its section"
@@ -48,20 +50,23 @@ expect 0 '' ttc prove --kernels points.tt moves.tt
 
 # A way that is not proved is told with its place; its kernels are written all the same, as those of a table that is right.
 printf 'model small\nstate x\neq x = x\nembedding all : into large.tt with x = x, y = 0\n' > small.tt
-printf 'model large\nstate x\nstate y\neq x = x\neq y = y\ntier both "the whole"\nreduction zero : by small.tt with x = x\n' > large.tt
+printf 'model large\nstate x\nstate y\neq x = x\neq y = y\ntier both "the whole"\nreduction zero : by small.tt with x = x\n' > \
+    large.tt
 sed '7s/x = x$/x = x, x = y/' large.tt > large_twice.tt
 expect 3 "^large_twice.tt:7:42: error: 'x' is set twice" ttc check large_twice.tt
 sed '6s/both/both while y/' large.tt > large_tier.tt
 expect 3 "^large_tier.tt:6:19: error: unexpected text in quotes .expected '>' after the expression" ttc check large_tier.tt
 sed '6s/"the whole"//' large.tt > large_name.tt
 expect 3 '^large_name.tt:6:10: error: the record ends too early .expected a text in quotes' ttc check large_name.tt
-expect 0 "^large.tt:7:11: warning: the reduction claim 'zero' is refuted: small.tt and this table no longer serve" ttc generate --unproved --out folder large.tt small.tt
+expect 0 "^large.tt:7:11: warning: the reduction claim 'zero' is refuted: small.tt and this table no longer serve" ttc generate \
+    --unproved --out folder large.tt small.tt
 grep -q '\.kind = "reduction"' folder/large/general.c || fail "the kernels of a table lack those of its way"
 grep -q '"reduction", "zero", "", JLT_REFUTED' folder/large/table.c || fail "the verdict on a way is not with its table"
 rm -r folder
 
 # What is wrong with a table that a claim leads to is said with its own place, also when kernels are there already.
-printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q +* 2, x = 0, u = r\n' > points.tt
+printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\n'\
+'lift into moves.tt with q = q +* 2, x = 0, u = r\n' > points.tt
 printf 'model still\nstate q\neq z = q\n' > still.tt
 printf 'reduction at_rest : onto still.tt with q = u\n' >> moves.tt
 export XDG_CACHE_HOME=$scratch/cache
@@ -69,7 +74,8 @@ expect 3 'coordinates points.tt could not be read: points.tt:6:32: unexpected' t
 expect 3 'target still.tt could not be read: still.tt:2:7: ' ttc prove moves.tt
 expect 1 'coordinates points.tt could not be read: points.tt:6:32: unexpected' ttc generate --out folder moves.tt
 for turn in first second; do
-    expect 3 'coordinates points.tt could not be read: ./points.tt:6:32: unexpected' jellett simulate ./moves.tt --start q=0 --times 1
+    expect 3 'coordinates points.tt could not be read: ./points.tt:6:32: unexpected' jellett simulate ./moves.tt --start q=0 \
+        --times 1
     expect 3 'target still.tt could not be read: ./still.tt:2:7: ' jellett simulate ./moves.tt --start q=0 --times 1
 done
 expect 3 '' ttc prove --json moves.tt
@@ -82,7 +88,8 @@ for command in check prove cost; do
     jq -e 'if type == "array" then .[0] else . end
         | .file == "broken.tt" and .ok == false and (.problems | length) == 1
           and (.problems[0] | [.file, .line, .column, .severity] == ["broken.tt", 3, 8, "error"]
-               and (.message | contains("unknown name \u0027y\u0027")))' out > /dev/null || fail "$command --json does not say what is wrong"
+               and (.message | contains("unknown name \u0027y\u0027")))' out > /dev/null ||
+                   fail "$command --json does not say what is wrong"
     expect 5 '' ttc $command --json missing.tt
     jq -e 'if type == "array" then .[0] else . end | .problems[0].message | contains("cannot open")' out > /dev/null ||
         fail "$command --json does not say that the file is missing"

@@ -8,11 +8,14 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 begun=$(date +%s%N)
-script -qec "jellett section --grid 40x40 --returns 300 --output '$scratch/section.csv'" "$scratch/terminal" < /dev/null > /dev/null ||
+script -qec "jellett section --grid 40x40 --returns 300 --output '$scratch/section.csv'" "$scratch/terminal" < /dev/null > \
+    /dev/null ||
     { echo "section ends with $?"; exit 1; }
 seconds=$(( ($(date +%s%N) - begun)/1000000 ))e-3
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of \([0-9]*\) returns.*/\1 \2/p' > "$scratch/shown"
-awk '$1 < last || $1 > $2 || $2 != 480000 { print "after " last ": " $0; bad = 1 } { last = $1 } END { exit bad || NR == 0 }' "$scratch/shown" || exit 1
+awk '$1 < last || $1 > $2 || $2 != 480000 { print "after " last ": " $0; bad = 1 } { last = $1 } END { exit bad || NR == 0 }' \
+    "$scratch/shown" || exit 1
 # Of what was computed in all that time, which holds the start and the writing of the table.
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of .* returns, \([-0-9.e+]*\) a second, .*/\1 \2/p' | tail -1 |
-    awk -v seconds="$seconds" '{ least = $1/seconds; if (!($2 >= least && $2 < 10*least)) { print $2 " a second, " $1 " in " seconds " s"; exit 1 } }'
+    awk -v seconds="$seconds" '{ least = $1/seconds; if (!($2 >= least &&
+        $2 < 10*least)) { print $2 " a second, " $1 " in " seconds " s"; exit 1 } }'

@@ -44,7 +44,8 @@ refuse 3 "G = 0" jellett rod --start gamma3=0.2,v_nu=0,omega_tau=0,omega_n=0,ome
 refuse 2 "say where to start" jellett lyapunov lorenz --section z=27
 
 # Ranges.
-for range in E E=1 E=1:2:5 E=2:1; do refuse 2 "is no range \(write NAME=LOW:HIGH, LOW below HIGH\)" jellett continue --along $range; done
+for range in E E=1 E=1:2:5 E=2:1; do refuse 2 "is no range \(write NAME=LOW:HIGH, LOW below HIGH\)" jellett continue \
+    --along $range; done
 refuse 3 "outside of the range" jellett continue --along E=3:4
 refuse 3 "I1 = -1: spherical_top needs I1 > 0" jellett rod --start "$start" --sweep I1=-1:1:3
 refuse 3 "--sweep: more than 3 names" jellett rod --start "$start" --sweep v_nu=0:1:2,omega_n=1:2:2,gamma3=0:1:2,I1=1:2:2
@@ -53,7 +54,8 @@ refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z=1:2:3
 
-refuse 4 "finds no periodic orbit from .*: try another --start or --period" jellett orbits lorenz --section z=27 --start x=1,y=1 --period 1
+refuse 4 "finds no periodic orbit from .*: try another --start or --period" jellett orbits lorenz --section z=27 --start x=1,y=1 \
+    --period 1
 
 # Options that say nothing here.
 refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu
@@ -62,7 +64,8 @@ refuse 2 "lorenz has no condition to lose" jellett section lorenz --start x=1,y=
 refuse 2 "unrecognized option '--contact" jellett orbits --contact report
 refuse 2 "unrecognized option '--contact" jellett lyapunov --contact end
 refuse 2 "nothing runs" jellett fates --sweep ""
-refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep omega_n=1:2:4194304,v_nu=0:1:4194304,gamma3=0:0.1:2097152
+refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep \
+    omega_n=1:2:4194304,v_nu=0:1:4194304,gamma3=0:0.1:2097152
 refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G=0:1:2097152,a3=0:1:2097152
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
@@ -72,7 +75,8 @@ refuse 2 "exclude each other" jellett manifolds --no-crossings --crossings file
 refuse 2 "--times and --until exclude each other" jellett simulate --start "$start" --times 1 --until 2
 refuse 2 "two tables" jellett portrait --level E=1,G=-0.2,F0=0.15 --trajectories -
 refuse 2 "two tables" jellett manifolds --length 0.01 --crossings -
-refuse 3 "--project: one-step methods alone, not the multistep method msadams" jellett simulate --start "$start" --until 1 --project --method msadams
+refuse 3 "--project: one-step methods alone, not the multistep method msadams" jellett simulate --start "$start" --until 1 \
+    --project --method msadams
 refuse 2 "say which section of lorenz" jellett fates lorenz
 refuse 2 "say where orbits start" jellett fates lorenz --section z=27
 data=$JLT_SOURCE_DIR/tests/reference/data

@@ -7,7 +7,8 @@ cd "$JLT_SOURCE_DIR" || exit 1
 status=0
 for model in lorenz roessler lotka_volterra nose_hoover toda chaplygin_sleigh restricted_three_body spherical_top_balanced \
              spherical_top_plane; do
-    ttc generate --effort full --out "$scratch" "codegen/models/$model.tt" && diff -r "$scratch/$model" "generated/$model" > "$scratch/difference" ||
+    ttc generate --effort full --out "$scratch" "codegen/models/$model.tt" &&
+        diff -r "$scratch/$model" "generated/$model" > "$scratch/difference" ||
         { echo "generated/$model is not what the table says:"; head -20 "$scratch/difference"; status=1; }
 done
 exit $status

@@ -12,7 +12,8 @@ alike() { # COMMAND...
     for table in "${tables[@]}"; do "$@" "$table" || exit 1; done > "$scratch/alone"
     "$@" "${tables[@]}" > "$scratch/together" || { echo "$*: status $?"; status=1; }
     # Counts have one line of titles.
-    awk 'NR == 1 || !/^model\t/' "$scratch/alone" | cmp - "$scratch/together" || { echo "$*: together is not what each is alone"; status=1; }
+    awk 'NR == 1 || !/^model\t/' "$scratch/alone" | cmp - "$scratch/together" ||
+        { echo "$*: together is not what each is alone"; status=1; }
 }
 alike ttc check
 alike ttc cost
@@ -20,7 +21,9 @@ alike ttc prove
 alike ttc show
 for command in check prove cost; do
     ttc $command --json "${tables[@]}" > "$scratch/together"
-    for table in "${tables[@]}"; do ttc $command --json "$table"; done | jq -s 'map(if type == "array" then .[] else . end)' > "$scratch/alone"
-    jq . "$scratch/together" | cmp - "$scratch/alone" || { echo "ttc $command --json: together is not what each is alone"; status=1; }
+    for table in "${tables[@]}"; do ttc $command --json "$table"; done |
+        jq -s 'map(if type == "array" then .[] else . end)' > "$scratch/alone"
+    jq . "$scratch/together" | cmp - "$scratch/alone" ||
+        { echo "ttc $command --json: together is not what each is alone"; status=1; }
 done
 exit $status

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A study gives the same bytes by 1, 3 and 7 shards, in CSV, NumPy and SQLite, and after crashes; its rows are those that the command
-# itself prints, also for each value of what it runs over. A shard's file is one process's, and of one study; what its engine says in the
-# environment tells a process which shard is its own.
+# A study gives the same bytes by 1, 3 and 7 shards, in CSV, NumPy and SQLite, and after crashes; its rows are those that the
+# command itself prints, also for each value of what it runs over. A shard's file is one process's, and of one study; what its
+# engine says in the environment tells a process which shard is its own.
 set -uo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
@@ -33,7 +33,8 @@ for study in map ends; do
     expect 0 "" jellett run $study.scene
     rows out > $study.rows
     for n in 1 3 7; do
-        for i in $(seq $n | shuf --random-source=<(yes $n)); do expect 0 "" jellett sweep $study.scene --into=$study.$n --shard=$i/$n; done
+        for i in $(seq $n | shuf --random-source=<(yes $n)); do expect 0 "" jellett sweep $study.scene --into=$study.$n \
+            --shard=$i/$n; done
         expect 0 "" jellett merge $study.$n -o $study.$n.csv -o $study.$n.npy -o $study.$n.sqlite
         rows $study.$n.csv | diff -q - $study.rows > /dev/null || fail "$study in $n shards: other rows than jellett run"
         for kind in csv npy sqlite; do cmp $study.1.$kind $study.$n.$kind || fail "$study in $n shards: another $kind"; done
@@ -68,7 +69,8 @@ for row, packed, kept in zip(rows, struct.iter_unpack(code, data[length:end]), s
 assert empty > 0
 about = dict(sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT name, value FROM provenance"))
 assert about["command"] == "section" and "spherical_top_level" in about["kernels"]
-assert [n for n, in sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT name FROM sqlite_master WHERE type = 'index' AND name LIKE 'rows%'")] == ["rows_by_fate"]
+indices = "SELECT name FROM sqlite_master WHERE type = 'index' AND name LIKE 'rows%'"
+assert [n for n, in sqlite3.connect(sys.argv[1] + ".sqlite").execute(indices)] == ["rows_by_fate"]
 END
 
 # Crashes: the file ends anywhere, or its end is garbage, or it is empty.
@@ -115,7 +117,8 @@ expect 2 "no .csv" jellett merge map.1 -o rows.txt
 
 # Parts of a grid by hand.
 jellett fates --grid 5x4 --returns 3 2> log | rows > all
-jellett fates --grid 5x4@7:6 --returns 3 2> log | rows | diff -q - <(sed -n '1p; 9,14p' all) > log || fail "points 7 to 12 of a grid are others"
+jellett fates --grid 5x4@7:6 --returns 3 2> log | rows | diff -q - <(sed -n '1p; 9,14p' all) > log ||
+    fail "points 7 to 12 of a grid are others"
 expect 3 "beyond the last of 9" jellett fates --grid 3x3@5:5
 expect 2 "@FIRST:COUNT" jellett fates --grid 3x3@5
 expect 2 "leave out @0:4" jellett orbits --grid 4x4@0:4
@@ -132,7 +135,8 @@ wait $first
 
 # What engines say. Pieces of a shard: those that are shown.
 shown() { # SHARD ENVIRONMENT...
-    cmp -s <(jellett sweep map.scene --dry-run --shard="$1") <(env "${@:2}" jellett sweep map.scene --dry-run 2>&1) || fail "${*:2}: no shard $1"
+    cmp -s <(jellett sweep map.scene --dry-run --shard="$1") <(env "${@:2}" jellett sweep map.scene --dry-run 2>&1) ||
+        fail "${*:2}: no shard $1"
 }
 shown 3/4 OMPI_COMM_WORLD_RANK=2 OMPI_COMM_WORLD_SIZE=4
 shown 1/5 PMI_RANK=0 PMI_SIZE=5
@@ -145,14 +149,17 @@ expect 2 "--array=1-N" env SLURM_ARRAY_TASK_ID=7 SLURM_ARRAY_TASK_COUNT=2 SLURM_
 expect 2 "--shard /N" env PARALLEL_SEQ=3 jellett sweep map.scene --dry-run
 expect 2 "which of them" jellett sweep map.scene --dry-run --shard=/3
 expect 2 "counted from 1" jellett sweep map.scene --dry-run --shard=4/3
-of() { cmp -s <(jellett sweep map.scene --dry-run --shard="$1") <(env "${@:3}" jellett sweep map.scene --dry-run --shard="$2") || fail "${*:3}: no shard $1"; }
+of() { cmp -s <(jellett sweep map.scene --dry-run --shard="$1") <(env "${@:3}" jellett sweep map.scene --dry-run --shard="$2") ||
+    fail "${*:3}: no shard $1"; }
 of 3/7 /7 PARALLEL_SEQ=3
 of 3/7 /7 PMIX_RANK=2
 of 5/7 /7 SLURM_ARRAY_TASK_ID=5 SLURM_ARRAY_TASK_MIN=5 SLURM_ARRAY_TASK_COUNT=1
-[ "$(for i in 1 2 3 4 5; do jellett sweep map.scene --dry-run --shard=$i/5; done | sort | uniq | wc -l)" = 20 ] || fail "5 shards do not have each of 20 pieces once"
+[ "$(for i in 1 2 3 4 5; do jellett sweep map.scene --dry-run --shard=$i/5; done | sort | uniq | wc -l)" = 20 ] ||
+    fail "5 shards do not have each of 20 pieces once"
 
 # They are mixed: those of a shard lie at no equal distances.
-gaps=$(jellett sweep map.scene --dry-run --shard=1/4 | sed 's/.*@\([0-9]*\):.*/\1/' | sort -n | awk 'NR > 1 { print $1 - last } { last = $1 }' | sort -u | wc -l)
+gaps=$(jellett sweep map.scene --dry-run --shard=1/4 | sed 's/.*@\([0-9]*\):.*/\1/' | sort -n |
+    awk 'NR > 1 { print $1 - last } { last = $1 }' | sort -u | wc -l)
 [ "$gaps" -ge 2 ] || fail "pieces of a shard lie at equal distances"
 
 # What a study runs over: the rows of the command typed for each value, behind the values. There is no orbit at E = -5.
@@ -164,8 +171,10 @@ END
 for i in 1 2; do expect 0 "no state with" jellett sweep exponents.scene --shard=$i/2; done
 expect 0 "4 of 8 pieces" jellett merge exponents.shards -o exponents.csv -o exponents.sqlite
 for a3 in 0.3 0.4 0.5 0.6; do
-    jellett lyapunov --set a3=$a3 --level E=2,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 3 | rows | awk -v a3=$a3 '{ print (NR > 1 ? a3 ",2," : "a3,E,") $0 }'
-done | awk 'NR == 1 || !/^a3/' | diff - <(rows exponents.csv) > diff || { fail "rows over a3 and E are others than those that are typed:"; head -5 diff; }
+    jellett lyapunov --set a3=$a3 --level E=2,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 3 | rows |
+        awk -v a3=$a3 '{ print (NR > 1 ? a3 ",2," : "a3,E,") $0 }'
+done | awk 'NR == 1 || !/^a3/' | diff - <(rows exponents.csv) > diff ||
+    { fail "rows over a3 and E are others than those that are typed:"; head -5 diff; }
 cat > locus.scene << 'END'
 over = { I3 = ("1/4", "1/2", 2); };
 parameters = { a3 = 0; };
@@ -174,6 +183,7 @@ compute = ( { what = "eigen"; at = { v_nu = 0.7; omega3 = 1.1; }; sweep = { gamm
 END
 for i in 1 2 3; do expect 0 "" jellett sweep locus.scene --shard=$i/3; done
 jellett merge locus.shards | rows | cut -d, -f2- > merged
-for i3 in 1/4 1/2; do jellett eigen --set a3=0,I3=$i3 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:10 | rows; done | awk 'NR == 1 || !/^gamma3/' | diff -q - merged > diff || fail "eigenvalues over I3 are others than those that are typed"
+for i3 in 1/4 1/2; do jellett eigen --set a3=0,I3=$i3 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:10 | rows; done |
+    awk 'NR == 1 || !/^gamma3/' | diff -q - merged > diff || fail "eigenvalues over I3 are others than those that are typed"
 expect 3 "'over' is of a study" jellett run locus.scene
 exit $status

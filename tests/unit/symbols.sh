@@ -37,9 +37,11 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
                     done
                     ;;
             esac
-        done < <(find "$@" \( -name "$stem.[ch]" -o -name "$stem.cc" \)) # runtime.c is made by the build: runtime.h declares what is in it
+        done < <(find "$@" \( -name "$stem.[ch]" -o -name "$stem.cc" \
+            \)) # runtime.c is made by the build: runtime.h declares what is in it
         if [ $found = no ]; then
-            echo "$(find "$@" \( -name "$stem.[ch]" -o -name "$stem.cc" \) | head -1): $symbol: public, but neither its file's nor its header's stem" \
+            echo "$(find "$@" \( -name "$stem.[ch]" -o -name "$stem.cc" \) | head -1): $symbol:" \
+                "public, but neither its file's nor its header's stem" \
                 "(want jlt_${stem}_... in src/, ttc_... in codegen/; or make it static)"
             status=1
         fi
@@ -56,5 +58,6 @@ while read -r object symbol; do
     status=1
 done < <(find "$JLT_BINARY_DIR"/CMakeFiles/{jellett,jellett_cli,jellett-bench}.dir -name '*.o' -exec nm -A --defined-only -g {} + |
     awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^(__|\.)/ { sub(/:.*/, "", $1); print $1, $NF }')
-[ $status -ne 0 ] || echo "$(defined "$JLT_BINARY_DIR/libjellett.a" | wc -l) + $(defined "$JLT_BINARY_DIR/libttc_core.a" | wc -l) public symbols carry their prefix"
+[ $status -ne 0 ] || echo "$(defined "$JLT_BINARY_DIR/libjellett.a" | wc -l) +" \
+    "$(defined "$JLT_BINARY_DIR/libttc_core.a" | wc -l) public symbols carry their prefix"
 exit $status

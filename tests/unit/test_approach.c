@@ -31,16 +31,42 @@ typedef struct {
 /* By hand: eigenvalues off the diagonal blocks, and left = y with a y = f. */
 static const problem problems[] = {
     { "a node", { -2, 1, 0, 0, -3, 0, 0, 0, -5 }, { 1e-3, 2e-3, 1e-3 }, 1, true, 2, 5, { 1e-3, 2e-3, 1e-3 } },
-    { "a focus, with a faster state", { -0.5, -1, 0, 1, -0.5, 0, 0, 0, -2 }, { 1e-3, 0, 1e-3 }, 1, true, 0.5, 2, { 1e-3, 0, 1e-3 } },
-    { "a line of equilibria, on which it comes to rest farther on", { -1, 0, 0, 0, -2, 0, 3, 0, 0 }, { 1e-3, 1e-3, 5 }, 1, true, 1, 2,
+    { "a focus, with a faster state",
+      { -0.5, -1, 0, 1, -0.5, 0, 0, 0, -2 },
+      { 1e-3, 0, 1e-3 },
+      1,
+      true,
+      0.5,
+      2,
+      { 1e-3, 0, 1e-3 } },
+    { "a line of equilibria, on which it comes to rest farther on",
+      { -1, 0, 0, 0, -2, 0, 3, 0, 0 },
+      { 1e-3, 1e-3, 5 },
+      1,
+      true,
+      1,
+      2,
       { 1e-3, 1e-3, -3e-3 } },
     { "backwards in time it decays", { 2, 0, 0, 0, 3, 0, 0, 0, 7 }, { 1e-3, 1e-3, 1e-3 }, -1, true, 2, 7, { 1e-3, 1e-3, 1e-3 } },
     { "forwards it grows", { 2, 0, 0, 0, 3, 0, 0, 0, 7 }, { 1e-3, 1e-3, 1e-3 }, 1, false, 0, 0, { 0 } },
     { "one state grows", { -2, 0, 0, 0, 1e-3, 0, 0, 0, -1 }, { 1e-3, 1e-3, 1e-3 }, 1, false, 0, 0, { 0 } },
-    { "one would grow, but rests and is not pushed", { -2, 0, 0, 0, 1, 0, 0, 0, -1 }, { 1e-3, 0, 1e-3 }, 1, true, 1, 2, { 1e-3, 0, 1e-3 } },
+    { "one would grow, but rests and is not pushed",
+      { -2, 0, 0, 0, 1, 0, 0, 0, -1 },
+      { 1e-3, 0, 1e-3 },
+      1,
+      true,
+      1,
+      2,
+      { 1e-3, 0, 1e-3 } },
     { "it rests, and is pushed", { -2, 0, 0, 1, 1, 0, 0, 0, -1 }, { 1e-3, -1e-3, 1e-3 }, 1, false, 0, 0, { 0 } },
     { "it drifts as fast as it decays", { -1, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1e-9 }, { 1e-9, 1e-9, 0 }, 1, false, 0, 0, { 0 } },
-    { "its drift is slow against the decay", { -1, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1e-9 }, { 1e-3, 1e-3, 0 }, 1, true, 1, 1,
+    { "its drift is slow against the decay",
+      { -1, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1e-9 },
+      { 1e-3, 1e-3, 0 },
+      1,
+      true,
+      1,
+      1,
       { 1e-3, 1e-3, 0 } },
     { "it is there", { -1, 0, 0, 0, -1, 0, 0, 0, -1 }, { 0, 0, 0 }, 1, false, 0, 0, { 0 } },
 };
@@ -48,7 +74,9 @@ static const problem problems[] = {
 static void judge(const problem *p, bool by_differences)
 {
     const double scale[] = { 1, 1, 1 };
-    const jlt_field field = { .dim = 3, .call = call, .p = p->p, .jacobian = by_differences ? NULL : jacobian, .root = -1, .scale = scale };
+    const jlt_field field = {
+        .dim = 3, .call = call, .p = p->p, .jacobian = by_differences ? NULL : jacobian, .root = -1, .scale = scale
+    };
     const double near = by_differences ? 1e-9 : 1e-14;
     double longest = 0;
     jlt_stepper *stepper;

@@ -42,9 +42,9 @@ static const mistake mistakes[] = {
     { "param b\n" HEAD, "1:1: error: the table opens without its model (expected 'model NAME' first)" },
     { HEAD "model u\n", "7:1: error: a second model (expected one model a file)" },
     { HEAD "pram b\n", "7:1: error: 'pram' opens no record (expected a keyword, or an indented line that continues the "
-                        "record above)" },
+                       "record above)" },
     { HEAD "+ a\n", "7:1: error: '+' opens no record (expected a keyword, or an indented line that continues the record "
-                     "above)" },
+                    "above)" },
     { HEAD "  pram b\n", "7:3: error: unexpected 'pram' (expected the end of the record)" },
     { HEAD "let b = a a\n", "7:11: error: unexpected 'a' (expected the end of the record)" },
     { HEAD "let b = a, x\n", "7:10: error: unexpected ',' (expected the end of the record)" },
@@ -80,12 +80,14 @@ static const mistake mistakes[] = {
     { HEAD "let b = a/0\n", "7:11: error: division by zero" },
     { HEAD "let b = a/(x - x)\n", "7:11: error: division by zero" },
     { HEAD "let b = 0^-1\n", "7:9: error: division by zero" },
-    { HEAD "let b = sqrt(a)\n", "7:9: error: 'sqrt' is a keyword and names nothing (expected a name that its own record gives to it, "
-                                 "such as 'root s = sqrt(1 - x^2)')" },
-    { HEAD "let b = a*sin(x)\n", "7:11: error: 'sin' is a keyword and names nothing (expected a name that its own record gives to it, "
-                                  "such as 'angle C S = cos(x) sin(x)')" },
+    { HEAD "let b = sqrt(a)\n",
+      "7:9: error: 'sqrt' is a keyword and names nothing (expected a name that its own record gives to it, "
+      "such as 'root s = sqrt(1 - x^2)')" },
+    { HEAD "let b = a*sin(x)\n",
+      "7:11: error: 'sin' is a keyword and names nothing (expected a name that its own record gives to it, "
+      "such as 'angle C S = cos(x) sin(x)')" },
     { HEAD "let b = a(x)\n", "7:10: error: unexpected '(' (expected an operator: names stand for quantities, not for "
-                              "functions)" },
+                             "functions)" },
 
     { HEAD "let b = log(x)\n", "7:12: error: unexpected '(' (expected an operator: a function gets a name by its own record, such "
                                "as 'exp e = exp(x)')" },
@@ -93,14 +95,14 @@ static const mistake mistakes[] = {
     /* names */
     { HEAD "let b = q\n", "7:9: error: unknown name 'q' (expected a name defined above)" },
     { HEAD "let omega = a\nlet b = omga\n", "8:9: error: unknown name 'omga' (expected a name defined above; did you mean "
-                                              "'omega'?)" },
+                                            "'omega'?)" },
     { HEAD "let b = b\n", "7:9: error: 'b' stands for itself (expected names that stand above)" },
     { HEAD "let b = c\nlet c = b\n", "7:9: error: 'c' is used before line 8 defines it (expected names that stand above, so "
-                                      "that no circle arises)" },
+                                     "that no circle arises)" },
     { HEAD "param a\n", "7:7: error: 'a' is defined twice (first in line 2)" },
     { HEAD "let x = a\n", "7:5: error: 'x' is defined twice (first in line 3)" },
     { HEAD "let b = lambda\n", "7:9: error: 'lambda' is the indeterminate of 'charpoly' and means nothing elsewhere (expected "
-                                "another name)" },
+                               "another name)" },
     { HEAD "param b\n", "7:7: warning: the parameter 'b' is never used" },
     { HEAD "let b = a\n", "7:5: warning: the let 'b' is never used" },
     { HEAD "root r = sqrt(x^2 + 1)\n", "7:6: warning: the root 'r' is never used" },
@@ -132,7 +134,7 @@ static const mistake mistakes[] = {
     { HEAD "log l = log(x)\nlog k = log(x)\n", "8:9: error: the same logarithm as 'l' (expected one name for it)" },
     { HEAD "log l = log(x)\n", "7:5: warning: the logarithm 'l' is never used" },
     { HEAD "let b = l\nlog l = log(x)\n", "7:9: error: 'l' is used before line 8 defines it (expected names that stand above, so "
-                                           "that no circle arises)" },
+                                          "that no circle arises)" },
     { "model t\nstate y\nexp e = exp(y)\nstate x in (0, e)\neq x = x\neq y = y\n",
       "4:12: error: the interval depends on a state (expected numbers and parameters)" },
     { HEAD "let b = pi\nlet pi = a\n", "7:9: error: 'pi' is used before line 8 defines it (expected names that stand above, so "
@@ -155,9 +157,9 @@ static const mistake mistakes[] = {
     { HEAD "variant v : x = 1\n", "7:13: error: 'x' cannot be set here (expected a parameter)" },
     { HEAD "variant v : a = x\n", "7:13: error: the state 'x' stands in a variant (expected parameters and numbers)" },
     { HEAD "variant v : a = a + 1\n", "7:13: error: 'a' is set here and stands in a right-hand side, directly or through "
-                                       "definitions: a circle" },
+                                      "definitions: a circle" },
     { HEAD "let b = 2*a\nvariant v : a = b\n", "8:13: error: 'a' is set here and stands in a right-hand side, directly or "
-                                                "through definitions: a circle" },
+                                               "through definitions: a circle" },
     { HEAD "variant v : a = 1, a = 2\n", "7:20: error: 'a' is set twice" },
     { HEAD "variant v : a = 1\nvariant v : a = 2\n", "8:9: error: a second variant of the name 'v'" },
     { "model t\nparam a > 0\nstate x\neq x = a\nvariant v : a = 0\n",
@@ -174,7 +176,7 @@ static const mistake mistakes[] = {
     { HEAD "measure M = 1\neliminate c : x by M = L\n",
       "8:20: error: 'M' is the name of 'measure' (expected that of an 'integral' record)" },
     { HEAD "integral E = x\neliminate c : x by E = y\n", "8:24: error: 'y' cannot be a level (expected a new name, or a "
-                                                          "parameter)" },
+                                                         "parameter)" },
     { HEAD "integral E = x\nintegral F = y\neliminate c : x by E = L\neliminate d : y by F = L\n",
       "10:11: error: 'L' is already the level of 'E'" },
 
@@ -196,9 +198,9 @@ static const mistake mistakes[] = {
     { HEAD "symmetry S : x -> -x, y -> -y when a = 1 when a = 2\n", "7:42: error: a second 'when' (expected one list)" },
     { HEAD "equilibria f : a = 1\n", "7:16: error: 'a' cannot be set here (expected a state)" },
     { HEAD "equilibria f : x = y, y = 0\n", "7:23: error: 'y' is set here and stands in a right-hand side, directly or through "
-                                             "definitions: a circle" },
+                                            "definitions: a circle" },
     { HEAD "equilibria f : x = a when a = x\n", "7:16: error: 'x' is set here and stands in a right-hand side, directly or "
-                                                 "through definitions: a circle" },
+                                                "through definitions: a circle" },
     { HEAD "equilibria f : x = 0 when x = 1\n", "7:27: error: 'x' is set twice" },
     { HEAD "trace f = 0\n", "7:7: error: unknown claim 'f' (expected the name of an 'equilibria' record)" },
     { HEAD "integral E = x\n  trace E = 0\n",
@@ -211,10 +213,8 @@ static const mistake mistakes[] = {
     { HEAD "equilibria f : x = 0\n  leftnull f : f\n",
       "8:16: error: 'f' is the name of 'equilibria' (expected that of an 'integral' record)" },
     { HEAD "equal e : x\n", "7:12: error: the table ends within a record (expected '=' after the left side)" },
-    { HEAD "reduction r : onto ../t.tt with x = x\n",
-      "7:20: error: not the name of a table (expected FILE.tt, beside this one)" },
-    { HEAD "reduction r : onto t.txt with x = x\n",
-      "7:20: error: not the name of a table (expected FILE.tt, beside this one)" },
+    { HEAD "reduction r : onto ../t.tt with x = x\n", "7:20: error: not the name of a table (expected FILE.tt, beside this one)" },
+    { HEAD "reduction r : onto t.txt with x = x\n", "7:20: error: not the name of a table (expected FILE.tt, beside this one)" },
     { HEAD "reduction r : onto t.tt with x = x, x = y\n", "7:37: error: 'x' is set twice" },
 };
 
@@ -301,7 +301,8 @@ static void size_is_bounded_in_every_direction(void **unused)
 static void recovery_finds_every_mistake_of_a_table_in_order(void **unused)
 {
     (void)unused;
-    static const char text[] = "model t\nparam a >\nstate x in [0]\nlet b = q +\n  1\nlet c = 1/0\neq x = 2x\n"; /* the last is seen first, by the lexer */
+    /* the last is seen first, by the lexer */
+    static const char text[] = "model t\nparam a >\nstate x in [0]\nlet b = q +\n  1\nlet c = 1/0\neq x = 2x\n";
     static const unsigned lines[] = { 2, 3, 4, 6, 7 };
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     assert_null(ttc_model_parse(text, strlen(text), "t", diagnostics));

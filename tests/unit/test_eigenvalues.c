@@ -78,7 +78,8 @@ static void faddeev_leverrier_errs_less_than_its_bound(void **unused)
 /* A determinant that underflows beside an eigenvalue of size 1 would leave the other without a digit. */
 static void quadratic_eigenvalues_lost_in_underflow_are_refused(void **unused)
 {
-    static const double none[4] = { 0 }, lost[3][4] = { { 1, 0, 0, 1e-300 }, { 1, 1e-200, 1e-200, 1e-300 }, { 1, 1e-160, -1e-160, 1e-300 } };
+    static const double none[4] = { 0 },
+                        lost[3][4] = { { 1, 0, 0, 1e-300 }, { 1, 1e-200, 1e-200, 1e-300 }, { 1, 1e-160, -1e-160, 1e-300 } };
     double re[2] = { 7, 7 }, im[2] = { 7, 7 }, error[2] = { 7, 7 };
 
     (void)unused;
@@ -164,7 +165,8 @@ static void deflation_keeps_all_digits_of_a_defective_zero_where_qr_loses_half(v
     a[3 * 5 + 3] = trace;
     a[4 * 5 + 3] = trace * 3.8;
     w[2 * 5 + 3] = 3.8 * 0.1;
-    for (size_t k = 0; k < 8; k++) rotate(a, w, 3, k % 5, (3 * k + 1) % 5 == k % 5 ? (k + 1) % 5 : (3 * k + 1) % 5, 0.3 + 0.41 * (double)k);
+    for (size_t k = 0; k < 8; k++)
+        rotate(a, w, 3, k % 5, (3 * k + 1) % 5 == k % 5 ? (k + 1) % 5 : (3 * k + 1) % 5, 0.3 + 0.41 * (double)k);
     assert_int_equal(jlt_eigen_values(re, im, a, 5), JLT_OK);
     assert_int_equal(jlt_deflation_compute(&d, a, NULL, 5, w, NULL, 3), JLT_OK);
     for (int i = 0; i < 5; i++) {
@@ -321,7 +323,9 @@ static void nearly_dependent_gradients_do_not_spoil_what_stands_in_the_matrix(vo
     const double I1 = 0x1p-170, I3 = 0.25, c = 0.6, s = 0.8, v = 0.7, w = 1.1;
     const double theta = I1 * I3 + I1 * s * s + I3 * c * c;
     const double k = I3 * w * (I3 + 1) / theta, q = -I3 * c * v / (s * theta), u = -I1 * v / theta;
-    const double a[25] = { [2] = s, [8] = w, [13] = -I3 * w / I1, [17] = k, [18] = q, [22] = c * s * w * (I1 - I3) / theta, [23] = u };
+    const double a[25] = {
+        [2] = s, [8] = w, [13] = -I3 * w / I1, [17] = k, [18] = q, [22] = c * s * w * (I1 - I3) / theta, [23] = u
+    };
     const double slope = 2 * (I1 - I3) * c * w * w * (I3 - I1), gradients[15] = {
         -c * w * w, v, 0, c * s * w, (I3 + s * s) * w,
         -I3 * w, 0, 0, I1 * s, -I3 * c,

@@ -242,7 +242,8 @@ static void a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end(void *
             const double phase = 0.03 * k, x[2] = { amplitude * cos(phase), -amplitude * sin(phase) };
             jlt_orbit *orbit = NULL;
             jlt_outcome at;
-            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &oscillator_field, &(jlt_options){ .tolerance = tolerance }));
+            assert_ok(
+                jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &oscillator_field, &(jlt_options){ .tolerance = tolerance }));
             assert_ok(jlt_orbit_start(orbit, 0, x, +1));
             for (int n = 0; n < 4; n++) {
                 assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
@@ -271,7 +272,8 @@ static void a_crossing_lies_on_the_section_however_many_steps_are_within_its_noi
             const double x = -3e-4 * direction;
             jlt_orbit *orbit = NULL;
             jlt_outcome at;
-            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field, &(jlt_options){ .tolerance = 1e-5, .max_step = 1 }));
+            assert_ok(
+                jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field, &(jlt_options){ .tolerance = 1e-5, .max_step = 1 }));
             assert_ok(jlt_orbit_start(orbit, 0, &x, direction));
             assert_ok(jlt_orbit_next(orbit, 1000 * direction, &event, 1, &at));
             assert_int_equal(at.end, JLT_END_EVENT);
@@ -356,7 +358,8 @@ static void leaving_the_section_after_a_while_on_it_is_no_crossing(void **unused
             jlt_orbit *orbit = NULL;
             jlt_outcome at;
             if (strcmp(methods[m], "gauss") == 0) continue;
-            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field, &(jlt_options){ .tolerance = 1e-9, .max_step = 0.25 }));
+            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field,
+                                       &(jlt_options){ .tolerance = 1e-9, .max_step = 0.25 }));
             assert_ok(jlt_orbit_start(orbit, 0, x, +1));
             assert_ok(jlt_orbit_next(orbit, 3, &event, 1, &at));
             if (at.end != JLT_END_TIME) fail_msg("%s, side %d: an event at t = %g", methods[m], side, at.t);

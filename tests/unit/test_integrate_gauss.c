@@ -8,7 +8,6 @@
 #include "kernel/descriptor.h"
 #include "reference/spherical_top.h"
 
-enum { BLOCK = 512 };
 static const double params[6] = { 1, 1, 1, 0.51, 1.0 / 3, 1.0 / 3 }; /* m, R, g, a3, I1, I3 */
 static const double by_hand[6] = { 1, 1, 1, 1.0 / 3, 1.0 / 3, 0.51 };
 
@@ -18,14 +17,13 @@ static void all_instruction_sets_give_the_same_orbit(void **unused)
     (void)unused;
     const jlt_descriptor *descriptor = jlt_descriptor_find("spherical_top", NULL, "regular", NULL);
     const jlt_event upward = { .column = 2, .direction = JLT_RISING };
-    _Alignas(64) double block[BLOCK];
+    jlt_instance *instance = NULL;
     double start[6], expected[7] = { 0 };
     jlt_field field;
 
     assert_non_null(descriptor);
-    assert_true(descriptor->prepared_count <= BLOCK);
-    descriptor->prepare(params, block);
-    assert_ok(jlt_field_of(&field, descriptor, block));
+    assert_ok(jlt_instance_create(&instance, descriptor, params));
+    assert_ok(jlt_field_of(&field, instance));
     top_section_point(start, by_hand, 0.44, -0.62, 2.15, -0.56);
     for (int set = -1; set < JLT_ISA_COUNT; set++) {
         jlt_orbit *orbit = NULL;
@@ -43,6 +41,7 @@ static void all_instruction_sets_give_the_same_orbit(void **unused)
         assert_near(at.t, expected[6], 1e-12);
         jlt_orbit_destroy(orbit);
     }
+    jlt_instance_destroy(instance);
 }
 
 static void square(const double *restrict x, const double *restrict p, double *restrict out)
@@ -316,9 +315,9 @@ static int keep_first_step(void *context, jlt_orbit *orbit)
     return 0;
 }
 
-/* From 1e-20 to 1e-3. The field changes in 1, and so long is the first step at most, though nothing is to be seen there. Then errors
- * of the tolerance, 1e-12, may bring the crossing forward to log(1e9), and by no more than what some steps add up to, which is less
- * than e. */
+/* From 1e-20 to 1e-3. The field changes in 1, and so long is the first step at most, though nothing is to be seen there. Then
+ * errors of the tolerance, 1e-12, may bring the crossing forward to log(1e9), and by no more than what some steps add up to, which
+ * is less than e. */
 static void what_grows_unseen_is_not_stepped_over(void **unused)
 {
     (void)unused;

@@ -84,9 +84,9 @@ static void dop853_has_order_eight(void **unused)
 }
 
 /* The polynomial on each step, at 16 points, against Kepler's equation. Shares of the tolerance are such
- * that errors are about it (test_equal_tolerances.c): ten tolerances bound the states. Polynomials of order 7 under steps of order 8
- * are as good; that of gauss, of order 8 under 16, errs by the root of it at worst, and 1e3 tolerances bound it at these nodes. Ends are
- * met exactly. Bernstein form is the same polynomial
+ * that errors are about it (test_equal_tolerances.c): ten tolerances bound the states. Polynomials of order 7 under steps of order
+ * 8 are as good; that of gauss, of order 8 under 16, errs by the root of it at worst, and 1e3 tolerances bound it at these nodes.
+ * Ends are met exactly. Bernstein form is the same polynomial
  * but for rounding: coefficients of powers grow to 6000 times the smallest terms, 1e-13 bounds their rounding. */
 static void dense_output_follows_the_solution_on_every_step(void **unused)
 {
@@ -126,7 +126,8 @@ static void dense_output_follows_the_solution_on_every_step(void **unused)
     }
 }
 
-/* Period of the Arenstorf orbit to the digits of the literature; its instability amplifies local errors by about 1e5, roundings too. */
+/* Period of the Arenstorf orbit to the digits of the literature; its instability amplifies local errors by about 1e5, roundings
+ * too. */
 static void the_arenstorf_orbit_closes(void **unused)
 {
     (void)unused;

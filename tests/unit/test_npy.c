@@ -1,5 +1,5 @@
-/* An array of NumPy from a table's text, however that is cut, and whatever its columns turn out to be. Oracle: the bytes that the format
- * says, written down here. */
+/* An array of NumPy from a table's text, however that is cut, and whatever its columns turn out to be. Oracle: the bytes that the
+ * format says, written down here. */
 #include "check.h"
 
 #include <stdio.h>
@@ -9,7 +9,8 @@
 
 #include "report/npy.h"
 
-static const char text[] = "# first\nn,late,word,empty\n1,2.5,,\n-0,,a,\n0.1,1e-05,bc,\n# between\n3,eighteen letters..,abcdefghi,\n4,x,,\n# last\n";
+static const char text[] =
+    "# first\nn,late,word,empty\n1,2.5,,\n-0,,a,\n0.1,1e-05,bc,\n# between\n3,eighteen letters..,abcdefghi,\n4,x,,\n# last\n";
 
 static char *write_in_pieces(size_t piece, size_t *size)
 {
@@ -43,9 +44,11 @@ static double number_at(const char *data)
 
 static void columns_become_texts_when_their_fields_show_it(void **unused)
 {
-    static const char head[] = "{'descr': [('n', '<f8'), ('late', '|S32'), ('word', '|S32'), ('empty', '<f8')], 'fortran_order': False, "
-                               "'shape': (5,), }";
-    static const char *const late[] = { "2.5", "", "1e-05", "eighteen letters..", "x" }, *const word[] = { "", "a", "bc", "abcdefghi", "" };
+    static const char head[] =
+        "{'descr': [('n', '<f8'), ('late', '|S32'), ('word', '|S32'), ('empty', '<f8')], 'fortran_order': False, "
+        "'shape': (5,), }";
+    static const char *const late[] = { "2.5", "", "1e-05", "eighteen letters..", "x" }, *const word[] = { "", "a", "bc",
+                                                                                                           "abcdefghi", "" };
     static const double n[] = { 1, -0.0, 0.1, 3, 4 };
 
     (void)unused;

@@ -53,7 +53,8 @@ static void extraction_takes_a_common_sum_once(void **unused)
 {
     (void)unused;
     /* (x + y) z, (x + y) a and 2 (x + y): one sum and three products. */
-    subject s = read_table("model sums\nparam a > 0\nstate x\nstate y\nstate z\neq x = x*z + y*z\neq y = a*x + a*y\neq z = 2*x + 2*y\n");
+    subject s = read_table(
+        "model sums\nparam a > 0\nstate x\nstate y\nstate z\neq x = x*z + y*z\neq y = a*x + a*y\neq z = 2*x + 2*y\n");
     ttc_workspace *workspace = ttc_workspace_create(s.field, s.outputs, 3);
     s.count = 3;
     ttc_workspace_extract(workspace, 0, ALL_PAIRS);
@@ -238,7 +239,8 @@ static void tidying_keeps_values_and_every_variable_is_used(void **unused)
 static void tidying_turns_the_sign_of_a_sum_of_negative_terms(void **unused)
 {
     (void)unused;
-    subject s = read_table("model signs\nstate x\nstate y\nstate z\nlet h = -x - y*z\neq x = h*x + z\neq y = h*z - x\neq z = h^2\n");
+    subject s = read_table(
+        "model signs\nstate x\nstate y\nstate z\nlet h = -x - y*z\neq x = h*x + z\neq y = h*z - x\neq z = h^2\n");
     ttc_workspace *workspace = ttc_workspace_create(s.field, s.outputs, 3);
     s.count = 3;
     ttc_workspace_tidy(workspace);

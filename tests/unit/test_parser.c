@@ -81,7 +81,8 @@ static void records_may_be_indented_and_continued(void **unused)
 {
     (void)unused;
     ttc_model *model = parse("# a comment first\n\n  model t   # comment\n\tparam a # [kg]\n"
-                             "state x\n\neq x =\n    + a\n\n    # between terms\n    - a*\n      x\nintegral E = x\n when\n  a\n  =\n  0\n");
+                             "state x\n\neq x =\n    + a\n\n    # between terms\n    - a*\n      x\nintegral E = x\n when\n  a\n  "
+                             "=\n  0\n");
     assert_string_equal(model->name, "t");
     assert_int_equal(model->equations[0].term_count, 2);
     prints(model, model->equations[0].terms[0].expression, "a");
@@ -222,8 +223,9 @@ static void every_kind_of_claim(void **unused)
 static void maps_send_all_states_at_once(void **unused)
 {
     (void)unused;
-    ttc_model *model = parse("model t\nparam a\nstate x\nstate y\neq x = a*y\neq y = x\nreversor x -> y + a, y -> x - a when a = 0\n"
-                             "symmetry x -> -x, y -> -y\nsymmetry turn : x -> y,\n    y -> -x\n");
+    ttc_model *model = parse(
+        "model t\nparam a\nstate x\nstate y\neq x = a*y\neq y = x\nreversor x -> y + a, y -> x - a when a = 0\n"
+        "symmetry x -> -x, y -> -y\nsymmetry turn : x -> y,\n    y -> -x\n");
     const ttc_claim *turn = claim(model, "turn");
     prints(model, claim(model, "reversor")->bindings.items[0].expression, "a + y");
     assert_int_equal(claim(model, "reversor")->when.count, 1);

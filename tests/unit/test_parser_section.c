@@ -99,7 +99,8 @@ static void words_of_sections_remain_free_as_names(void **unused)
 {
     (void)unused;
     ttc_model *model = parse("model t\nparam pole\nparam at\nparam beside\nstate section\nstate lift\nstate start\nstate turns\n"
-                             "let ending = pole*section\neq section = at*lift\neq lift = ending\neq start = turns\neq turns = start*beside\n"
+                             "let ending = pole*section\neq section = at*lift\neq lift = ending\neq start = turns\neq turns = "
+                             "start*beside\n"
                              "let atan2 = pole*start\nobserve atan2\n");
     prints(model, ttc_model_field(model, 1), "ending");
     ttc_model_destroy(model);

@@ -1,5 +1,5 @@
-/* What the passes over programs promise: fusing, scheduling, trimming, renumbering, and all passes together. Whatever they do, the values
- * stay what the terms say: both are evaluated in exact ratios, at points where roots are rational, and must be equal. */
+/* What the passes over programs promise: fusing, scheduling, trimming, renumbering, and all passes together. Whatever they do, the
+ * values stay what the terms say: both are evaluated in exact ratios, at points where roots are rational, and must be equal. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -136,7 +136,8 @@ static void all_passes_together_keep_values_with_either_effort(void **unused)
                 ttc_prepared prepared = { .field = s.field };
                 size_t count = s.count;
                 if (effort == TTC_EFFORT_FULL) s.count = s.field->state_count; /* the field alone: full effort takes its time */
-                ttc_program *program = ttc_optimize(s.field, s.outputs, NULL, s.count, (ttc_purpose)purpose, (ttc_effort)effort, &prepared);
+                ttc_program *program = ttc_optimize(s.field, s.outputs, NULL, s.count, (ttc_purpose)purpose, (ttc_effort)effort,
+                                                    &prepared);
                 assert_non_null(program);
                 assert_true(s.count <= count);
                 same_values(&s, program, &prepared);

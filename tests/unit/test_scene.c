@@ -71,7 +71,8 @@ static void an_entry_takes_what_its_command_takes(void **unused)
     assert_int_equal(read_text(&scene, message,
                                "accuracy = { tier = \"five\"; };\n"
                                "compute = ( { what = \"drift\"; returns = 7; tolerance = 1e-9; parameters = { a3 = 0.5; }; },\n"
-                               "            { what = \"orbits\"; hold = \"eta\"; line = { gamma3 = (0, \"pi/2\", 9); }; settle = 0; },\n"
+                               "            { what = \"orbits\"; hold = \"eta\"; line = { gamma3 = (0, \"pi/2\", 9); }; settle = "
+                               "0; },\n"
                                "            { what = \"continue\"; along = { E = (1, 2); }; generations = 2; } );\n"),
                      JLT_OK);
     assert_string_equal(jlt_scene_value(&scene->jobs[0], "returns"), "7");
@@ -133,12 +134,16 @@ static void every_mistake_is_named_with_its_line(void **unused)
         { "model = \"top\";\ncompute = ( { what = \"simulate\"; } );", ":1: error: there is no model 'top' (" },
         { "parameters = { m = 1;\n mu = 2; };\ncompute = ( { what = \"section\"; } );",
           ":2: error: 'parameters' does not know 'mu' (it knows m, R, g, a3, I1, I3)" },
-        { "levels = { F0 = 1; };\ncompute = ( { what = \"section\"; } );", ":1: error: 'levels' does not know 'F0' (it knows E, G)" },
+        { "levels = { F0 = 1; };\ncompute = ( { what = \"section\"; } );",
+          ":1: error: 'levels' does not know 'F0' (it knows E, G)" },
         { "levels = { F = 1; };\ncompute = ( { what = \"section\"; section = { omega_tau = 0; }; solve = { v_nu = 1; }; } );",
           ":1: error: 'levels' does not know 'F' (it knows E, G, F0" },
-        { "compute = ( { what = \"section\"; levels = { F0 = 1; }; } );", ":1: error: 'levels' does not know 'F0' (it knows E, G)" },
-        { "levels = { E1 = 1; };\ncompute = ( { what = \"portrait\"; } );", ":1: error: 'levels' does not know 'E1' (it knows E, G, F0)" },
-        { "compute = ( { what = \"section\"; section = { omega_tau = 0; gamma3 = 0; }; } );", ":1: error: 'section' takes one state" },
+        { "compute = ( { what = \"section\"; levels = { F0 = 1; }; } );",
+          ":1: error: 'levels' does not know 'F0' (it knows E, G)" },
+        { "levels = { E1 = 1; };\ncompute = ( { what = \"portrait\"; } );",
+          ":1: error: 'levels' does not know 'E1' (it knows E, G, F0)" },
+        { "compute = ( { what = \"section\"; section = { omega_tau = 0; gamma3 = 0; }; } );",
+          ":1: error: 'section' takes one state" },
         { "compute = ( { what = \"section\"; section = { }; } );", ":1: error: 'section' takes one state" },
         { "compute = ( { what = \"section\"; section = { omega_tau = 0; }; start = { omega_tau = 0; }; } );",
           ":1: error: 'start' does not know 'omega_tau' (it knows gamma3, v_nu, omega_n, omega3)" },

@@ -29,8 +29,8 @@ static void poison(double *values, size_t count)
 /* Extraction divides by s > 0.9 and b > 0.05 after sums of up to six terms below 10: some 20 roundings of 200. */
 static const double bound = 20 * 200 * 2.3e-16;
 
-/* The track starts with the contact point at the origin, nu along alpha, and the axis in the plane of nu: so say the quantities that the
- * larger tables observe. */
+/* The track starts with the contact point at the origin, nu along alpha, and the axis in the plane of nu: so say the quantities
+ * that the larger tables observe. */
 static void check_track(const jlt_tier_view *view, const double *y, const double *x)
 {
     static const jlt_units none = { 0 };

@@ -28,7 +28,8 @@ static void compare(unsigned isa, double (*scalar)[NODES], const double *lanes, 
 
 static void check_model(const char *name, const char *time, unsigned tangents)
 {
-    _Alignas(64) double x[ROWS_MAX * NODES], f[ROWS_MAX * NODES], scalar[ROWS_MAX][NODES], at[ROWS_MAX], rates[ROWS_MAX], clock[NODES], params[16];
+    _Alignas(64) double x[ROWS_MAX * NODES], f[ROWS_MAX * NODES], scalar[ROWS_MAX][NODES], at[ROWS_MAX], rates[ROWS_MAX],
+        clock[NODES], params[16];
     const jlt_descriptor *d = jlt_descriptor_find(name, NULL, time, NULL);
     jlt_instance *instance;
     jlt_field plain;
@@ -37,7 +38,7 @@ static void check_model(const char *name, const char *time, unsigned tangents)
     assert_non_null(d);
     for (unsigned i = 0; i < d->param_count; i++) params[i] = isfinite(d->params[i].value) ? d->params[i].value : 0.5;
     assert_ok(jlt_instance_create(&instance, d, params));
-    assert_ok(jlt_field_of(&plain, d, instance->prepared));
+    assert_ok(jlt_field_of(&plain, instance));
     for (unsigned isa = 0; isa < JLT_ISA_COUNT; isa++) {
         if (d->batches[isa] == NULL || !jlt_batch_isa_runs(d->batches[isa])) continue;
         plain.batch = d->batches[isa];
@@ -59,9 +60,11 @@ static void check_model(const char *name, const char *time, unsigned tangents)
                 for (unsigned i = 0; i < rows; i++) at[i] = x[i * NODES + k];
                 varied.field.time_rate(at, varied.field.p, scalar[0] + k);
             }
-            for (unsigned k = 0; k < NODES; k += varied.batch.lanes) varied.batch.time_factor(x + k, varied.field.p, clock + k, NODES);
+            for (unsigned k = 0; k < NODES; k += varied.batch.lanes)
+                varied.batch.time_factor(x + k, varied.field.p, clock + k, NODES);
             compare(isa, scalar, clock, 1);
         }
+        jlt_varied_clear(&varied);
         tried++;
     }
     assert_true(tried > 0);

@@ -1,4 +1,5 @@
-/* Sections of fields with as many states as a table may have: rows, derivatives, exponents and Newton's method on 127 coordinates. */
+/* Sections of fields with as many states as a table may have: rows, derivatives, exponents and Newton's method on 127
+ * coordinates. */
 #include "unit/check.h"
 
 #include "dynamics/lyapunov.h"
@@ -43,7 +44,8 @@ static char names[N][8];
 static jlt_chart chart;
 static const jlt_field wide = { .dim = N, .call = field, .jacobian = jacobian, .root = -1 };
 static const jlt_flow flow = { .chart = &chart, .field = &wide, .tolerance = 1e-10, .direction = JLT_RISING };
-static const jlt_flow loose = { .chart = &chart, .field = &wide, .tolerance = 1e-7, .direction = JLT_RISING }; /* with derivatives */
+/* With derivatives. */
+static const jlt_flow loose = { .chart = &chart, .field = &wide, .tolerance = 1e-7, .direction = JLT_RISING };
 
 /* The section q_0 = 0: coordinate 0 is p_0, coordinates 2i - 1 and 2i are q_i and p_i. */
 static int make_chart(void **unused)
@@ -73,7 +75,8 @@ static void turn(double *q, double *p, unsigned pair, double turns)
     *p = decay * w * (rate * cos(w * t) - at * sin(w * t)) - damping * *q;
 }
 
-/* Oracle: the solution of the linear oscillators. Ten returns err by about the tolerance; ten times that for frequencies up to 2. */
+/* Oracle: the solution of the linear oscillators. Ten returns err by about the tolerance; ten times that for frequencies up to
+ * 2. */
 static void returns_are_those_of_the_oscillators(void **unused)
 {
     double q[N - 1], want[N - 1];

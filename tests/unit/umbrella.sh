@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# src/jellett.h serves C11, C++17 and C++20 under strict warnings, with gcc and, where it is installed, clang: it compiles, twice over; all
-# languages and compilers agree on the layout of structures; and the functions are C's in C++ too. It includes no header of commands
-# and none of outside libraries.
+# src/jellett.h serves C11, C++17 and C++20 under strict warnings, with gcc and, where it is installed, clang: it compiles, twice
+# over; all languages and compilers agree on the layout of structures; and the functions are C's in C++ too. It includes no header
+# of commands and none of outside libraries.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)

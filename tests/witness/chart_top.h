@@ -1,5 +1,5 @@
-/** A witness, typed by hand from the paper, to the chart that comes from the tables: the section omega_tau = 0 of the spherical top on levels of energy and of Jellett's integral (Kilin & Ivanova 2023,
- *  section 5), in the paper's coordinates q = (eta, gamma3).
+/** A witness, typed by hand from the paper, to the chart that comes from the tables: the section omega_tau = 0 of the spherical top
+ *  on levels of energy and of Jellett's integral (Kilin & Ivanova 2023, section 5), in the paper's coordinates q = (eta, gamma3).
  *
  *  States are those of the model spherical_top_level in its regular time: (gamma3, v_nu, omega_tau, v_tau, s). With
  *      K = I1 R^2 s^2 + I3 b^2,   Theta = m K + I1 I3,   b = a3 + R gamma3,   W^2 = (2 (E - m g a3 gamma3) - G^2/K)/m
@@ -27,7 +27,8 @@ typedef struct {
 void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double I1, double I3, double a3, double E,
                         double G);
 
-/** Where the levels have states with omega_tau = 0: scanned on 4096 points, and refined by bisection; the widest interval. False: none. */
+/** Where the levels have states with omega_tau = 0: scanned on 4096 points, and refined by bisection; the widest interval. False:
+ *  none. */
 bool jlt_chart_top_interval(const jlt_chart_top *self, double *low, double *high);
 
 /** W^2 at gamma3: negative where the levels have no state with omega_tau = 0. */

@@ -1,5 +1,5 @@
-/* Periodic orbits of Roessler's and Lorenz' systems proved by CAPD, as jellett proves them: legs from crossing to crossing, all unknown at
- * once, one zero in the boxes by the interval Newton operator.
+/* Periodic orbits of Roessler's and Lorenz' systems proved by CAPD, as jellett proves them: legs from crossing to crossing, all
+ * unknown at once, one zero in the boxes by the interval Newton operator.
  *
  * usage: capd_peer SYSTEM RADIUS ORDER TOLERANCE     the points, two coordinates a leg, come from standard input
  *
@@ -70,7 +70,8 @@ int main(int count, char **words)
             for (int row = 0; row < 2; row++) {
                 residual[next + row] = middle[next + row] - image[offset + row];
                 derivative[next + row][next + row] += 1;
-                for (int column = 0; column < 2; column++) derivative[next + row][i + column] -= partial[offset + row][offset + column];
+                for (int column = 0; column < 2; column++)
+                    derivative[next + row][i + column] -= partial[offset + row][offset + column];
             }
         }
         const IVector newton = middle - capd::matrixAlgorithms::gauss(derivative, residual);
@@ -85,7 +86,8 @@ int main(int count, char **words)
             period += time;
         }
         std::cout.precision(17);
-        std::cout << (period.leftBound() + period.rightBound()) / 2 << "," << (period.rightBound() - period.leftBound()) / 2 << "\n";
+        std::cout << (period.leftBound() + period.rightBound()) / 2 << "," << (period.rightBound() - period.leftBound()) / 2
+                  << "\n";
     } catch (const std::exception &error) {
         std::cerr << "capd_peer: " << error.what() << "\n";
         return 1;

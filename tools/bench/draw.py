@@ -254,7 +254,7 @@ def questions(results, kind, name, ranges, size, layout, title):
 set xrange [{ranges[0]}]
 set yrange [{ranges[1]}]
 set xlabel 'error, relative or of 1'
-set ylabel 'time of the process [µs]'"""
+set ylabel 'time of an answer [µs]'"""
     panels = [(panel, colours, "") for question in dict.fromkeys(row["question"] for row in rows) for panel, colours, _ in
               work_panels([row for row in rows if row["question"] == question], "error", [(question, lambda row: True)], 0.5,
                           ("us_per_answer", "us_least", "us_largest"))]
@@ -349,6 +349,8 @@ def main():
               "Periodic orbits followed in a parameter: jellett and AUTO-07p")
     questions(results, kind, "proofs", ("1e-9:1e-32", "10000:10000000"), (1800, 1100), "2,3",
               "Periodic orbits proved: half-width of the period's enclosure, jellett and CAPD")
+    questions(results, kind, "chaos", ("1e-2:1e-15", "10:1000000"), (1500, 650), "1,2",
+              "Chaos at (5.1): exponents over 20 returns, and the angle of separatrices, jellett and heyoka")
     fates(results, kind)
     spreads(results, kind, "jacobian", "Jacobian of (3.2) at 256 points, against ball arithmetic", "ns_per_jacobian", "ns per Jacobian",
             "1e-17:100", "3:3000", "1,2", (1300, 560), {"generic": "generic points", "near_pole": "near a pole: 1 - γ_3 from 10^{-10} to 10^{-2}"})

@@ -132,10 +132,10 @@ def questions(name, title, peers, errors):
             peer = fastest([row for row in all_of if row["program"] != "jellett"], error)
             there = time_at(mine, float(peer["error"])) if peer else None
             ours = fastest(mine, error)
-            rows.append((question, f"{error:g}", f"{peer['program']} {peer['method']}: {float(peer[TIME]) / 1000:.1f} at {float(peer['error']):.1e}"
-                         if peer else "none so accurate", f"{float(ours[TIME]) / 1000:.1f} at {float(ours['error']):.1e}" if ours else "none so accurate",
+            rows.append((question, f"{error:g}", f"{peer['program']} {peer['method']}: {float(peer[TIME]) / 1000:.3g} at {float(peer['error']):.1e}"
+                         if peer else "none so accurate", f"{float(ours[TIME]) / 1000:.3g} at {float(ours['error']):.1e}" if ours else "none so accurate",
                          f"{float(peer[TIME]) / there:.2f}" if there else ""))
-    return table(f"{title}, ms of the process", ("question", "error at most", peers, "jellett", "ratio at the peer's own error"), rows)
+    return table(f"{title}, ms an answer", ("question", "error at most", peers, "jellett", "ratio at the peer's own error"), rows)
 
 
 def cycles():
@@ -144,6 +144,11 @@ def cycles():
 
 def proofs():
     return questions("proofs", "Periodic orbits proved, by the half-width of the period's enclosure", "CAPD", (1e-11, 1e-13, 1e-19))
+
+
+def chaos():
+    return questions("chaos", "Exponents of an orbit over 20 returns, and the angle at a homoclinic point, where heyoka's time is that of the integration alone",
+                     "heyoka", (1e-5, 1e-7, 1e-9))
 
 
 def fates():
@@ -172,7 +177,7 @@ def kernels():
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), cycles(), proofs(), fates(), tiers()] if part))
+    print("\n".join(part for part in ["# Figures, row by row\n", *sections(), grazing(), threads(), kernels(), cycles(), proofs(), fates(), chaos(), tiers()] if part))
 
 
 main()

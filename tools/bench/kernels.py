@@ -176,18 +176,22 @@ static void measure(const char *name, const char *what, kernel k, const double *
         report(name, what, chain ? "chain" : "throughput", times, repeats);
     }
 }
-static void measure_lanes(const char *name, const char *what, jlt_kernel_lanes k, unsigned lanes, const double *p, int repeats)
+/* The same prepared values p in all lanes. */
+static void measure_lanes(const char *name, const char *what, jlt_kernel_lanes k, const jlt_kernel_batch *kernels, const double *p, int repeats)
 {
+    static double spread[512*8] __attribute__((aligned(64)));
+    const unsigned lanes = kernels->lanes;
     static double x[5*POINTS] __attribute__((aligned(64)));
     double times[101];
     const int calls = 2000;
+    for (unsigned i = 0; i < kernels->prepared*lanes; i++) spread[i] = p[i/lanes];
     for (int chain = 0; chain < 2; chain++) {
         for (int r = 0; r < repeats; r++) {
             memcpy(x, soa, sizeof x);
             double begin = now();
             for (int i = 0; i < calls; i++)
                 for (unsigned j = 0; j < POINTS; j += lanes) {
-                    k(chain ? x : soa + j, p, lanes_out, POINTS);
+                    k(chain ? x : soa + j, spread, lanes_out, POINTS);
                     for (int c = 0; chain && c < 5; c++)
                         for (unsigned l = 0; l < lanes; l++) x[c*POINTS + l] = soa[c*POINTS + j + l] + 1e-300*lanes_out[c*POINTS + l];
                     __asm__ volatile("" : : "r"(lanes_out) : "memory");
@@ -240,8 +244,8 @@ int main(int argc, char **argv)
         char name[64];
         if (!jlt_batch_isa_runs(b)) continue;
         snprintf(name, sizeof name, "jellett_%s", b->isa);
-        measure_lanes(name, "rhs", b->rhs, b->lanes, block, repeats);
-        measure_lanes(name, "rhs_jacobian", b->rhs_jacobian, b->lanes, block, repeats);
+        measure_lanes(name, "rhs", b->rhs, b, block, repeats);
+        measure_lanes(name, "rhs_jacobian", b->rhs_jacobian, b, block, repeats);
     }
     return 0;
 }

@@ -208,7 +208,8 @@ template <class Peer> static bool central(Peer &peer, const double *q, double h,
     return true;
 }
 
-template <class Peer> static void slope_curve(const Question &q, const char *way, bool (*of)(Peer &, const double *, double, double *))
+template <class Peer>
+static void slope_curve(const Question &q, const char *way, bool (*of)(Peer &, const double *, double, double *))
 {
     for (int decade = q.stride > 1 ? 5 : 4; decade <= 15; decade += q.stride) {
         const double tolerance = std::strtod(("1e-" + std::to_string(decade)).c_str(), nullptr), h = 0.3 * std::cbrt(tolerance);

@@ -149,11 +149,13 @@ struct Tangent {
     static constexpr int dim = 3 * Level::dim;
     static inline void unpack(const double *x, Dual *z)
     {
-        for (int i = 0; i < Level::dim; i++) z[i].v = x[i], z[i].d[0] = x[Level::dim + 2 * i], z[i].d[1] = x[Level::dim + 2 * i + 1];
+        for (int i = 0; i < Level::dim; i++)
+            z[i].v = x[i], z[i].d[0] = x[Level::dim + 2 * i], z[i].d[1] = x[Level::dim + 2 * i + 1];
     }
     static inline void pack(const Dual *z, double *x)
     {
-        for (int i = 0; i < Level::dim; i++) x[i] = z[i].v, x[Level::dim + 2 * i] = z[i].d[0], x[Level::dim + 2 * i + 1] = z[i].d[1];
+        for (int i = 0; i < Level::dim; i++)
+            x[i] = z[i].v, x[Level::dim + 2 * i] = z[i].d[0], x[Level::dim + 2 * i + 1] = z[i].d[1];
     }
     static inline void field(const double *x, double *f)
     {

@@ -102,7 +102,9 @@ template <class Form, class Method> struct Controlled : Boost<Form> {
     using Single = typename Method::template Of<State<Form>>;
     using Stepper = decltype(odeint::make_controlled(1.0, 1.0, Single()));
     Stepper stepper;
-    explicit Controlled(double tolerance) : Boost<Form>(tolerance), stepper(odeint::make_controlled(tolerance, tolerance, Single())) {}
+    explicit Controlled(double tolerance) : Boost<Form>(tolerance), stepper(odeint::make_controlled(tolerance, tolerance, Single()))
+    {
+    }
     void start()
     {
         Boost<Form>::start();

@@ -6,9 +6,9 @@
  *
  * passages: one return that passes the pole gamma3 = pole at the distance s = 10^-k, where omega_tau = 0. That point is taken
  * on the levels at eta and followed backwards to the crossing before it, which is rounded to double: the start; the
- * end is the crossing of the same direction after the passage. condition is the sum over the start's states (gamma3, v_nu, omega_tau,
- * omega_n, omega3, s, each by itself) of |d end/d x_j| max(|x_j|, 1e-3), the largest over the end's states and t, by differences of
- * 1e-21.
+ * end is the crossing of the same direction after the passage. condition is the sum over the start's states (gamma3, v_nu,
+ * omega_tau, omega_n, omega3, s, each by itself) of |d end/d x_j| max(|x_j|, 1e-3), the largest over the end's states and t, by
+ * differences of 1e-21.
  *
  * approach: an orbit that ends at the pole gamma3 = +1, where s = 10^-k; the last row has s < 1e-25. */
 #include <string.h>

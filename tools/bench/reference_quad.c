@@ -2,11 +2,13 @@
  *
  *     cc -O2 -o reference_quad tools/bench/reference_quad.c -lquadmath -lm
  *     ./reference_quad ETA_LOW ETA_HIGH GAMMA_LOW GAMMA_HIGH COUNT RETURNS    RETURNS 0: derivatives of the map
+ *     ./reference_quad ETA_LOW ETA_HIGH GAMMA_LOW GAMMA_HIGH COUNT -RETURNS   exponents over so many returns
  *     ./reference_quad                                                        an orbit of the balanced sphere
  *
  * Starts: a COUNT x COUNT grid of the section omega_tau = 0; returns: upward crossings, refined by Newton steps of the
  * method of reference_quad.h. Derivatives in (eta, gamma3) by central differences of sixth order with step 1e-5, good to
- * 1e-22. Output: CSV on stdout, 33 digits. */
+ * 1e-22. Exponents: the logarithm of the 2-norm of the derivative of so many returns, per time; step 1e-7, good to 1e-20
+ * where growth is below 1000. Output: CSV on stdout, 33 digits. */
 #include "reference_quad.h"
 
 static void print(int first, int second, const quad *values, int count)
@@ -25,30 +27,6 @@ static void print_state(int orbit, int number, const quad *x)
     print(orbit, number, (const quad[]){ x[6], x[0], x[1], x[3], x[4] }, 5);
 }
 
-/* One step, of the length that gives 1e-30; y gets its end. Returns its length, and proposes the next in *h. */
-static quad step(const quad *x, quad *h, quad *y)
-{
-    quad error;
-    while ((error = extrapolate(x, *h, y)) > 1e-30Q) *h *= 0.7Q;
-    quad taken = *h;
-    if (error < 1e-32Q) *h *= 1.15Q;
-    return taken;
-}
-
-/* The upward crossing within a step of length h from x to y; false when there is none. */
-static int crossing(const quad *x, const quad *y, quad h, quad *z)
-{
-    quad f[STATES], part = h * x[2] / (x[2] - y[2]);
-    if (!(x[2] < 0 && y[2] >= 0)) return 0;
-    for (int newton = 0; newton < 8; newton++) {
-        extrapolate(x, part, z);
-        field(z, f);
-        part -= z[2] / f[2];
-    }
-    extrapolate(x, part, z);
-    return 1;
-}
-
 static void returns_of(int orbit, quad eta, quad gamma, int returns)
 {
     quad x[STATES], y[STATES], z[STATES], h = 0.05Q;
@@ -61,33 +39,37 @@ static void returns_of(int orbit, quad eta, quad gamma, int returns)
     }
 }
 
-/* (eta, gamma3) and the time of the first return. */
-static void image(quad eta, quad gamma, quad *out)
-{
-    quad x[STATES], y[STATES], z[STATES], h = 0.05Q;
-    start(eta, gamma, x);
-    while (!crossing(x, y, step(x, &h, y), z))
-        for (int i = 0; i < STATES; i++) x[i] = y[i];
-    quad b = a3 + R * z[0], s = z[5], Theta = I1 * I3 + I1 * m * R * R * s * s + I3 * m * b * b, C = Theta - I1 * I3;
-    out[0] = atan2q(m * I1 * R * s * z[1], sqrtq(Theta * C) * (z[4] + m * G * b / C));
-    out[1] = z[0];
-    out[2] = z[6];
-}
-
 /* Start, image, time, and the derivative by rows. */
-static void slopes_of(int orbit, quad eta, quad gamma)
+static void derivative(quad eta, quad gamma, int number, quad h, quad *row)
 {
     static const quad weight[] = { 0.75Q, -0.15Q, 1 / 60.0Q };
-    const quad h = 1e-5Q;
-    quad row[9] = { eta, gamma }, up[3], down[3];
-    image(eta, gamma, row + 2);
+    quad up[3], down[3];
+    row[0] = eta, row[1] = gamma;
+    for (int i = 5; i < 9; i++) row[i] = 0;
+    image(eta, gamma, number, row + 2);
     for (int column = 0; column < 2; column++)
         for (int k = 1; k <= 3; k++) {
-            image(eta + (column == 0 ? k * h : 0), gamma + (column == 1 ? k * h : 0), up);
-            image(eta - (column == 0 ? k * h : 0), gamma - (column == 1 ? k * h : 0), down);
+            image(eta + (column == 0 ? k * h : 0), gamma + (column == 1 ? k * h : 0), number, up);
+            image(eta - (column == 0 ? k * h : 0), gamma - (column == 1 ? k * h : 0), number, down);
             for (int i = 0; i < 2; i++) row[5 + 2 * i + column] += weight[k - 1] * (up[i] - down[i]) / h;
         }
+}
+
+static void slopes_of(int orbit, quad eta, quad gamma)
+{
+    quad row[9];
+    derivative(eta, gamma, 1, 1e-5Q, row);
     print(orbit, -1, row, 9);
+}
+
+/* The larger singular value of [a b; c d] from those of its symmetric and its antisymmetric part. */
+static void exponent_of(int orbit, quad eta, quad gamma, int returns)
+{
+    quad row[9];
+    derivative(eta, gamma, returns, 1e-7Q, row);
+    quad a = row[5], b = row[6], c = row[7], d = row[8];
+    quad norm = (hypotq(a + d, c - b) + hypotq(a - d, c + b)) / 2;
+    print(orbit, -1, (const quad[]){ eta, gamma, logq(norm) / row[4], row[4] }, 4);
 }
 
 /* The balanced sphere m = R = g = 1, I1 = 2/5, I3 = 1/4 at t = 0, 1, 5, 20. */
@@ -128,12 +110,14 @@ int main(int argc, char **argv)
     quad low = strtoflt128(argv[1], NULL), high = strtoflt128(argv[2], NULL);
     quad gamma_low = strtoflt128(argv[3], NULL), gamma_high = strtoflt128(argv[4], NULL);
     int count = atoi(argv[5]), returns = atoi(argv[6]);
-    puts(returns > 0 ? "orbit,return,t,gamma3,v_nu,omega_n,omega3"
-                     : "orbit,eta,gamma3,image_eta,image_gamma3,t,eta_eta,eta_gamma3,gamma3_eta,gamma3_gamma3");
+    puts(returns > 0   ? "orbit,return,t,gamma3,v_nu,omega_n,omega3"
+         : returns < 0 ? "orbit,eta,gamma3,exponent,t"
+                       : "orbit,eta,gamma3,image_eta,image_gamma3,t,eta_eta,eta_gamma3,gamma3_eta,gamma3_gamma3");
     for (int orbit = 0; orbit < count * count; orbit++) {
         quad eta = low + (high - low) * (orbit / count) / (count - 1);
         quad gamma = gamma_low + (gamma_high - gamma_low) * (orbit % count) / (count - 1);
         if (returns > 0) returns_of(orbit, eta, gamma, returns);
+        else if (returns < 0) exponent_of(orbit, eta, gamma, -returns);
         else slopes_of(orbit, eta, gamma);
         fflush(stdout);
     }

@@ -91,4 +91,49 @@ static void start(quad eta, quad gamma, quad *x)
     x[6] = 0;
 }
 
+/* One step, of the length that gives 1e-30; y gets its end. Returns its length, and proposes the next in *h. */
+static inline quad step(const quad *x, quad *h, quad *y)
+{
+    quad error;
+    while ((error = extrapolate(x, *h, y)) > 1e-30Q) *h *= 0.7Q;
+    quad taken = *h;
+    if (error < 1e-32Q) *h *= 1.15Q;
+    return taken;
+}
+
+/* The upward crossing within a step of length h from x to y; false when there is none. */
+static inline int crossing(const quad *x, const quad *y, quad h, quad *z)
+{
+    quad f[STATES], part = h * x[2] / (x[2] - y[2]);
+    if (!(x[2] < 0 && y[2] >= 0)) return 0;
+    for (int newton = 0; newton < 8; newton++) {
+        extrapolate(x, part, z);
+        field(z, f);
+        part -= z[2] / f[2];
+    }
+    extrapolate(x, part, z);
+    return 1;
+}
+
+/* (eta, gamma3) of a point of the section, and its time. */
+static inline void lower(const quad *z, quad *out)
+{
+    quad b = a3 + R * z[0], s = z[5], Theta = I1 * I3 + I1 * m * R * R * s * s + I3 * m * b * b, C = Theta - I1 * I3;
+    out[0] = atan2q(m * I1 * R * s * z[1], sqrtq(Theta * C) * (z[4] + m * G * b / C));
+    out[1] = z[0];
+    out[2] = z[6];
+}
+
+/* The point after so many returns, at least one. */
+static inline void image(quad eta, quad gamma, int number, quad *out)
+{
+    quad x[STATES], y[STATES], z[STATES], h = 0.05Q;
+    start(eta, gamma, x);
+    while (number > 0) {
+        number -= crossing(x, y, step(x, &h, y), z);
+        for (int i = 0; i < STATES; i++) x[i] = y[i];
+    }
+    lower(z, out);
+}
+
 #endif

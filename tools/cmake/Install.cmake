@@ -23,12 +23,15 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DE
         COMPONENT development
         FILES_MATCHING PATTERN "*.h" PATTERN "spectrum" EXCLUDE PATTERN "validated" EXCLUDE PATTERN "claims" EXCLUDE
         PATTERN "shards" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${JLT_INSTALL_DATA} COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} COMPONENT programs
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated ${PROJECT_SOURCE_DIR}/tools/examples
+        DESTINATION ${JLT_INSTALL_DATA} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes
+        DESTINATION ${JLT_INSTALL_DATA} COMPONENT programs
         FILES_MATCHING PATTERN "*.tt" PATTERN "*.scene" PATTERN "results" EXCLUDE)
 file(GLOB job_scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/scenes/sweep-*)
 install(PROGRAMS ${job_scripts} DESTINATION ${JLT_INSTALL_DATA}/scenes COMPONENT programs)
-# Man pages, one a command beside that of the program, are made of what the programs say of themselves, so that they cannot disagree.
+# Man pages, one a command beside that of the program, are made of what the programs say of themselves, so that they
+# cannot disagree.
 foreach(program ttc jellett)
   set(page ${CMAKE_BINARY_DIR}/man/${program}.1)
   set(template ${PROJECT_SOURCE_DIR}/tools/man/${program}.1.in)

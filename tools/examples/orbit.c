@@ -15,7 +15,7 @@ int main(void)
     jlt_status st;
 
     JLT_TRY(jlt_instance_create(&instance, lorenz, params));
-    JLT_TRY(jlt_field_of(&field, lorenz, instance->prepared));
+    JLT_TRY(jlt_field_of(&field, instance));
     JLT_TRY(jlt_orbit_create(&orbit, NULL, &field, &options)); /* NULL: the default method */
     JLT_TRY(jlt_orbit_start(orbit, 0, start, +1));
     JLT_TRY(jlt_orbit_sample(orbit, x[0], &rows, times, 4));

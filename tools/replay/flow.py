@@ -27,6 +27,7 @@ class Flow:
             divergence = graph.add(divergence, graph.partial(a, s))
         self.valids = sorted(table.valids)
         self.point = Program(table, f, params)
+        self.walls = Program(table, table.domains, params)
         self.full = Program(table, f + slopes + [divergence] + [table.valids[v] for v in self.valids], params)
         self.step = 1 << (CLOCK - 5)
 
@@ -79,7 +80,7 @@ class Flow:
                 low, high = self.table.intervals[name]
                 if ball(low)[0] + 2 >= value[0] - value[1] or ball(high)[0] - 2 <= value[0] + value[1]:
                     return False
-        return True
+        return all(wall[0][0] > wall[0][1] for wall in self.walls.run(y, 1, 1)[1])
 
     def carry(self, x, instant):
         """The set x, its derivative, the integral of the divergence and lower bounds of the conditions, after the time

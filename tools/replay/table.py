@@ -104,7 +104,7 @@ def parity(graph, a, flipped):
 class Table:
     def __init__(self, text):
         self.graph = Graph()
-        self.params, self.states, self.names, self.field, self.integrals, self.valids, self.reversor = [], [], {}, {}, {}, {}, None
+        self.params, self.states, self.names, self.field, self.integrals, self.valids, self.reversors = [], [], {}, {}, {}, {}, []
         self.intervals, self.signs, self.families, self.traces, self.domains = {}, {}, {}, {}, []
         for record in self.records(text):
             self.read(record)
@@ -159,9 +159,16 @@ class Table:
         elif word == "valid":
             self.valids[name] = self.parse(rest.split(":", 1)[1].rsplit(">", 1)[0])
         elif word == "reversor" and "when" not in rest:
-            self.reversor = rest
-        elif word in ("angle", "exp", "log", "domain"):
+            self.reversors.append(rest)
+        elif word in ("angle", "exp", "log"):
             raise Unserved("the table has " + word)
+
+    def reverses(self, flipped):
+        """Whether the table claims that a change of these signs turns the motion around, and its expressions show it."""
+        claimed = any(re.fullmatch(r"\w+ *-> *-\w+( *, *\w+ *-> *-\w+)*", rest.strip())
+                      and {(a, a) for a in flipped} == set(re.findall(r"(\w+) *-> *-(\w+)", rest)) for rest in self.reversors)
+        return claimed and all(parity(self.graph, rate, flipped) in (0, 1 if state in flipped else -1)
+                               for state, rate in self.field.items())
 
     def parse(self, text):
         self.tokens = re.findall(r"\d+\.?\d*(?:[eE][-+]?\d+)?|\w+|[-+*/^()]", text)

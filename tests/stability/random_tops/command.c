@@ -31,7 +31,8 @@ static bool check(trial *t, const family *f, const jlt_method *method, const cha
 
     if (strcmp(fate, "equilibrium") == 0) return false; /* section.c asks */
     if ((alive && number <= f->certain)
-        || (f->ends && number == f->truth.count + 1 && f->truth.end == (plus ? ORACLE_POLE_PLUS : ORACLE_POLE_MINUS) && (plus || minus)))
+        || (f->ends && number == f->truth.count + 1 && f->truth.end == (plus ? ORACLE_POLE_PLUS : ORACLE_POLE_MINUS)
+            && (plus || minus)))
         return family_check(f, t, how, number, row);
     const bool spent = strcmp(fate, "budget") == 0, creeps = spent && number > f->certain && f->truth.count > f->certain;
     if (creeps || ((alive || plus || minus) && number > f->certain && !f->ends)) sum.unsure++;
@@ -66,8 +67,17 @@ void case_command(trial *t)
 
     jlt_chart_top_init(&chart, v->m, v->R, v->g, v->I1, v->I3, v->a3, v->E, v->G);
     if (chart.base.lift(&chart.base, x, NULL, t->q) != JLT_OK || readlink("/proc/self/exe", folder, sizeof folder - 1) < 0) return;
-    const oracle_question q = { .top = trial_top(t), .gamma3 = x[0], .v_nu = x[1], .level = true, .v_tau = x[3], .G = v->G,
-                                .time_direction = 1, .crossings = 1, .count = RETURNS, .tolerance = t->tolerance, .speed = t->speed };
+    const oracle_question q = { .top = trial_top(t),
+                                .gamma3 = x[0],
+                                .v_nu = x[1],
+                                .level = true,
+                                .v_tau = x[3],
+                                .G = v->G,
+                                .time_direction = 1,
+                                .crossings = 1,
+                                .count = RETURNS,
+                                .tolerance = t->tolerance,
+                                .speed = t->speed };
     family_follow(&f, t, &q, ORACLE_LEVEL_NOISE);
     if (!f.sound) return;
     snprintf(other, sizeof other, "--start eta=%.17g,gamma3=%.17g", t->q[0], t->q[1]);

@@ -26,14 +26,16 @@ static void check(const trial *t, const char *how, const jlt_linearization *r, c
         sum.rows++;
         /* The formula is rounded to 64 bits. */
         if (off > v->error + 1e-17L * cabsl(got))
-            trial_complain(t, "%s: eigenvalue %.17g %+.17gi is off by %.3Lg, with a bound of %.3g", how, v->re, v->im, off, v->error);
+            trial_complain(t, "%s: eigenvalue %.17g %+.17gi is off by %.3Lg, with a bound of %.3g", how, v->re, v->im, off,
+                           v->error);
     }
     const long double growth = fmaxl(creall(want[0]), creall(want[1]));
     const bool moves = want[0] != 0 && want[1] != 0;
     if (!moves || r->verdict == JLT_UNDECIDED) return;
     const jlt_verdict verdict = growth > 0 ? JLT_UNSTABLE : growth < 0 ? JLT_STABLE : JLT_CENTRE;
     if (r->verdict != verdict)
-        trial_complain(t, "%s: %s, and the formula says %s", how, jlt_linearization_verdict(r->verdict), jlt_linearization_verdict(verdict));
+        trial_complain(t, "%s: %s, and the formula says %s", how, jlt_linearization_verdict(r->verdict),
+                       jlt_linearization_verdict(verdict));
 }
 
 void case_equilibrium(trial *t)

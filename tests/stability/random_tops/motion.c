@@ -32,8 +32,8 @@ static bool may_leave(const trial *t, const family *f, const double *x)
     return f->truth.least_s < 1e-2L || (x != NULL && fabs(v->a3 + v->R * x[0]) < 1e-2 * v->R);
 }
 
-/* Coordinates of the half of M^2 end where v_slip goes to 0, as its table says; those with a state eliminated where the integral hardly
- * contains it. */
+/* Coordinates of the half of M^2 end where v_slip goes to 0, as its table says; those with a state eliminated where the integral
+ * hardly contains it. */
 static bool ends_at_edges(const char *tier)
 {
     return strcmp(tier, "plane") == 0 || strncmp(tier, "level_omega", strlen("level_omega")) == 0;
@@ -73,7 +73,8 @@ static void follow(trial *t, const family *f, const jlt_question *question, cons
     }
     if ((st == JLT_ERR_DOMAIN || st == JLT_ERR_BUDGET) && plain && may_leave(t, f, at.x)) sum.left++;
     else if (st == JLT_ERR_DOMAIN && at.edge != NULL && ends_at_edges(question->tier)) sum.left++;
-    else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && t->top.I3 == 0 && f->truth.end != ORACLE_ALIVE) sum.left++; /* omega3 = v_tau/(R s) is infinite there */
+    else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && t->top.I3 == 0 && f->truth.end != ORACLE_ALIVE)
+        sum.left++; /* omega3 = v_tau/(R s) is infinite there */
     else if (st != JLT_OK)
         trial_complain(t, "%s: %s; the oracle has %d rows, then %d", how, jlt_status_text(st), f->truth.count, f->truth.end);
     jlt_course_destroy(course);
@@ -102,8 +103,8 @@ void case_motion(trial *t)
 
     choose(x, times, t);
     t->speed = fmax(t->speed, fmax(fabs(x[1]), v->R * fabs(x[2])));
-    const oracle_question q = { .top = trial_top(t), .gamma3 = x[0], .v_nu = x[1], .omega_tau = x[2], .omega_n = x[3], .omega3 = x[4],
-                                .time_direction = times[0] < 0 ? -1 : 1, .times = times, .count = TIMES,
+    const oracle_question q = { .top = trial_top(t), .gamma3 = x[0], .v_nu = x[1], .omega_tau = x[2], .omega_n = x[3],
+                                .omega3 = x[4], .time_direction = times[0] < 0 ? -1 : 1, .times = times, .count = TIMES,
                                 .tolerance = t->tolerance, .speed = t->speed };
     snprintf(t->options, sizeof t->options, "\n    --start gamma3=%.17g,v_nu=%.17g,omega_tau=%.17g,omega_n=%.17g,omega3=%.17g "
              "--times %.17g,%.17g,%.17g", x[0], x[1], x[2], x[3], x[4], times[0], times[1], times[2]);

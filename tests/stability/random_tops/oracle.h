@@ -52,7 +52,8 @@ typedef struct {
     long double rows[ORACLE_ROWS_MAX + 1][ORACLE_STATES]; /* from 1; where it ended by name one more, the limit */
     long double pace[ORACLE_ROWS_MAX + 1]; /* how fast it is there, relative to scale: 0 at rest */
     long double depth[ORACLE_ROWS_MAX + 2]; /* crossings: largest |omega_tau| since the one before, in scale */
-    long double lean[ORACLE_ROWS_MAX + 1]; /* crossings: how fast anything changes for omega_tau, all in scale: what errors of its zero make */
+    long double lean[ORACLE_ROWS_MAX + 1]; /* crossings: how fast anything changes for omega_tau, all in scale: what errors of its
+                                              zero make */
     long double least_s, least_pace; /* met on the way */
     long double drift;               /* of E, G and s^2 + gamma3^2, in scale */
     unsigned long steps;

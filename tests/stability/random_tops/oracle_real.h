@@ -138,7 +138,8 @@ static void NAME(disturb)(NAME(series) *t, const oracle_question *q, oracle_nois
     else t->x[ORACLE_S][0] *= 1 + error[0];
     for (int i = ORACLE_V_NU; i <= ORACLE_OMEGA3; i++) {
         const REAL scale = i == ORACLE_V_NU ? U : W, size = NAME(size)(t->x[i][0]);
-        const bool kept = (i == ORACLE_OMEGA_N && noise == ORACLE_OMEGA3_NOISE) || (i == ORACLE_OMEGA3 && noise == ORACLE_OMEGA_N_NOISE);
+        const bool kept = (i == ORACLE_OMEGA_N && noise == ORACLE_OMEGA3_NOISE)
+                          || (i == ORACLE_OMEGA3 && noise == ORACLE_OMEGA_N_NOISE);
         if (i < ORACLE_OMEGA_N || (noise != ORACLE_LEVEL_NOISE && !kept)) t->x[i][0] += error[i] * (size > scale ? size : scale);
     }
     const REAL size = NAME(size)(v_tau);

@@ -82,7 +82,9 @@ static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
     jlt_top_family tops = { .values = t->top, .name = name, .options = *flow };
     jlt_system_family maps = { .make = jlt_system_top_at, .context = &tops };
     const double value = *jlt_system_top_value(&tops.values, name), scale = fabs(value);
-    const jlt_continuation_options options = { .scale = scale, .low = value - scale / 2, .high = value + scale / 2, .points_max = POINTS };
+    const jlt_continuation_options options = {
+        .scale = scale, .low = value - scale / 2, .high = value + scale / 2, .points_max = POINTS
+    };
     const jlt_continuation_point start = { .value = value, .orbit = *orbit };
     follower to = { t, &tops, POINTS };
     jlt_continuation_end end;

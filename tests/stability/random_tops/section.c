@@ -21,8 +21,8 @@ static void row_of(double row[ROW_SIZE], const jlt_chart_top *chart, const doubl
     jlt_chart_top_rotation(chart, &row[ROW_OMEGA_N], &row[ROW_OMEGA3], x);
 }
 
-/* An orbit that jellett ends at rest: it is where the oracle comes to rest, if not before long; or the oracle creeps on, slower than
- * a thousand tolerances. */
+/* An orbit that jellett ends at rest: it is where the oracle comes to rest, if not before long; or the oracle creeps on, slower
+ * than a thousand tolerances. */
 static void check_rest(trial *t, const family *f, const char *how, const double row[ROW_SIZE])
 {
     oracle_question q = f->question;
@@ -83,13 +83,15 @@ static void check_start(const trial *t, const jlt_system *system, const double *
     const long double wn = (v->R * s * v->G + v->I3 * b * x[3]) / K, w3 = (v->I1 * v->R * s * x[3] - b * v->G) / K;
     const long double Theta = v->m * K + v->I1 * v->I3, C = v->m * K;
     const long double eta = atan2l(v->m * v->I1 * v->R * s * x[1], sqrtl(Theta * C) * (w3 + v->m * v->G * b / C));
-    const long double E = (v->m * x[1] * x[1] + v->I1 * wn * wn + v->I3 * w3 * w3 + v->m * x[3] * x[3]) / 2 + v->m * v->g * v->a3 * c;
+    const long double E = (v->m * x[1] * x[1] + v->I1 * wn * wn + v->I3 * w3 * w3 + v->m * x[3] * x[3]) / 2
+                          + v->m * v->g * v->a3 * c;
     /* W^2 is a difference of E, gravity and rotation: rounded in these, relative to W^2. */
     const long double W2 = x[1] * x[1] + Theta / C * x[3] * x[3], parts = fabsl(v->E) + v->m * v->g * fabs(v->a3) + v->G * v->G / K;
     const long double size = v->m * W2 + parts, cancelled = fabsl(v->m * v->G * b / C) + fabsl(w3);
     const long double digits = 1e-14L * (1 + cancelled * Theta / (sqrtl(W2) * v->I1 * v->R * s * v->m));
     if (system == NULL || fabsl(E - v->E) > 1e-14L * size) trial_complain(t, "start: E is off by %.3Lg", E - v->E);
-    else if (fabsl(sinl((eta - t->q[0]) / 2)) > digits) trial_complain(t, "start: eta is off by %.3Lg, digits %.3Lg", eta - t->q[0], digits);
+    else if (fabsl(sinl((eta - t->q[0]) / 2)) > digits)
+        trial_complain(t, "start: eta is off by %.3Lg, digits %.3Lg", eta - t->q[0], digits);
 }
 
 /* An orbit whose steps are spent is followed again with more: they were needed when it then ends as it should. */

@@ -135,9 +135,10 @@ bool family_check(const family *f, const trial *t, const char *how, int number, 
     long double wide[ROW_SIZE];
     for (int i = 0; i < ROW_SIZE; i++) wide[i] = row[i];
     const long double error = distance(f, wide, row[ROW_V_TAU], f->truth.rows[number]);
-    const long double bound = 3 * f->stray[number] + 10 * f->question.tolerance + f->slack; /* errors of some thirty steps make the strays */
-    /* Ten tolerances in omega_tau, which near rest methods have at their limit of stability whatever it is there, move its zero along
-     * the orbit. */
+    /* errors of some thirty steps make the strays */
+    const long double bound = 3 * f->stray[number] + 10 * f->question.tolerance + f->slack;
+    /* Ten tolerances in omega_tau, which near rest methods have at their limit of stability whatever it is there, move its zero
+     * along the orbit. */
     const bool crossing = f->question.times == NULL && number <= f->truth.count;
     const long double along = crossing ? 10 * f->question.tolerance * f->truth.lean[number] : 0;
 
@@ -179,7 +180,8 @@ int trial_run(unsigned long seed, unsigned long count, unsigned long first)
 
     for (unsigned long i = first; i < first + count; i++) do_case(seed, i);
     printf("%lu cases from seed %lu in %.0f s: %lu broken; %lu rows within their bounds, the worst at %.2Lg of it, %lu of them "
-           "chaotic, %lu off along the orbit alone; orbits: %lu alive, %lu + %lu at poles, %lu at rest; unsure ends %lu, coordinates left %lu, steps spent %lu, oracle undecided %lu\n",
+           "chaotic, %lu off along the orbit alone; orbits: %lu alive, %lu + %lu at poles, %lu at rest; unsure ends %lu, "
+           "coordinates left %lu, steps spent %lu, oracle undecided %lu\n",
            sum.cases, seed, (double)(clock() - begin) / CLOCKS_PER_SEC, sum.broken, sum.rows, sum.worst, sum.chaotic, sum.along,
            sum.ends[ORACLE_ALIVE], sum.ends[ORACLE_POLE_PLUS], sum.ends[ORACLE_POLE_MINUS], sum.ends[ORACLE_REST], sum.unsure,
            sum.left, sum.spent, sum.undecided);

@@ -1,9 +1,10 @@
-/* What the equations of AUTO-07p share: it asks for functions that these questions do not use, of boundary values, integrals and objectives. */
+/* What the equations of AUTO-07p share: it asks for functions that these questions do not use, of boundary values, integrals and
+ * objectives. */
 #include "auto_f2c.h"
 #include <math.h>
 
-int bcnd(integer ndim, const doublereal *par, const integer *icp, integer nbc, const doublereal *u0, const doublereal *u1, integer ijac,
-    doublereal *fb, doublereal *dbc)
+int bcnd(integer ndim, const doublereal *par, const integer *icp, integer nbc, const doublereal *u0, const doublereal *u1,
+         integer ijac, doublereal *fb, doublereal *dbc)
 {
     return 0;
 }
@@ -14,8 +15,8 @@ int icnd(integer ndim, const doublereal *par, const integer *icp, integer nint, 
     return 0;
 }
 
-int fopt(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *fs, doublereal *dfdu,
-    doublereal *dfdp)
+int fopt(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *fs,
+         doublereal *dfdu, doublereal *dfdp)
 {
     return 0;
 }

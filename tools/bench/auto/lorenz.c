@@ -1,8 +1,8 @@
 /* Lorenz's system for AUTO-07p: PAR(1) = rho. Periodic orbits along rho, derivatives by hand. */
 #include "equations.h"
 
-int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *f, doublereal *dfdu,
-    doublereal *dfdp)
+int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *f,
+         doublereal *dfdu, doublereal *dfdp)
 {
     const double sigma = 10, beta = 8.0/3.0, rho = par[0], x = u[0], y = u[1], z = u[2];
     f[0] = sigma*(y - x);

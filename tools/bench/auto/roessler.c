@@ -1,8 +1,8 @@
 /* Roessler's system for AUTO-07p: PAR(1) = c. Periodic orbits along c, derivatives by hand. */
 #include "equations.h"
 
-int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *f, doublereal *dfdu,
-    doublereal *dfdp)
+int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *f,
+         doublereal *dfdu, doublereal *dfdp)
 {
     const double a = 0.2, b = 0.2, c = par[0], x = u[0], y = u[1], z = u[2];
     f[0] = -y - z;

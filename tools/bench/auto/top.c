@@ -1,5 +1,5 @@
-/* (5.1) on the level G = -0.56 for AUTO-07p, in gamma3, v_nu, omega_tau, v_tau; m = R = g = 1, derivatives by differences. Orbits of one
- * energy are isolated, all of them a family: PAR(1), a damping that stays 0, unfolds it. PAR(2) is the energy. */
+/* (5.1) on the level G = -0.56 for AUTO-07p, in gamma3, v_nu, omega_tau, v_tau; m = R = g = 1, derivatives by differences. Orbits
+ * of one energy are isolated, all of them a family: PAR(1), a damping that stays 0, unfolds it. PAR(2) is the energy. */
 #include "equations.h"
 
 static const double I = 1.0/3.0, a3 = 0.51, G = -0.56;
@@ -15,8 +15,8 @@ static bodily spins(const double *u)
     return (bodily){ s, b, (s*G + I*b*u[3])/K, (I*s*u[3] - b*G)/K };
 }
 
-int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *f, doublereal *dfdu,
-    doublereal *dfdp)
+int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par, integer ijac, doublereal *f,
+         doublereal *dfdu, doublereal *dfdp)
 {
     const bodily x = spins(u);
     const double s = x.s, n = x.n, v = u[1], w = u[2], e = 1 + a3*u[0];

@@ -50,8 +50,8 @@ typedef struct {
 /** Run pass(context) once to warm up, `first` being true then, and `repeats` times for the clock. A pass that takes longer
  *  than half a second is not repeated: its time is all three figures. With one thread the clock is that of the processor, which
  *  stands still while other processes run; with more it is the wall's. Errors: those of pass, NOMEM. */
-JLT_CHECKED jlt_status jlt_bench_clock(jlt_bench_time *time, size_t repeats, unsigned threads, jlt_status (*pass)(void *context, bool first),
-                                       void *context);
+JLT_CHECKED jlt_status jlt_bench_clock(jlt_bench_time *time, size_t repeats, unsigned threads,
+                                       jlt_status (*pass)(void *context, bool first), void *context);
 
 /* A field of a table, after a comma: empty for NaN. */
 void jlt_bench_number(FILE *table, const char *format, double value);

@@ -51,5 +51,6 @@ void jlt_bench_number(FILE *table, const char *format, double value)
 double jlt_bench_tolerance(const jlt_bench_options *options, size_t index)
 {
     const size_t decade = options->quick ? 5 + 3 * index : 4 + index;
-    return decade <= 15 ? strtod((const char[]){ '1', 'e', '-', (char)('0' + decade / 10), (char)('0' + decade % 10), 0 }, NULL) : 0;
+    return decade <= 15 ? strtod((const char[]){ '1', 'e', '-', (char)('0' + decade / 10), (char)('0' + decade % 10), 0 }, NULL)
+                        : 0;
 }

@@ -210,7 +210,9 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
     static const struct {
         const char *name;
         jlt_status (*of)(double *, double *, const point *, const jlt_equilibria *);
-    } ways[] = { { "closed form", closed_form }, { "deflated", deflated }, { "QR", francis }, { "characteristic polynomial", polynomial } };
+    } ways[] = {
+        { "closed form", closed_form }, { "deflated", deflated }, { "QR", francis }, { "characteristic polynomial", polynomial }
+    };
     const jlt_descriptor *d = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
     eigen_run *run = calloc(1, sizeof *run);
     jlt_oracle *oracle = NULL;

@@ -126,7 +126,8 @@ static jlt_exit run(int argc, char **argv)
     const long before = ftell(output.stream);
     code = o.kind->run(output.stream, &o.bench);
     if (code == JLT_EXIT_DONE && ftell(output.stream) == before)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "%s: nothing goes by these names; without --form and --method, --list shows what there is",
+        code = jlt_command_fail(JLT_EXIT_INPUT,
+                                "%s: nothing goes by these names; without --form and --method, --list shows what there is",
                                 o.kind->name);
     if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, o.output);
 done:

@@ -63,5 +63,6 @@ jlt_exit jlt_bench_unread(const char *path, jlt_status status)
 {
     if (status == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "--reference: cannot read '%s': %s", path, strerror(errno));
     if (status == JLT_ERR_NOMEM) return jlt_command_no_memory();
-    return jlt_command_fail(JLT_EXIT_INPUT, "--reference: '%s' is no such table (tests/reference/data has those that are wanted)", path);
+    return jlt_command_fail(JLT_EXIT_INPUT, "--reference: '%s' is no such table (tests/reference/data has those that are wanted)",
+                            path);
 }

@@ -160,7 +160,8 @@ static jlt_status batch_pass(void *context, bool first)
 
     run->first = first;
     memset(run->made, 0, p->orbits * sizeof *run->made);
-    const jlt_status st = jlt_batch_section(&run->map, run->starts, p->orbits, p->options->returns, batch_row, batch_end, run, &work);
+    const jlt_status st = jlt_batch_section(&run->map, run->starts, p->orbits, p->options->returns, batch_row, batch_end, run,
+                                            &work);
     if (st != JLT_OK || !first) return st;
     out->steps = (double)work.steps;
     for (size_t orbit = 0; orbit < p->orbits; orbit++) {
@@ -181,9 +182,18 @@ static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const proble
     jlt_status st = JLT_ERR_NOMEM;
     batch_run run = { .problem = p };
 
-    run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->prepared, .dim = dim, .column = (unsigned)p->section, .direction = 1,
-                               .root = p->root, .root_floor = 1e-9, .method = method, .tolerance = tolerance, .max_steps = 1000000,
-                               .threads = threads, .project = project ? p->instance : NULL };
+    run.map = (jlt_batch_map){ .kernels = kernels,
+                               .dim = dim,
+                               .column = (unsigned)p->section,
+                               .direction = 1,
+                               .cases = &(jlt_batch_case){ .p = p->instance->prepared, .params = p->instance->params },
+                               .root = p->root,
+                               .root_floor = 1e-9,
+                               .method = method,
+                               .tolerance = tolerance,
+                               .max_steps = 1000000,
+                               .threads = threads,
+                               .project = project ? p->instance->descriptor : NULL };
     run.starts = calloc(p->orbits, dim * sizeof *run.starts);
     run.by_orbit = calloc(p->orbits, sizeof *run.by_orbit);
     run.made = calloc(p->orbits, sizeof *run.made);
@@ -238,8 +248,8 @@ static jlt_exit run_scalar(FILE *table, const problem *p, const jlt_method *meth
 }
 
 /* A curve of batches. */
-static jlt_exit run_batch(FILE *table, const problem *p, const jlt_batch_method *method, const jlt_kernel_batch *kernels, bool project,
-                          unsigned threads)
+static jlt_exit run_batch(FILE *table, const problem *p, const jlt_batch_method *method, const jlt_kernel_batch *kernels,
+                          bool project, unsigned threads)
 {
     char name[64];
     double tolerance;
@@ -376,6 +386,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
 
 const jlt_bench_kind jlt_bench_section = {
     "section", "section map at (5.1), every method on every tier; errors over the returns that the reference knows",
-    "program,method,form,threads,tolerance,error,time_error,drift_E,drift_G,us_per_return,us_least,us_largest,steps_per_return,failed",
+    "program,method,form,threads,tolerance,error,time_error,drift_E,drift_G,us_per_return,us_least,us_largest,"
+    "steps_per_return,failed",
     true, true, true, run,
 };

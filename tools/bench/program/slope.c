@@ -107,14 +107,16 @@ static jlt_status batch_pass(void *context, bool first)
     const size_t rows = run->reference->rows;
     jlt_map_images *images = &run->images;
 
-    for (size_t i = 0; i < rows; i++) memcpy(images->q + 2 * i, run->reference->values + i * COLUMNS + START, 2 * sizeof *images->q);
+    for (size_t i = 0; i < rows; i++)
+        memcpy(images->q + 2 * i, run->reference->values + i * COLUMNS + START, 2 * sizeof *images->q);
     const jlt_status st = jlt_map_batch_apply(run->batch, images, images->q, rows, 1, 1);
     for (size_t i = 0; first && st == JLT_OK && i < rows; i++)
         note(run, run->reference->values + i * COLUMNS, images->slope + 4 * i, images->status[i]);
     return st;
 }
 
-static void write_row(FILE *table, const char *method, const char *way, double tolerance, const slope_run *run, const jlt_bench_time *time)
+static void write_row(FILE *table, const char *method, const char *way, double tolerance, const slope_run *run,
+                      const jlt_bench_time *time)
 {
     const double unit = 1e6 / (double)run->reference->rows;
 
@@ -179,7 +181,8 @@ done:
 }
 
 /* All ways of one method for single orbits. */
-static jlt_exit run_single(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference, const jlt_method *method)
+static jlt_exit run_single(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference,
+                           const jlt_method *method)
 {
     double tolerance;
 
@@ -194,7 +197,8 @@ static jlt_exit run_single(FILE *table, const jlt_bench_options *options, const 
 }
 
 /* Batches on all instruction sets there are. */
-static jlt_exit run_batch(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference, const jlt_batch_method *method)
+static jlt_exit run_batch(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference,
+                          const jlt_batch_method *method)
 {
     double tolerance;
 
@@ -233,6 +237,8 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
 }
 
 const jlt_bench_kind jlt_bench_slope = {
-    "slope", "derivative DP of the section map at (5.1) by the variational equations and by differences; error relative to its largest entry",
+    "slope",
+    "derivative DP of the section map at (5.1) by the variational equations and by differences; error relative to its largest "
+    "entry",
     "program,method,form,threads,tolerance,error,us_per_derivative,us_least,us_largest,failed", true, false, true, run,
 };

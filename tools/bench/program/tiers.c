@@ -85,8 +85,8 @@ static jlt_status run_scene(FILE *table, const jlt_bench_options *options, size_
             continue;
         }
         const double unit = 1e6 / ROUNDS;
-        fprintf(table, ",%.3e,%zu,%zu,%.4g,%.4g,%.4g\n", run.error, run.steps, run.evaluations, unit * time.median, unit * time.least,
-                unit * time.largest);
+        fprintf(table, ",%.3e,%zu,%zu,%.4g,%.4g,%.4g\n", run.error, run.steps, run.evaluations, unit * time.median,
+                unit * time.least, unit * time.largest);
     }
 done:
     return st;
@@ -114,6 +114,8 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
 }
 
 const jlt_bench_kind jlt_bench_tiers = {
-    "tiers", "states at given times by every tier that serves; --reference is the folder with flow_rod.csv, flow_balanced.csv, flow_generic.csv",
+    "tiers",
+    "states at given times by every tier that serves; --reference is the folder with flow_rod.csv, flow_balanced.csv, "
+    "flow_generic.csv",
     "scene,tier,dimension,tolerance,error,steps,evaluations,us_per_orbit,us_least,us_largest", true, true, false, run,
 };

@@ -1,0 +1,102 @@
+#include "cli/lyapunov_chart.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/progress.h"
+#include "dynamics/lyapunov.h"
+#include "kernel/batch_isa.h"
+#include "report/csv.h"
+
+/* Starts of a chart that go together, for each thread. */
+enum { BLOCK = 256 };
+
+/* The point that exponents are measured from. */
+jlt_status jlt_lyapunov_chart_skip(jlt_map *map, double *q, size_t skip)
+{
+    jlt_image image;
+    const jlt_status st = skip > 0 ? jlt_map_point(map, &image, q, skip, 1) : JLT_OK;
+
+    if (skip > 0 && st == JLT_OK) memcpy(q, image.q, jlt_map_flow(map)->chart->dim * sizeof *q);
+    return st;
+}
+
+jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_system *system, jlt_motion_map *map)
+{
+    jlt_plot plot;
+
+    if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_words(&plot, "Finite-time exponent over %zu return%s\n", o->returns, o->returns == 1 ? "" : "s");
+    jlt_motion_caption(&plot, system, NULL);
+    jlt_motion_map_frame(map, &plot);
+    jlt_motion_map_palette(map, &plot, "exponent [1/s]");
+    jlt_motion_map_plot(map, &plot);
+    fputc('\n', plot.stream);
+    return jlt_plot_draw(&plot);
+}
+
+/* Starts first .. first + count - 1: their points q, exponents and times, NaN where the orbit ends. */
+static jlt_status exponents(const jlt_lyapunov_chart_options *o, jlt_map *map, jlt_map_batch *maps, const jlt_map_images *images,
+                            double *q, size_t count)
+{
+    const unsigned d = jlt_map_flow(map)->chart->dim;
+    jlt_status st = JLT_OK;
+
+    memcpy(images->q, q, count * d * sizeof *q);
+    for (size_t i = 0; i < count; i++)
+        if ((st = jlt_lyapunov_chart_skip(map, images->q + i * d, o->skip)) != JLT_OK)
+            for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* it has ended already */
+    return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns, 1);
+}
+
+jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map_batch *maps, jlt_lyapunov_chart_options *o,
+                                  const jlt_grid_axis *axes)
+{
+    const jlt_stream *table = &o->motion.common.table;
+    const jlt_system *system = picture->system;
+    const jlt_chart *chart = system->flow.chart;
+    const unsigned d = chart->dim;
+    const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
+    double *q = malloc(block * d * sizeof *q);
+    jlt_map_images images = { 0 };
+    jlt_progress progress;
+    jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
+
+    if (o->returns == 0) o->returns = 10;
+    for (unsigned k = 0; k < d; k++) fprintf(table->file, "%s,", chart->names[k]);
+    fputs("exponent,t\n", table->file);
+    jlt_progress_start(&progress, "starts");
+    for (size_t first = 0; st == JLT_OK && first < all; first += block) {
+        const size_t count = all - first < block ? all - first : block;
+        for (size_t i = 0; i < count; i++) jlt_motion_grid_point(q + i * d, axes, system, first + i);
+        st = exponents(o, map, maps, &images, q, count);
+        if (jlt_motion_interrupted(&o->motion)) break;
+        for (size_t i = 0; st == JLT_OK && i < count; i++) {
+            const bool has_returned = images.status[i] == JLT_OK;
+            const double exponent = has_returned ? jlt_lyapunov_growth(images.slope + i * d * d, d) / images.T[i] : NAN;
+            jlt_csv_values(table->file, q + i * d, d);
+            fputc(',', table->file);
+            jlt_csv_row(table->file, (const double[]){ exponent, has_returned ? images.T[i] : NAN }, 2);
+            jlt_motion_map_add(picture, q + i * d, exponent);
+        }
+        jlt_progress_show(&progress, first + count, all);
+    }
+    jlt_progress_end(&progress);
+    jlt_map_batch_images_clear(&images);
+    free(q);
+    if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
+}
+
+/* The maps of a chart: in lanes, unless a method was asked for. */
+jlt_status jlt_lyapunov_chart_maps(jlt_map_batch **out, jlt_lyapunov_chart_options *o, const jlt_system *system, bool has_method)
+{
+    const jlt_kernel_batch *kernels = has_method ? NULL : jlt_batch_isa_best(system->instance->descriptor, 0);
+    jlt_status st;
+
+    if (o->threads == 0) o->threads = jlt_common_processors();
+    st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
+    if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* says the header */
+    return st;
+}

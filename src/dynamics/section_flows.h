@@ -1,0 +1,59 @@
+/** The flows whose orbits a batch follows side by side (dynamics/section_batch.h), and the sections by which threads follow and
+ *  read these orbits one at a time. */
+#ifndef JLT_DYNAMICS_SECTION_FLOWS_H
+#define JLT_DYNAMICS_SECTION_FLOWS_H
+
+#include "dynamics/section.h"
+#include "integrate/batch.h"
+
+/* Of one thread. */
+typedef struct {
+    jlt_section *section;
+    size_t flow; /* which it is of */
+} jlt_section_flows_thread;
+
+/* One of them. */
+typedef struct {
+    jlt_flow flow;
+    const jlt_instance *project; /* its own, where lanes restore integrals; NULL: they do not */
+    double unit[JLT_BATCH_STATES_MAX]; /* states of lanes times these are what its conditions take */
+} jlt_section_flows_entry;
+
+/* Zeroed is none. */
+typedef struct {
+    jlt_section_flows_entry *all; /* (count,), owned; moves as flows are added */
+    size_t count;
+    jlt_section_flows_thread *own; /* (threads,), owned */
+    unsigned threads;
+} jlt_section_flows;
+
+/** The first of them, with a section for each thread. Errors: as jlt_section_create. */
+JLT_CHECKED jlt_status jlt_section_flows_open(jlt_section_flows *out, const jlt_flow *flow, const jlt_instance *project,
+                                              unsigned threads);
+void jlt_section_flows_clear(jlt_section_flows *self); /* legal on a zeroed one */
+
+/** Whether a flow differs from the first in no more than parameters, levels and units. */
+bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow);
+
+/** One more. Errors: ARG, it does not fit the first; NOMEM. */
+JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project);
+
+/** How many conditions of the model are watched along orbits. */
+unsigned jlt_section_flows_conditions(const jlt_flow *flow);
+
+/** Why orbits of this flow go alone, a clause such as "the section's state is an angle"; NULL: they go in lanes. */
+const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
+
+/** Kernels with `valid_values` for its conditions, of the instruction set of these kernels; NULL: there are none. */
+const jlt_kernel_batch *jlt_section_flows_watching(const jlt_flow *flow, const jlt_kernel_batch *kernels);
+
+/** What lanes need to know of each, shape (count,), for the caller to free(); it points into the flows, none of which may be added
+ *  then.
+ *  In: kernels, those of lanes; watches, whether conditions are watched. NULL: memory is out. */
+jlt_batch_case *jlt_section_flows_cases(jlt_section_flows *self, const jlt_kernel_batch *kernels, bool watches);
+
+/** The section of a thread, now one of this flow; *section is kept by the flows until the thread asks again. Errors: as
+ *  jlt_section_create. Cost: a section's creation where the thread was at another flow. */
+JLT_CHECKED jlt_status jlt_section_flows_section(jlt_section_flows *self, jlt_section **section, unsigned thread, size_t flow);
+
+#endif
