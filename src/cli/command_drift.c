@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
@@ -178,6 +179,7 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
         if (asked(o, jlt_method_at(m)) && !open_part(&parts[count++], r, jlt_method_at(m))) code = jlt_command_no_memory();
     r->all = count * r->drift.returns;
     jlt_progress_start(&r->progress, "returns");
+    jlt_interrupt_spare(o->motion.threads);
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads((int)o->motion.threads) schedule(dynamic, 1)
 #endif

@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/swept.h"
 #include "dynamics/separatrices.h"
@@ -234,6 +235,7 @@ static jlt_exit run(int argc, char **argv)
                                 jlt_periodic_type_name(saddle.type));
         goto done;
     }
+    jlt_interrupt_spare(o.motion.threads);
     st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth, (unsigned)o.motion.threads);
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
         const jlt_kernel_batch *kernels = o.motion.common.lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;

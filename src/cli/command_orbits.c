@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
 #include "cli/progress.h"
@@ -191,6 +192,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_status st;
     jlt_exit code;
 
+    jlt_interrupt_spare(o->threads);
     if (system->surface == NULL && o->grid == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
     code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid");

@@ -142,6 +142,27 @@ const volatile sig_atomic_t *jlt_interrupt_install(void)
     return &raised;
 }
 
+static void block_asking(sigset_t *before)
+{
+    sigset_t asked;
+
+    sigemptyset(&asked);
+    for (int i = 0; i < ASKING; i++) sigaddset(&asked, asking[i]);
+    pthread_sigmask(SIG_BLOCK, &asked, before);
+}
+
+void jlt_interrupt_spare(size_t threads)
+{
+    sigset_t before, same;
+
+    block_asking(&before);
+#if defined(_OPENMP)
+#pragma omp parallel num_threads((int)threads) private(same)
+#endif
+    block_asking(&same);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+}
+
 void jlt_interrupt_draw(void)
 {
     if (raised != 0 && child == 0) alarm(SECONDS_TO_DRAW);
@@ -198,13 +219,11 @@ void jlt_interrupt_abandon(void)
 
 pid_t jlt_interrupt_fork(void)
 {
-    sigset_t asked, before;
+    sigset_t before;
     pid_t made;
 
     polled = 1;
-    sigemptyset(&asked);
-    for (int i = 0; i < ASKING; i++) sigaddset(&asked, asking[i]);
-    pthread_sigmask(SIG_BLOCK, &asked, &before);
+    block_asking(&before);
     made = fork();
     if (made == 0) {
         prctl(PR_SET_PDEATHSIG, SIGTERM); /* also where the parent is killed, and passes nothing on */

@@ -16,6 +16,11 @@ void jlt_interrupt_begin(void);
  *  has. Until then a signal ends the program at once. */
 const volatile sig_atomic_t *jlt_interrupt_install(void);
 
+/** Signals are left to the first thread, now that the command is to work on so many: threads are begun here that have them
+ *  blocked, and parallel regions of as many or fewer use these. Of two signals that come together on two threads, the later could
+ *  be met first. */
+void jlt_interrupt_spare(size_t threads);
+
 /** The rows are saved, and a picture of them is drawn: where the flag was raised, the command has ten seconds from now, unless
  *  another signal comes. */
 void jlt_interrupt_draw(void);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "dynamics/lyapunov.h"
 #include "kernel/batch_isa.h"
@@ -96,6 +97,7 @@ jlt_status jlt_lyapunov_chart_maps(jlt_map_batch **out, jlt_lyapunov_chart_optio
     jlt_status st;
 
     if (o->threads == 0) o->threads = jlt_common_processors();
+    jlt_interrupt_spare(o->threads);
     st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
     if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* says the header */
     return st;

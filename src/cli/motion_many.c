@@ -1,5 +1,6 @@
 #include "cli/motion_many.h"
 
+#include "cli/interrupt.h"
 #include "dynamics/section_flows.h"
 #include "integrate/batch_method.h"
 #include "kernel/batch_isa.h"
@@ -71,6 +72,7 @@ jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_optio
 
     if (code != JLT_EXIT_DONE) return code;
     batch_options->threads = (unsigned)options->threads;
+    jlt_interrupt_spare(options->threads);
     const jlt_kernel_batch *kernels = options->in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
     const jlt_status st = jlt_section_batch_create(batch, &system->flow, kernels, batch_options);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");

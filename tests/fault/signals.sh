@@ -27,6 +27,11 @@ interrupt() {
         sleep 0.05
     done
     sleep 0.4
+    open=0 # threads beside the first that would meet INT, TERM or HUP
+    for thread in /proc/$job/task/*; do
+        [ "${thread##*/}" = $job ] && continue
+        (((0x$(awk '/SigBlk/ { print $2 }' "$thread/status") & 0x4003) == 0x4003)) || open=$((open + 1))
+    done
     begun=$(now)
     for signal in $signals; do kill -"$signal" -$job 2> /dev/null; done
     wait $job 2> /dev/null
@@ -45,6 +50,7 @@ for signals in TERM "TERM TERM" "INT INT INT" "HUP TERM INT TERM"; do
     first=${signals%% *}
     interrupt "$signals" "${section[@]}"
     expect $((128 + $(kill -l "$first"))) "t.csv " "section, $signals"
+    [ $open -eq 0 ] || fail "section, $signals: $open threads beside the first meet signals"
     grep -q "saved in t.csv" "$scratch/err" || fail "section, $signals: says '$(cat "$scratch/err")'"
     tail -c 1 "$scratch/d/t.csv" | cmp -s - <(echo) || fail "section, $signals: the last row is cut"
 done
