@@ -26,7 +26,7 @@ typedef struct {
  *  its period, a count is 0, or there are more than JLT_BOXES_MAX boxes. */
 JLT_CHECKED jlt_status jlt_boxes_count(size_t *all, const jlt_boxes *boxes);
 
-/** The box that holds the point q, shape (dim,), into *index. False: none does. Angles are taken modulo their period. A point
+/** Find the box that holds the point q, shape (dim,): *index. False: none does. Angles are taken modulo their period. A point
  *  that lies beyond an end by less than 1e-6 of a box's width belongs to the box at that end: ends are known up to rounding. */
 bool jlt_boxes_find(const jlt_boxes *boxes, size_t *index, const double *q);
 
@@ -41,7 +41,8 @@ size_t jlt_boxes_samples(const jlt_boxes *boxes, size_t strata);
  *  Out: q, shape (strata^dim, dim). */
 void jlt_boxes_sample(const jlt_boxes *boxes, double *q, size_t index, size_t strata, uint64_t seed);
 
-/** Boxes `factor` times wider. Errors: ARG, a count above 1 is no multiple of factor. Coordinates with one box stay as they are. */
+/** Boxes `factor` times wider. Errors: ARG, factor is 0, or a count above 1 is no multiple of it. Coordinates with one box stay as
+ *  they are. */
 JLT_CHECKED jlt_status jlt_boxes_coarser(jlt_boxes *out, const jlt_boxes *fine, size_t factor);
 
 /** The coarser box in which a fine one lies. */

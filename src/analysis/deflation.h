@@ -29,25 +29,29 @@ typedef struct {
     size_t n, kept; /* size of A; n less the zeros attributed to integrals */
     jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the zeros attributed, then the rest, ascending */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for true integrals */
-    double gsl_difference;    /* largest distance from B's eigenvalues to GSL's for B; relative to |B| */
-    double plain_difference;  /* the same to GSL's for A as it is, without deflation */
-    double arpack_difference; /* the same to ARPACK's for A, largest magnitudes first; NaN where ARPACK cannot serve */
+    /* Largest distances from an eigenvalue to the nearest one of another computation, relative to the Frobenius norm of A: */
+    double gsl_difference;    /* from those of B to GSL's for B */
+    double plain_difference;  /* between all of them and GSL's for A as it is, without deflation, both ways */
+    double arpack_difference; /* from ARPACK's for A, of largest magnitude, to ours; NaN where ARPACK cannot serve */
     const char *arpack_note;  /* why not; "" when it did */
     int defective_zero; /* a zero eigenvalue beyond those of the integrals has too few eigenvectors: linear growth */
     int doubtful_zero;  /* errors leave open whether there is one, or how many eigenvectors it has */
 } jlt_deflation;
 
-/** Out: *result, untouched on failure.
- *  In:  a, shape (n, n); error, shape (n, n), bound on |error of a|, or NULL: 4 units roundoff of each entry; gradients,
- *       shape (count, n), dependent ones allowed (the later is left out). n <= JLT_DEFLATION_SIZE_MAX.
- *  Errors: ARG, NONFINITE, NO_CONVERGENCE, NOMEM.
+/** Compute the eigenvalues of a, with the differences from other routes.
+ *  Out: *result, untouched on failure.
+ *  In:  a, shape (n, n), row-major; error, shape (n, n), bound on |error of a|, or NULL: 4 units roundoff of each entry;
+ *       gradients, shape (count, n), dependent ones allowed (the later is left out); gradient_error, shape (count, n), bound on
+ *       their errors, or NULL: 8 units roundoff of each entry. 1 <= n and count <= JLT_DEFLATION_SIZE_MAX.
+ *  Errors: ARG, n or count; NONFINITE, an entry, or one that over- or underflows when it is scaled; NO_CONVERGENCE, rounding
+ *  spoils every choice of pivots, or GSL's iteration fails; NOMEM.
  *  A triangular part of B gives its diagonal as it is; a coupled block of two rows is solved in closed form, a larger one
  *  by GSL.
  *  Cost: choose(n, k) eliminations of k rows. Not reentrant: it calls ARPACK. */
 JLT_CHECKED jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
                                              const double *gradients, const double *gradient_error, size_t count);
 
-/** The same without other routes to compare with: the three differences are NaN. Reentrant. */
+/** As jlt_deflation_compute, without other routes to compare with: the three differences are NaN. Reentrant. */
 JLT_CHECKED jlt_status jlt_deflation_solve(jlt_deflation *result, const double *a, const double *error, size_t n,
                                            const double *gradients, const double *gradient_error, size_t count);
 

@@ -14,20 +14,21 @@ typedef struct {
     double a[JLT_DEFLATION_SQUARE_MAX], error[JLT_DEFLATION_SQUARE_MAX];
     double w[JLT_DEFLATION_SQUARE_MAX]; /* independent gradients, rows scaled near one, shape (rank, n) */
     double w_error[JLT_DEFLATION_SQUARE_MAX];
-    double columns[JLT_DEFLATION_SIZE_MAX]; /* sizes of the gradients' columns */
-    int row[JLT_DEFLATION_SIZE_MAX];        /* which gradient each is */
-    int exponent;
+    double columns[JLT_DEFLATION_SIZE_MAX]; /* (n,): largest |entry| of each column of the scaled gradients */
+    int row[JLT_DEFLATION_SIZE_MAX];        /* (rank,): which of the caller's gradients each row of w is */
+    int exponent;                           /* the caller's matrix is 2^exponent a */
 } jlt_deflation_problem;
 
 typedef struct {
-    size_t pivots[JLT_DEFLATION_SIZE_MAX], others[JLT_DEFLATION_SIZE_MAX];
+    size_t pivots[JLT_DEFLATION_SIZE_MAX], others[JLT_DEFLATION_SIZE_MAX]; /* p and f of deflation.h, (rank,) and (n - rank,) */
     double follow[JLT_DEFLATION_SQUARE_MAX], follow_error[JLT_DEFLATION_SQUARE_MAX]; /* W_p^(-1) W_f, shape (rank, n - rank) */
     double inverse[JLT_DEFLATION_SQUARE_MAX]; /* W_p^(-1), shape (rank, rank) */
-    double block[JLT_DEFLATION_SQUARE_MAX], error[JLT_DEFLATION_SQUARE_MAX];
+    double block[JLT_DEFLATION_SQUARE_MAX], error[JLT_DEFLATION_SQUARE_MAX]; /* B and its error bound, (n - rank, n - rank) */
     double merit; /* largest error that the elimination adds to B, relative to its largest entry */
 } jlt_deflation_choice;
 
-/** Scale, and keep the gradients that are independent. Arguments as of jlt_deflation_compute. Errors: NONFINITE. */
+/** Scale, and keep the gradients that are independent. In/out: problem, zeroed before. Other arguments as of
+ *  jlt_deflation_compute. Errors: NONFINITE. */
 JLT_CHECKED jlt_status jlt_deflation_problem_set(jlt_deflation_problem *problem, const double *a, const double *error,
                                                  size_t n, const double *gradients, const double *gradient_error,
                                                  size_t count);
@@ -35,10 +36,11 @@ JLT_CHECKED jlt_status jlt_deflation_problem_set(jlt_deflation_problem *problem,
 /* The largest |W A| / (|W| |A|), entry by entry. */
 double jlt_deflation_problem_defect(const jlt_deflation_problem *problem);
 
-/* Between which bounds the rank of the matrix lies for all that its errors allow, by elimination with complete pivoting. */
+/* Bounds on the rank of a over all matrices within its error, by elimination with complete pivoting; *most is n where errors
+ * hide whether the remainder is zero. */
 void jlt_deflation_problem_rank(size_t *least, size_t *most, const jlt_deflation_problem *problem);
 
-/** Of all choices of pivots the one that adds the least rounding error to B; false when none is usable.
+/** Find, of all choices of pivots, the one that adds the least rounding error to B; false when none is usable.
  *  Cost: choose(n, rank) eliminations. */
 bool jlt_deflation_problem_choose(jlt_deflation_choice *best, const jlt_deflation_problem *problem);
 

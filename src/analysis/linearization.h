@@ -21,8 +21,8 @@ enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 typedef enum {
     JLT_STABLE,   /* every eigenvalue but zero has a negative real part, and zero is semisimple */
     JLT_UNSTABLE, /* one has a positive real part, or one on the imaginary axis is defective: growth, at least linear */
-    JLT_CENTRE,   /* neither: some lie on the imaginary axis, or all are zero */
-    JLT_UNDECIDED /* not settled */
+    JLT_CENTRE,   /* none has a positive real part, none on the axis is defective, and some but zero lie on it, or all are zero */
+    JLT_UNDECIDED /* errors leave it open */
 } jlt_verdict;
 
 /* What follows for the motion itself. UNSTABLE: an eigenvalue has a positive real part. ATTRACTED: all have negative ones. STABLE:
@@ -64,7 +64,7 @@ typedef struct {
 const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */
 const char *jlt_linearization_motion(jlt_motion motion);    /* "asymptotically stable", "stable", "unstable", "not settled" */
 
-/** Fill states that were not given, from the family of equilibria whose condition the parameters satisfy; zero where no
+/** Fill states that were not given, from the first family of equilibria whose condition the parameters satisfy; zero where no
  *  family says otherwise.
  *  In/out: x, shape (states,). In: given, shape (states,), 1 where x is kept; descriptor, a general field. */
 void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,

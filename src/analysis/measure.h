@@ -27,7 +27,8 @@ typedef struct {
 } jlt_measure_attempt;
 
 /** Try every state, and tabulate the density, count rows, along the state of least defect. Give *attempt to jlt_measure_clear
- *  whatever is returned. In/out: random, advanced. Errors: those of density.h; NOMEM. */
+ *  whatever is returned. In/out: random, advanced. Errors: those of density.h, NO_CONVERGENCE also where no state within the
+ *  domain was drawn; NOMEM. */
 JLT_CHECKED jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count,
                                        jlt_random *random);
 void jlt_measure_clear(jlt_measure_attempt *attempt); /* legal when zeroed */
@@ -44,7 +45,7 @@ typedef struct {
 /** The attempt, the residuals of the densities claimed, and the search for an obstruction.
  *  In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed before, is to be
  *  given to jlt_measure_forget whatever is returned.
- *  Errors: UNSUPPORTED (no kernel serves, or too many densities); those of density.h; NOMEM. */
+ *  Errors: UNSUPPORTED (no kernel serves, or too many densities); as jlt_instance_create and jlt_measure_try. */
 JLT_CHECKED jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
                                         size_t count, jlt_random *random);
 void jlt_measure_forget(jlt_measure_finding *finding);

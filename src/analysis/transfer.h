@@ -26,7 +26,7 @@ typedef struct {
     uint32_t *kept;     /* (boxes,): the place of each box among those kept, or JLT_TRANSFER_NONE */
     double *share;      /* (count,): of the box's points, those in the space */
     size_t *row;        /* (count + 1,): entries row[i] .. row[i + 1] - 1 are those of box i */
-    uint32_t *to;       /* (row[count],): the place of the other box, ascending in a row; */
+    uint32_t *to;       /* (row[count],): j of each entry, the place of the box that the mass goes to; ascending in a row */
     double *weight;     /* (row[count],): P_ij > 0 */
     unsigned losses;    /* kinds of loss; 0 is an image outside the boxes */
     double *lost;       /* (count, losses): share of the box's points */

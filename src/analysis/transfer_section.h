@@ -28,8 +28,9 @@ const char *jlt_transfer_section_density(const jlt_transfer_section *self);
 /** On how many orbits the method has failed. */
 size_t jlt_transfer_section_failed(const jlt_transfer_section *self);
 
-/** Masses in the mirror image, under the reversor, of each box: masses that stay become those of the inverse map. Out: mirrored,
- *  shape (boxes,), 0 for a box whose mirror image is none of the boxes. False: the section has no reversor. */
+/** Masses in the mirror image, under the reversor, of each box: masses that stay become those of the inverse map. In: v, shape
+ *  (transfer->count,). Out: mirrored, the same shape, 0 for a box whose mirror image is none of those kept. False: the section has
+ *  no reversor. */
 bool jlt_transfer_section_mirror(double *mirrored, const jlt_transfer *transfer, const double *v, const jlt_chart *chart);
 
 #endif

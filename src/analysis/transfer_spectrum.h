@@ -16,11 +16,11 @@ typedef struct {
                          a block of k come out on a circle, at the k-th root of a rounding, with a residual that is as small as
                          any */
     size_t told;      /* the first so many are the same to three digits in both; what follows is not told from 0, or from others */
-    double *leading;  /* (boxes,): of the largest real eigenvalue, the masses that stay, positive */
+    double *leading;  /* (transfer->count,): of the largest real eigenvalue, the masses that stay, >= 0 */
     size_t leading_index;
     double negative;  /* the part of its mass that ARPACK gives the other sign: 0 but for rounding, unless the eigenvalue is not
                          simple */
-    double *second;   /* (boxes,): of the next positive one; NULL: there is none among those told */
+    double *second;   /* (transfer->count,): of the next positive one; NULL: there is none among those told */
     size_t second_index;
 } jlt_transfer_spectrum;
 
@@ -38,14 +38,15 @@ void jlt_transfer_spectrum_clear(jlt_transfer_spectrum *self); /* legal when zer
  *  unique. */
 size_t jlt_transfer_spectrum_multiplicity(const jlt_transfer_spectrum *self, double distance);
 
-/** Shares of the mass v, shape (boxes,), that are lost at each step, by kind: (losses,). Returns their sum. */
+/** Shares of the mass v, shape (transfer->count,), that are lost at each step. Out: lost, shape (losses,), by kind. Returns their
+ *  sum. */
 double jlt_transfer_spectrum_losses(double *lost, const jlt_transfer *transfer, const double *v);
 
 /** Mean time of a step that returns, over mass v. */
 double jlt_transfer_spectrum_time(const jlt_transfer *transfer, const double *v);
 
-/** A set of boxes, which `second` has the sign `sign` on, +1 or -1: its part of the mass v, and the part of that which is in the
- *  set after a step; NaN where it has no mass. */
+/** Judge the set of boxes on which `second` has the sign `sign`, +1 or -1. Out: *mass, its part of the mass v; *kept, the part of
+ *  that which is in the set after a step too, NaN where it has no mass. */
 void jlt_transfer_spectrum_set(double *mass, double *kept, const jlt_transfer *transfer, const double *v, const double *second,
                                int sign);
 

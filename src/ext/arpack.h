@@ -19,8 +19,8 @@ typedef struct {
 
 typedef struct {
     size_t wanted;       /* eigenvalues: 1 <= wanted <= n - 2, n >= 3 */
-    size_t space;        /* vectors of the Krylov space: wanted + 2 <= space <= n */
-    size_t restarts;
+    size_t space;        /* vectors of the Krylov space: wanted + 2 <= space <= n, and <= 4096 */
+    size_t restarts;     /* at most so many */
     double tolerance;    /* relative, of the eigenvalues; 0: rounding */
     const double *start; /* (n,) */
 } jlt_arpack_options;

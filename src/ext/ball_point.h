@@ -24,8 +24,7 @@ bool jlt_ball_point_fixed(arb_srcptr x, const signed char *signs, size_t states)
  *  can be so those that have a fraction.
  *  Krawczyk's test proves that these equations have a solution in the balls. The others hold with them where they hold at all
  *  points of the balls, where a reversor leaves the point where it is, in the components that it leaves, and where integrals I
- *  have
- *  grad I . f = 0 with enough independent gradients; then it is an equilibrium.
+ *  have grad I . f = 0 with enough independent gradients; then it is an equilibrium.
  *  Out: x, shape (n,), untouched where there is none. In: params, shape (params,).
  *  Source: R. Krawczyk, Computing 4 (1969) 187-201. */
 jlt_ball_point jlt_ball_point_find(arb_ptr x, const jlt_ball_table *table, arb_srcptr params, const jlt_ball_question *question,

@@ -17,6 +17,7 @@ typedef struct {
     jlt_surd *coefficients; /* the constant first */
 } jlt_exact_poly;
 
+/* Outputs below are initialized before, and may alias inputs. Running out of memory ends the program, as in all of FLINT. */
 void jlt_exact_poly_init(jlt_exact_poly *p); /* zero */
 void jlt_exact_poly_clear(jlt_exact_poly *p);
 
@@ -38,6 +39,7 @@ void jlt_exact_poly_gcd(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_
 
 bool jlt_exact_poly_is_even(const jlt_exact_poly *p); /* p(-x) = p(x) */
 
+/* Balls that hold the coefficients, computed with so many bits. */
 void jlt_exact_poly_enclose(arb_poly_t out, const jlt_exact_poly *p, const jlt_surd_field *field, slong precision);
 
 #endif

@@ -13,19 +13,19 @@ typedef void (*jlt_gsl_ode_field)(void *context, const double *x, double *f);
 
 typedef struct jlt_gsl_ode jlt_gsl_ode;
 
-/** Error of x_i a step is held under tolerance*(|x_i| + scale_i) by GSL's scaled control. `scale`, shape (dim,), is copied.
- *  Errors: NOMEM. */
+/** Create it. The error of x_i in a step is held under tolerance*(|x_i| + scale_i) by GSL's scaled control. `scale`, shape (dim,),
+ *  is copied. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t dim, jlt_gsl_ode_field field,
                                           void *context, double tolerance, const double *scale);
 void jlt_gsl_ode_destroy(jlt_gsl_ode *self); /* NULL is legal */
 
-/** Forget the past (after x was changed). */
+/** Forget the past (after x was changed). Errors: ARG, GSL refuses. */
 JLT_CHECKED jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self);
 
 /** One accepted step from x in place. In/out: *h, signed, the length tried and then the one proposed next; *rejected grows
  *  by the attempts that failed. Out: *taken, its length. In: limit, signed, |*taken| <= |limit|.
- *  Errors: NO_PROGRESS, GSL gave up or the step vanished; NONFINITE, the state GSL accepted is not finite (it takes such
- *  steps for good). x is then undefined. */
+ *  Errors: NO_PROGRESS, GSL gave up or the step vanished; NONFINITE, the field is not finite however short the step, or the state
+ *  that GSL accepted is not (GSL accepts such steps). x is then undefined. */
 JLT_CHECKED jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *taken, size_t *rejected,
                                         double limit);
 

@@ -15,15 +15,16 @@ enum { JLT_NUMBER_LENGTH_MAX = 1024, JLT_NUMBER_EXPONENT_MAX = 4096 };
  *  Out: *value, correctly rounded, untouched on failure.
  *  In:  text, `length` bytes, all of which must belong to the number.
  *  Errors: ARG (not a number; zero denominator; longer than the limits; "nan" and "inf" are no numbers),
- *          NONFINITE (beyond the range of normal doubles: overflow, or underflow to a subnormal or to zero), NOMEM. */
+ *          NONFINITE (beyond the range of normal doubles: overflow, or underflow to a subnormal or to zero). */
 JLT_CHECKED jlt_status jlt_number_parse(double *value, const char *text, size_t length);
 
 /** Step `index` of `parts` equal ones from low to high, ((parts - index) low + index high)/parts, exact until it is rounded once.
- *  low and high: texts as above. Errors: as above. */
+ *  low and high: texts as above. Errors: as above; ARG, parts is 0 or index > parts. */
 JLT_CHECKED jlt_status jlt_number_between(double *value, const char *low, size_t low_length, const char *high,
                                           size_t high_length, size_t index, size_t parts);
 
-/** A number as an exact fraction in lowest terms, "p/q" or "p", in a string that the caller frees. */
+/** A number as an exact fraction in lowest terms, "p/q" or "p". Out: *fraction, a string that the caller frees, NULL on failure.
+ *  Errors: ARG, as jlt_number_parse; NOMEM. */
 JLT_CHECKED jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length);
 
 #endif

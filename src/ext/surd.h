@@ -36,7 +36,7 @@ void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value);
 void jlt_surd_swap(jlt_surd *a, jlt_surd *b);
 bool jlt_surd_is_zero(const jlt_surd *a);
 
-/** Arithmetic; out may alias. Cost: 4^level products of rationals a product. */
+/** Arithmetic; out may alias. Cost: at most 5^level products of rationals a product. */
 void jlt_surd_add(jlt_surd *out, const jlt_surd *a, const jlt_surd *b);
 void jlt_surd_subtract(jlt_surd *out, const jlt_surd *a, const jlt_surd *b);
 void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_surd_field *field);
@@ -46,6 +46,7 @@ bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *fie
  *  as it may. */
 bool jlt_surd_root(jlt_surd *out, const jlt_surd *a, jlt_surd_field *field);
 
+/** A ball that holds a, computed with so many bits. */
 void jlt_surd_enclose(arb_t out, const jlt_surd *a, const jlt_surd_field *field, slong precision);
 
 /** The largest number of bits of a numerator or denominator. */

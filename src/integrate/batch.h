@@ -56,24 +56,25 @@ typedef struct {
     int direction;                   /* of crossings as time grows, +1: upwards; -1: downwards; 0: both */
     bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
-    double root_floor;               /* the lane ends where the root is below, and all rates are below root_rest in units of max(1,
-                                        |x_i|); */
-    double root_rest;                /* 0: whatever the rates; it ends anyway after max_steps, and below 1e-100 */
-    double root_least;               /* below it the root's error is measured against it: enough for an orbit that ends at the pole;
-                                        the lane of one that comes back is stalled, from where it was less accurate. 0: against
-                                        itself */
-    const jlt_domain *domain;        /* which orbits do not leave, of the map's kernels; at most JLT_BATCH_CONDITIONS_MAX
-                                        conditions; NULL: not watched */
+    double root_floor;               /* the lane ends where the root is below this, and all rates are below root_rest in units of
+                                        max(1, |x_i|); */
+    double root_rest;                /* 0: whatever the rates. Below root_floor it ends anyway after max_steps, and below 1e-100 */
+    double root_least;               /* the root's error is relative to max(root, this): enough for an orbit that ends at the pole;
+                                        one that comes back to twice this ends with JLT_LANE_STALLED. 0: to the root itself */
+    const jlt_domain *domain;        /* orbits end with JLT_LANE_DOMAIN where they leave it: that of the map's kernels, at most
+                                        JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
-    double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
+    double tolerance;                /* of the local error, in (0, 1): root mean square over states and clock, each relative to
+                                        max(1, largest |x_j| but for the root); the root relative to itself */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_descriptor *project;   /* what the kernels belong to: after every step that crosses the section, unless that would
                                         lead back across it, orbits are put back onto their starts' levels of its integrals and,
                                         with a root, of root^2 - radicand; NULL: not */
-    const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries more: the least value of the conditions at
-                                        the start and the ends of all the orbit's steps so far, that over the section with them, or
-                                        within one at whose ends they hold, if it is not positive; and whose it is */
+    const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries after the columns: the least value of any
+                                        condition so far, and the index of that condition. Values are taken at the start and at the
+                                        ends of all steps, the one over the section included; within a step where it is <= 0
+                                        between ends at which all conditions hold */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step, orbits under way without their end; NULL: none */
 } jlt_batch_map;
 
@@ -95,12 +96,11 @@ typedef struct {
 unsigned jlt_batch_columns(const jlt_batch_map *map);
 
 /** Follow the orbits from starts, shape (count, columns), for `returns` returns each. The error of all that is carried is
- *  controlled:
- *  that of integrals like a state's, that of tangent vectors relative to them. A start on the section, x[column] = level, does not
- *  count as a crossing.
+ *  controlled: that of the clock and of the divergence's integral like a state's, that of a tangent vector relative to max(1, its
+ *  largest entry). A start on the section, x[column] = level, does not count as a crossing.
  *  Out: work, the work done; may be NULL. context is passed to row and end.
- *  Errors: ARG, also tangent vectors to be projected, or too many columns; UNSUPPORTED, no code here has as many lanes as the
- *  kernels; NOMEM.
+ *  Errors: ARG, a member of the map out of its range, `project` with tangent vectors, or more than JLT_BATCH_COLUMNS_MAX columns;
+ *  UNSUPPORTED, no code here has as many lanes as the kernels; NOMEM.
  *  Cost: 12 or 15 evaluations of the field a step, by method, each on a full row of lanes. Memory does not grow with
  *  `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,

@@ -12,14 +12,16 @@ typedef struct jlt_batch_method {
     const char *name;
     unsigned order;       /* of the solution */
     unsigned error_order; /* the error estimate of a step h is O(h^error_order) */
-    double power;         /* the estimate is held below caution tolerance^power: measured on section maps, so that one tolerance */
-    double caution;       /* buys about one error by every method */
+    /* The estimate is held below caution * tolerance^power. Both were measured on section maps, so that one tolerance gives about
+     * the same error by every method. */
+    double power;
+    double caution;
     unsigned stages;      /* slopes beyond k[0]; the last is at the end of the step, and the next step's k[0] */
     jlt_stage_sum sum[JLT_BATCH_STAGES_MAX]; /* [i - 1] leads to slope i; the last one is the solution */
     jlt_stage_sum error;                     /* its estimate */
 } jlt_batch_method;
 
-/** verner8 and stepanov10. NULL past the end. */
+/** The table: verner8, stepanov10. NULL past the end. */
 const jlt_batch_method *jlt_batch_method_at(size_t index);
 
 /** The cheaper one for a tolerance of the local error in (0, 1): measured on section maps, order 10 from 1e-10 down. */

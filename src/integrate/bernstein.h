@@ -6,26 +6,27 @@
 
 enum { JLT_BERNSTEIN_DEGREE_MAX = 40 };
 
-/** b (degree + 1,) from coefficients c[k*stride] of theta^k. b_j = sum over k <= j of C(j,k)/C(degree,k) c_k. */
+/** Compute the Bernstein coefficients b (degree + 1,) from the coefficients c[k*stride] of theta^k: b_j = sum over k <= j of
+ *  C(j,k)/C(degree,k) c_k. Here and below degree <= JLT_BERNSTEIN_DEGREE_MAX, which is not checked. */
 void jlt_bernstein_of(double *b, const double *c, size_t stride, unsigned degree);
 
-/** b (degree,) of p(theta)/theta, where p(0) = 0: b[0] is not read. In place; the degree falls by one. */
+/** Divide by theta a polynomial with p(0) = 0, in place: b (degree + 1,) becomes (degree,). b[0] is not read. */
 void jlt_bernstein_deflate(double *b, unsigned degree);
 
-/** d (degree,) of the derivative. */
+/** Compute the coefficients d (degree,) of the derivative. */
 void jlt_bernstein_derive(double *d, const double *b, unsigned degree);
 
 /** The value at theta, by de Casteljau's algorithm. */
 double jlt_bernstein_value(const double *b, unsigned degree, double theta);
 
-/** Sign changes among the coefficients: as many zeros on (0, 1), or fewer by an even number. */
+/** Count the sign changes among the coefficients: there are as many zeros on (0, 1), or fewer by an even number. */
 unsigned jlt_bernstein_variations(const double *b, unsigned degree);
 
 /** The points of (0, 1) where the sign changes, ascending, into roots (degree,); returns their number. Zeros of even
  *  multiplicity are none, and neither is a zero at an end. Between the returned points the sign alternates, beginning with
  *  that right of 0. Two zeros nearer than about 1e-12 may be taken for none, always in pairs.
- *  Method: an interval whose coefficients change sign never holds no zero, once holds one (found by a bracketed Newton's
- *  method), otherwise is halved. Cost: O(degree^2) a halving.
+ *  Method: an interval whose coefficients change sign never holds no zero, once holds one (found by Halley's method in a
+ *  bracket), otherwise is halved. Cost: O(degree^2) a halving.
  *  Source: J. M. Lane, R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981). */
 unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned degree);
 

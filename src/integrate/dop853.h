@@ -9,11 +9,13 @@ typedef struct jlt_dop853 jlt_dop853;
 jlt_dop853 *jlt_dop853_new(const jlt_stepper *stepper); /* NULL: out of memory */
 void jlt_dop853_free(jlt_dop853 *self);                     /* NULL is legal */
 
-/** x(h) from `x`, where the field is `f`, into out (stride,): a single step without error estimate. Cost: 11 evaluations. */
+/** Make a single step h from x, where the field is f, without error estimate: x(h) into out. All shape (stride,). Cost: 11
+ *  evaluations, which the caller adds to stepper->evaluations. */
 void jlt_dop853_single(jlt_dop853 *self, const jlt_stepper *stepper, const double *x, const double *f, double h,
                        double *out);
 
-/** After jlt_dop853_single: its polynomial of degree 7 into stepper->dense. Cost: 4 evaluations. */
+/** After jlt_dop853_single from x to x_end: its polynomial of degree 7 into stepper->dense. Cost: 4 evaluations, which are added
+ *  here. */
 void jlt_dop853_dense(jlt_dop853 *self, jlt_stepper *stepper, const double *x, double h, const double *x_end);
 
 #endif

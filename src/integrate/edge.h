@@ -1,5 +1,4 @@
-/** Where an orbit leaves the domain of its field: an end of a state's interval, or a condition that comes to zero. Used by
- *  stepper.c.
+/** Where an orbit leaves the domain of its field: an end of a state's interval, or a condition that comes to zero.
  *
  *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are polynomials, all of
  *  whose zeros are isolated as those of events are (event.h), so that an orbit which leaves and comes back within one step is
@@ -9,25 +8,27 @@
 
 #include "integrate/event.h"
 
-/** Out: *theta, at which of the last step the orbit is outside for the first time, as far as the polynomial tells: 1 for its
- *  end, and INFINITY when the orbit stays inside. Cost: that of jlt_stepper_dense where the step comes near enough to an end
+/** Find where in the last step the orbit is outside for the first time, as far as the polynomial tells. Out: *theta, 1 where only
+ *  the end of the step is known to be outside, INFINITY when the orbit stays inside.
+ *  Cost: that of jlt_stepper_dense where the step comes near enough to an end
  *  that its variation does not exclude it; of conditions, two evaluations of their values and gradients, and by methods with a
  *  polynomial of their own 13 of values. Errors: those of jlt_stepper_dense and of partial steps. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 
-/** The same for any function of the state that an event has, where it is positive at both ends of the step: the first theta at
- *  which it is not, if that is below *theta, else *theta as it was. */
+/** The same for the function of an event, where it is positive at both ends of the step. In/out: *theta, replaced by the first
+ *  theta at which the function is not positive, if that is smaller. Errors: as jlt_edge_left. */
 JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);
 
 /** The least value of such a function from theta on, until it rises again, by the polynomial of the last step, which must be
- *  there. Cost: some 70 values of the function. */
+ *  there. Cost: at most 145 values of the function. */
 double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta);
 
 /** Whether the stepper's point is outside. */
 bool jlt_edge_is_outside(const jlt_stepper *stepper);
 
-/** Whether it is so near to the domain's end that it is there: within the tolerance, or rounding, of the end or of
- *  what counts as small; of a condition, of the value that it had at the start of the step. */
+/** Whether the point counts as being at the domain's end: its distance from an interval's end, relative to the larger of
+ *  |end| and the state's scale, or a condition's value, relative to that at the start of the step, is at most the larger of the
+ *  tolerance and 2^-46. */
 bool jlt_edge_reached(const jlt_stepper *stepper);
 
 /** Whether the orbit would be outside after going straight on for 1e-8 of the time that has passed: a field that grows beyond
@@ -45,8 +46,9 @@ typedef struct {
  *  the values of all conditions, and their gradients. */
 bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper);
 
-/** In: *theta, from jlt_edge_left. Out: *theta, 0 <= theta < 1: where the polynomial of the last step comes to half of that
- *  distance before it leaves. Cost: that of jlt_stepper_dense. Errors: its own. */
+/** In: *theta, from jlt_edge_left. Out: *theta, 0 <= theta < 1: where the polynomial of the last step, before it leaves, is half as
+ *  far from the end as jlt_edge_reached allows. Errors: as jlt_stepper_dense. Cost: its own, and some 75 values of the conditions,
+ *  twice each. */
 JLT_CHECKED jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper);
 
 #endif

@@ -33,7 +33,7 @@ typedef struct {
 typedef struct {
     unsigned event;   /* index in the list of events that the caller gave */
     int direction;    /* JLT_RISING, JLT_FALLING for growing t; 0: grazing */
-    double theta;     /* where in the last step, 0 at its start and 1 at its end */
+    double theta;     /* where in the last step, 0 at its start and 1 at its end; below 0: before it, see jlt_watch_refine */
     double residual;  /* g there */
     double slope;     /* dg/dtau there */
 } jlt_crossing;

@@ -51,7 +51,8 @@ bool jlt_field_watches(const jlt_field *field);
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the
  *  conditions of the table's domain and the intervals of its states; the latter not in a time that lifts roots to states, where it
  *  need not. The last state is taken for the root that vanishes at a pole when the kernel has a time of its own and that state is
- *  bounded below by 0. Errors: UNSUPPORTED, the descriptor has no right-hand side. */
+ *  bounded below by 0. Errors: ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than JLT_FIELD_DIM_MAX
+ *  states. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance);
 
 #endif

@@ -101,7 +101,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         else hi = *theta;
         const double newton = *theta + move / stepper->h;
         *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
-        /* A touch within rounding has no sign change: nearest to zero is what there is. */
+        /* A rounding-level tangency has no sign change; keep the point of smallest residual. */
         const bool closed = hi - lo <= DBL_EPSILON;
         if (closed) *theta = best;
         JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));

@@ -4,7 +4,8 @@
 
 #include "integrate/event.h"
 
-/** g at x; its rate in tau, where f is the field at x. */
+/** g at x; and its derivative dg/dtau there, where f is the field at x: by central differences along f where the event has no
+ *  `rate`. x and f (stride,). */
 double jlt_locate_value(const jlt_event *event, const double *x);
 double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
@@ -24,7 +25,8 @@ static inline double jlt_locate_noise(double tolerance)
 }
 
 /** Refine crossing->theta on the flow, and give the state there, x (stride,). A grazing is left where it is.
- *  slope_work: (stride,). Errors: NO_CONVERGENCE, a sign change without a zero (g is not continuous). */
+ *  slope_work: (stride,), work. Errors: NO_CONVERGENCE, a sign change without a zero (g is not continuous); those of partial
+ *  steps. */
 JLT_CHECKED jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
                                            jlt_stepper *stepper);
 

@@ -38,7 +38,7 @@ typedef enum {
 /** Where a call ended. x and t belong to the crossing or to t_end; the last step may reach beyond. */
 typedef struct {
     jlt_end end;
-    double t, tau;         /* tau is INFINITY at a pole */
+    double t, tau;         /* tau is INFINITY at a pole, -INFINITY backwards in time */
     const double *x;       /* (dim,), the orbit's own, valid until its next call */
     jlt_crossing crossing; /* JLT_END_EVENT */
     double pole_rates[2];  /* JLT_END_POLE: decay rates in tau, > 0: of the root, and the slowest of all */
@@ -49,15 +49,17 @@ typedef struct jlt_orbit jlt_orbit;
 /** Called after every accepted step; nonzero ends the run. */
 typedef int (*jlt_observer)(void *context, jlt_orbit *orbit);
 
-/** Create an orbit; call jlt_orbit_start before the rest. Out: *out, NULL on failure. `field` must live as long as the orbit.
- *  Errors: as jlt_stepper_create; UNSUPPORTED, project with a multistep method. */
+/** Create an orbit; call jlt_orbit_start before the rest. Out: *out, NULL on failure. In: method and options, NULL for the
+ *  defaults. `field` must live as long as the orbit.
+ *  Errors: as jlt_stepper_create; ARG, an option below 0, more than JLT_INVARIANTS_MAX invariants, or project without their
+ *  gradients; UNSUPPORTED, project with a multistep method. */
 JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field,
                                         const jlt_options *options);
 void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */
 
 /** Start at x, shape (dim,), at time t, forwards (direction +1) or backwards (-1) in time. The invariants' levels, and the side
  *  of each event that the orbit is on, are those of x.
- *  Errors: ARG, another direction; NONFINITE, t, x or the field there; NOMEM. */
+ *  Errors: ARG, another direction; NONFINITE, t, x or the field there; NO_CONVERGENCE, as jlt_pole_judge. */
 JLT_CHECKED jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction);
 
 /** From now on call `observer` with `context` after every accepted step; NULL: no more. */
@@ -68,26 +70,30 @@ enum { JLT_ORBIT_EVENTS_MAX = 16 };
 /** Go on to the next crossing of one of the events, shape (count,), to physical time t_end (+-INFINITY: no end), or into the
  *  pole, whichever comes first; *out says which. Call again to go on from there: with the same events no crossing is lost or
  *  found twice; with others the search begins at the current point.
- *  Errors: ARG, count > JLT_ORBIT_EVENTS_MAX, or a level that is not finite; NONFINITE, NO_PROGRESS, BUDGET; DOMAIN, the orbit
- *  came to the edge of its field's domain. On these last four *out holds the last accepted point, with end
+ *  Errors: ARG, count > JLT_ORBIT_EVENTS_MAX, a column that the field has not, a level that is not finite, or t_end is NaN;
+ *  NONFINITE, NO_PROGRESS, BUDGET; NO_CONVERGENCE, of a crossing (locate.h), a partial step or the eigenvalues near a pole;
+ *  DOMAIN, the orbit came to the edge of its field's domain. On all but ARG *out holds the last accepted point, with end
  *  JLT_END_TIME. */
 JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count,
                                       jlt_outcome *out);
 
-/** Follow the orbit to t_end exactly. Out: x, shape (dim,). Errors: as jlt_orbit_next, x then holds the last accepted point;
- *  DOMAIN also when the orbit ends at a pole before t_end, x then holds the limit. */
+/** Follow the orbit to t_end exactly. Out: x, shape (dim,). An interrupt, or an observer that ends the run, returns OK: x
+ *  then holds the last accepted point, and jlt_stepper_time of jlt_orbit_stepper its time.
+ *  Errors: as jlt_orbit_next, x then holds the last accepted point (on ARG what it held); DOMAIN also when the orbit ends at a pole
+ *  before t_end, x then holds the limit. */
 JLT_CHECKED jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double *x);
 
 /** The states at `times`, shape (count,), which must be monotone in the orbit's direction.
- *  Out: states, shape (count, dim); *done, how many rows are filled. An interrupt returns OK with *done < count.
+ *  Out: states, shape (count, dim); *done, how many rows are filled. An interrupt, or an observer that ends the run, returns
+ *  OK with *done < count.
  *  Errors: as jlt_orbit_propagate. */
 JLT_CHECKED jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t *done, const double *times, size_t count);
 
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, the last step, counters */
 
-/** Where in the last step a function first comes to zero that is positive at both ends of it; *theta INFINITY: nowhere. Else *least
- *  is its least value from there on, until it rises again, and the step's polynomial is there. Errors and cost: those of
- *  jlt_edge_first_loss, jlt_edge_least_after (edge.h). */
+/** Find where in the last step the function of an event, positive at both ends of it, first comes to zero. Out: *theta, in [0, 1],
+ *  or INFINITY: nowhere; else *least, its least value from there on, until it rises again, and jlt_stepper_values may be called.
+ *  Errors and cost: those of jlt_edge_first_loss, jlt_edge_least_after (edge.h). */
 JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event);
 
 /** Largest |F_i - F_i(start)| / max(1, |F_i(start)|) over accepted points since the start. drift: (invariants.count,). */

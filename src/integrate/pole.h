@@ -21,8 +21,8 @@ typedef struct {
     jlt_approach approach; /* when ends */
 } jlt_pole_verdict;
 
-/** Judge the stepper's current point. Free unless the root is below 1e-8 and all rates below 1e-6 of scale; then a Jacobian
- *  and its eigenvalues. Errors: NO_CONVERGENCE (eigenvalues). */
+/** Judge the stepper's current point. Cost: none unless the root is below 1e-8 and all rates, relative to jlt_approach_size, below
+ *  1e-6 or ten tolerances; then a Jacobian and its eigenvalues. Errors: NO_CONVERGENCE (eigenvalues). */
 JLT_CHECKED jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper);
 
 #endif

@@ -7,15 +7,18 @@
 
 #include "integrate/approach.h"
 
-/** Slower than this, a thousand tolerances, an orbit that decays counts as come to rest; the bound keeps out others at loose
- *  tolerances, whose speeds are of the order of 1. Slower than JLT_REST_STILL any orbit does. */
+/** The speed below which any orbit counts as come to rest. */
 #define JLT_REST_STILL 1e-12
+
+/** The speed below which an orbit that decays counts as come to rest: a thousand tolerances, but JLT_REST_STILL at least, and 1e-6
+ *  at most, for at loose tolerances a thousand of them would be the speed of ordinary motion. */
 double jlt_rest_slow(double tolerance);
 
 /** Whether the field at x, shape (dim,), is slower than `speed`. Cost: 1 evaluation. */
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed);
 
-/** An orbit under watch; zeroed where it begins, and at crossings of a section: an orbit that creeps makes none. */
+/** Counts of an orbit's steps. The caller zeroes it at the start, and at every crossing of a section, since an orbit that comes to
+ *  rest makes no more of them. */
 typedef struct {
     unsigned steps, slow_steps;
 } jlt_rest_watch;

@@ -21,7 +21,7 @@ static inline double jlt_rough_log2(double a)
     return (double)(bits - JLT_BITS_OF_ONE) * 0x1p-52;
 }
 
-/** 2^l within 6 percent, |l| < 1000; the inverse of jlt_rough_log2. */
+/** 2^l, at most 6.2 percent too large and never too small, |l| < 1000; the inverse of jlt_rough_log2. */
 static inline double jlt_rough_exp2(double l)
 {
     const int64_t bits = JLT_BITS_OF_ONE + (int64_t)(l * 0x1p52);
@@ -30,7 +30,7 @@ static inline double jlt_rough_exp2(double l)
     return a;
 }
 
-/** a^(-r) within 6 r percent, 0 < r <= 1, for a as above. */
+/** a^(-r), at most 6.2 (1 + r) percent too large and never too small, 0 < r <= 1, for a as of jlt_rough_log2. */
 static inline double jlt_inverse_root(double a, double r)
 {
     return jlt_rough_exp2(-r * jlt_rough_log2(a));

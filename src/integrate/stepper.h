@@ -20,8 +20,8 @@ typedef struct jlt_method jlt_method;
 typedef struct {
     const jlt_method *method;
     const jlt_field *field;
-    double tolerance;     /* of a step; `asked` times the method's share */
-    double asked;
+    double tolerance;     /* of a step: `asked` times the method's share, but no less than 1e-15 or `asked` */
+    double asked;         /* by the caller */
     double max_step;      /* INFINITY: none */
     unsigned columns;     /* field->dim, and one more in a time of its own */
     unsigned stride;      /* columns rounded up to a multiple of JLT_STEPPER_WIDTH */
@@ -41,14 +41,15 @@ typedef struct {
     double dense_error;   /* estimate of the polynomial's error inside the step, relative to max(|x_i|, scale_i) */
     bool dense_ready;
 
-    double *gradients;    /* room for those of the field's conditions */
+    double *gradients;    /* room for those of the field's conditions, (conditions, domain states) */
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* something of the field's domain */
     bool at_edge;         /* the orbit is about to leave the domain of its field, and no point of it is left to come to */
     unsigned approaches;  /* steps that were shortened because they would have left it */
     size_t steps, rejected;
-    size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not */
+    size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not;
+                             taylor: of its jet, one a step */
     void *state;          /* the method's own */
 } jlt_stepper;
 
@@ -69,7 +70,8 @@ JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const doub
 JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
 
 /** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
- *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the orbit
+ *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; NO_CONVERGENCE, of a partial step
+ *  where the domain's end is looked for; DOMAIN, the orbit
  *  is at an end of the field's domain, as jlt_edge_reached says, and it goes on beyond; or it began outside;
  *  or no step can be made, and jlt_edge_is_ahead. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);

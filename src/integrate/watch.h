@@ -1,4 +1,4 @@
-/** Finding the crossings of the last step. Used by orbit.c. */
+/** Finding the crossings of the last step. Used by orbit.c, and by edge.c for ends of the domain. */
 #ifndef JLT_INTEGRATE_WATCH_H
 #define JLT_INTEGRATE_WATCH_H
 
@@ -9,7 +9,7 @@ enum { JLT_CROSSINGS_MAX = JLT_DENSE_DEGREE_MAX };
 /** An event under watch. */
 typedef struct {
     jlt_event event;
-    int side;     /* sign of g now, or what the next step begins with; 0: on the section */
+    int side;     /* sign of g at the end of the last step, or, where g is 0 there, before; 0: the start is on the section */
     double value; /* g at the end of the last step */
     double *zero; /* (2, stride): the state at a zero of g among steps that end within the noise, and work; lent by the user */
     double zero_tau;
@@ -17,7 +17,8 @@ typedef struct {
     bool has_zero;
 } jlt_watch;
 
-/** Begin at the stepper's point. A value within 1e-13 of the size of its terms is on the section. */
+/** Begin at the stepper's point. A value counts as on the section within 1e-13 of jlt_locate_unit; of a function that the event
+ *  gives, within 1e-13. */
 void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
 
 /** All crossings of the last step, ascending in theta, into list (JLT_CROSSINGS_MAX,): theta of the polynomial, not yet
