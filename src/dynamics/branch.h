@@ -23,13 +23,13 @@ typedef struct {
 
 /** Take the stable or the unstable branch at one point of the orbit. In: point, its index, 0 .. period-1; side, +1 along the
  *  eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, 1e-8 .. 1e-2.
- *  Errors: ARG, the orbit is no saddle of a two-dimensional map; those of jlt_periodic_rotate. */
+ *  Errors: ARG, the orbit is no saddle of a two-dimensional map, or side or seed; those of jlt_periodic_rotate. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point,
                                        bool stable, int side, double seed);
 
-/** The point q = gamma(sigma) and, unless NULL, tangent, shape (2,), its derivative by the variational equations, which costs
- *  five times as much.
- *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: ceil(sigma)*returns returns. */
+/** The point q = gamma(sigma), sigma >= 0, and, unless NULL, tangent, shape (2,), its derivative by the variational equations,
+ *  which costs five times as much.
+ *  Errors: ARG, sigma; as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 
 /** Many points and tangents at once, by another map of the same section, of several branches: branches, sigma, status, shape

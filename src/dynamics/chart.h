@@ -20,7 +20,7 @@ struct jlt_chart {
     unsigned column;                     /* the section is x[column] = level */
     double level;
     const char *names[JLT_CHART_DIM_MAX]; /* of the coordinates; a single one is followed by "", since pictures show two */
-    double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
+    double period[JLT_CHART_DIM_MAX];    /* of an angle; 0 for a coordinate on a line */
     double turn;                         /* period of x[column] where it is an angle: the section is x[column] = level + k turn for
                                             every integer k; 0: it is none */
     unsigned solved_count;               /* states that the levels determine, and which they are */
@@ -35,21 +35,21 @@ struct jlt_chart {
      * there; DOMAIN, q is at or beyond a pole or a bound; NONFINITE. */
     jlt_status (*lift)(const jlt_chart *self, double *x, double *tangent, const double *q);
 
-    /* q (dim,), angles in (-pi, pi], and when slope is not NULL dq/dx (dim, states), row-major. */
+    /* q (dim,), angles in (-period/2, period/2], and when slope is not NULL dq/dx (dim, states), row-major. */
     void (*lower)(const jlt_chart *self, double *q, double *slope, const double *x);
 
     /* Density, in the coordinates q, of the flux of volume through the section on its levels; f = dx/dtau at x. */
     double (*flux)(const jlt_chart *self, const double *x, const double *f);
 
-    /* Side (+1, -1) of the pole at which an orbit has ended in the state x; components of x that vanish at the pole are set to 0.
-     * NULL: the section has no poles. */
+    /* Side (+1, -1) of the pole at which an orbit has ended in the state x, in the table's units; x is changed as by
+     * jlt_chart_pole_side. NULL: the section has no poles. */
     int (*side)(const jlt_chart *self, double *x);
 };
 
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
  *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
  *  (signs[column] = -1 and level = 0). names: shape (states,), kept by reference.
- *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX or column >= states. */
+ *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX, column >= states, or a level that is not finite. */
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
 
@@ -57,8 +57,8 @@ JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned
  *  (-period/2, period/2], and points whose coordinates differ by periods are the same point. For plane sections. */
 void jlt_chart_set_periods(jlt_chart *self, const double *periods);
 
-/** What `side` says by the poles of a table, whose general field has `plain` states: the end of a state's interval that is
- *  nearest to x, shape (states,). State and roots are set to what they are there. */
+/** What `side` says by the poles of a table, whose general field has `plain` states: +1 where x, shape (states,), is nearest to the
+ *  upper end of a pole's interval, -1 to a lower one. In x that state is set to the end, and lifted roots to 0. */
 int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsigned plain, double *x);
 
 enum { JLT_CHART_EVENTS_MAX = 3 };
@@ -71,16 +71,16 @@ unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_directio
  *  (states,). */
 void jlt_chart_turn_back(const jlt_chart *self, double *x);
 
-/** The same for every state that is an angle, on plane sections and on levels. */
+/** The same for every state that is an angle, but those that levels determine; on plane sections and on levels. */
 void jlt_chart_wrap_state(const jlt_chart *self, double *x);
 
 /** Whether a state lies within the bounds, and conditions of the domain hold. */
 bool jlt_chart_holds(const jlt_chart *self, const double *x);
 
-/** out = q - p, with differences of angles brought into (-pi, pi]. All of shape (dim,); out may be q or p. */
+/** out = q - p, with differences of angles brought into (-period/2, period/2]. All of shape (dim,); out may be q or p. */
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);
 
-/** Bring the angles of q, shape (dim,), into (-pi, pi], in place. */
+/** Bring the angles of q, shape (dim,), into (-period/2, period/2], in place. */
 void jlt_chart_wrap(const jlt_chart *self, double *q);
 
 /** Euclidean length of jlt_chart_difference. */

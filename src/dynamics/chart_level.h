@@ -30,8 +30,9 @@ typedef struct {
  *  `integrals` of all integrals are kept by reference. Where the plane has lifted roots, the field of `descriptor` lifts them, with
  *  params, in the table's order, and `integrals` has their relations last (integrate/conserved.h): each is the level 0 of its
  *  relation, and its root is solved for with the others, from what it is at the guess. The chart has the plane's reversor when
- *  that changes the sign of no solved state. Its lift returns EMPTY where Newton's method finds no state, and NONFINITE.
- *  Errors: ARG, too many levels, one integral or state twice, or the section's own state. */
+ *  that changes the sign of no solved state. Its lift returns EMPTY where Newton's method finds no state, DOMAIN outside bounds and
+ *  conditions, and NONFINITE.
+ *  Errors: ARG, no levels and no roots, too many of them, one integral or state twice, or the section's own state. */
 JLT_CHECKED jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
                                             const jlt_level *levels, unsigned count, const jlt_descriptor *descriptor,
                                             const double *params);

@@ -32,8 +32,8 @@ bool jlt_chart_section_holds(const jlt_chart_section *self, const double *q);
 
 /** A grid of points that covers the coordinates' intervals; of an unbounded interval two units are covered. Each angle takes
  *  `angles` values, the other coordinates as many as make about 4096 combinations together. _points: how many points the grid has;
- *  _places:
- *  how many values one coordinate takes; _point: q, shape (dim,), of point `index`, the first coordinate varying fastest. */
+ *  _places: how many values one coordinate takes; _point: q, shape (dim,), of point `index`, the first coordinate varying
+ *  fastest. */
 size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles);
 unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles);
 void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles);

@@ -9,7 +9,7 @@
  *      fold                the tangent's component along the parameter
  *      period doubling     det(DP^period + I)
  *      branch point        the determinant of the bordered Jacobian (the orbit loses its symmetry, or meets another family)
- *      torus               det(DP^period) - 1 between complex multipliers, for orbits that are not symmetric
+ *      torus               det(DP^period) - 1 where |trace| < 2, for orbits that are not symmetric, on sections of two coordinates
  *  Source: H. B. Keller (1977); W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000. */
 #ifndef JLT_DYNAMICS_CONTINUATION_H
 #define JLT_DYNAMICS_CONTINUATION_H
@@ -70,10 +70,11 @@ JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt
                                             const jlt_continuation_options *options, jlt_continuation_sink sink,
                                             void *context);
 
-/** From a located branch point or period doubling, the first point of the other branch, on the given side (+1, -1) at the
- *  distance `offset` in u, or at a half of it as often as none converges, twelve times at most; sections of two coordinates
- *  only. Its tangent points away.
- *  Errors: ARG; NO_CONVERGENCE; those of the map. */
+/** Find the first point of the other branch at a located branch point or period doubling, on the given side (+1, -1) at the
+ *  distance `offset` > 0 in u, which is halved while Newton's method does not converge, up to eleven times. Its tangent points
+ *  away.
+ *  Errors: ARG, another kind of point, side or offset, or a section of other than two coordinates; NO_CONVERGENCE; those of the
+ *  map. */
 JLT_CHECKED jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,
                                                const jlt_continuation_point *at, int side, double offset,
                                                const jlt_continuation_options *options);

@@ -32,10 +32,13 @@ typedef struct {
 /* Zeros of the options replaced by their defaults. */
 jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked);
 
+/* F and its Jacobian at u, shape (d + 1,). Cost: P^period with derivative once, and without it twice. Errors: as map_at, and as
+ * jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
                                                       const double *u);
 
-/* Newton from u on F = 0, tangent . (u - start) = 0. *iterations may be NULL. */
+/* Newton's method on F = 0, tangent . (u - start) = 0 from start = u, in place; *at is left at the last u. Out: *iterations, unless
+ * NULL. Errors: NO_CONVERGENCE, also for a step beyond 0.2; as evaluate. */
 JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u,
                                                      jlt_continuation_equation *at, const double *tangent,
                                                      unsigned *iterations);

@@ -10,7 +10,8 @@ enum { JLT_DRIFT_ROWS_MAX = 64 }; /* powers of two */
 
 typedef struct {
     size_t returns;
-    double t, drift[JLT_INVARIANTS_MAX]; /* the largest so far of each integral that is watched: |F - F(start)|/|F(start)| */
+    double t, drift[JLT_INVARIANTS_MAX]; /* the largest |F - F(start)|/size so far of each integral that is watched; size:
+                                            |F(start)|, or 1 where that is 0 or no more than rounding */
     size_t evaluations;
 } jlt_drift_row;
 
@@ -43,8 +44,8 @@ typedef struct {
  *  at returns, which count no turns, it then tells nothing of drift. Errors: as the chart's lift; NOMEM. */
 JLT_CHECKED jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral);
 
-/** Follow the orbit from self->q with one method, for all returns or to its end. The drift is divided by |F(start)|, or not where
- *  that is 0 or no more than rounding. Errors: NONFINITE, an integral; those of the section. */
+/** Follow the orbit from self->q with one method, for all returns or to its end. Errors: NONFINITE, an integral; those of the
+ *  section, also the status that a failure of the method means (jlt_section_fate_status). */
 JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method);
 
 /** Power of the returns with which the drift of the integral k grows: the slope of a line through the logarithms of the last

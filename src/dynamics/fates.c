@@ -17,10 +17,11 @@ done:
 
 jlt_fates_end jlt_fates_of(const jlt_return *last)
 {
+    const bool is_return = last->fate == JLT_FATE_ALIVE && !last->interrupted; /* an end has a number of its own */
     jlt_fates_end end = { .fate = last->fate,
                           .lost = last->lost,
                           .t = last->t,
-                          .returns = last->number,
+                          .returns = last->number - (!is_return && last->number > 0),
                           .least = last->least,
                           .interrupted = last->interrupted };
 

@@ -9,7 +9,7 @@ typedef struct {
     jlt_fate fate;      /* ALIVE: all returns were found */
     unsigned lost;      /* where fate is INVALID: the index of the condition that breaks, as of jlt_observed_condition */
     double t;           /* [time] of the end, or of the last return, since the start */
-    size_t returns;     /* before it */
+    size_t returns;     /* that were found before the end */
     double x[JLT_CHART_STATES_MAX]; /* (chart->states,), the state at that time; at a pole its limit */
     double least;       /* least value of the model's conditions (`valid` in its table) along the orbit: the model held throughout
                            if it is positive; INFINITY where there are none */

@@ -10,18 +10,19 @@ typedef struct {
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
     double angle_error; /* twice the largest change by a tolerance ten times larger, a seed twice as large, or both */
     double residual;    /* distance of the two branches' points after refinement */
-    double lobe;        /* area between this crossing and the next one along the unstable branch, signed; NaN at the last */
+    double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
+                           unstable branch, > 0 where it lies to the left of the unstable branch; NaN at the last */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
  *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there
  *  are none. *touching, unless NULL: crossings of the polygons that are none of the branches as far as errors tell, and are left
- *  out:
- *  their angle is within its error of 0, or so small that where they lie is not known to JLT_MANIFOLD_FINEST.
+ *  out: their angle is within its error of 0, or so small that where they lie is not known to JLT_MANIFOLD_FINEST. Crossings of the
+ *  polygons from which Newton's method does not come to a residual of 1e-8 are left out too, and not counted.
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
  *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, such of ten times the tolerance,
  *  from which angle_error is found.
- *  Errors: NOMEM, those of the integrator. Cost: count_u*count_s comparisons, and about 24 branch points a crossing that is
+ *  Errors: NOMEM; as jlt_map_batch_apply. Cost: count_u*count_s comparisons, and about 24 branch points a crossing that is
  *  refined, all crossings at once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,

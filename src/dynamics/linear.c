@@ -21,6 +21,14 @@ void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned
     memcpy(out, product, sizeof *out * dim * dim);
 }
 
+double jlt_linear_length(const double *v, unsigned count)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < count; i++) sum += v[i] * v[i];
+    return sqrt(sum);
+}
+
 /* a d - b c. Source: C.-P. Jeannerod, N. Louvet, J.-M. Muller, Math. Comp. 82 (2013). */
 static double difference_of_products(double a, double d, double b, double c)
 {

@@ -9,6 +9,9 @@ enum { JLT_LINEAR_DIM_MAX = 128 };
 /** out = a b; out may be a or b. */
 void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned dim);
 
+/** Euclidean length of v, shape (count,). */
+double jlt_linear_length(const double *v, unsigned count);
+
 /** By elimination with partial pivoting; for dim = 2 by a compensated difference of products, good to 2 ulp. */
 double jlt_linear_determinant(const double *a, unsigned dim);
 

@@ -9,11 +9,11 @@
 
 typedef struct {
     size_t returns;
-    double t;
-    double exponents[JLT_CHART_DIM_MAX]; /* per time, largest first in the limit */
+    double t;         /* [time] of these returns */
+    double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit */
     size_t blurred;   /* returns that stretch more than rounding can tell: exponents between the first and the last are in doubt */
     double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
-    double q[JLT_CHART_DIM_MAX];
+    double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return */
 } jlt_lyapunov_state;
 
 /** Called after every return; nonzero ends the run. */
@@ -34,7 +34,8 @@ JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_s
 /** Logarithm of the 2-norm of a derivative, shape (d, d): divided by the time, the finite-time exponent. */
 double jlt_lyapunov_growth(const double *slope, unsigned d);
 
-/** Finite-time exponent: log of the 2-norm of D(P^returns)(q), per time. Errors: those of jlt_map_apply. */
+/** Finite-time exponent. Out: *exponent, log of the 2-norm of D(P^returns)(q), per unit of time; *t, the time that the returns
+ *  took. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns);
 
 #endif

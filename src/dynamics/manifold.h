@@ -14,7 +14,7 @@
 typedef enum {
     JLT_MANIFOLD_LENGTH, /* the length asked for is reached */
     JLT_MANIFOLD_POINTS, /* the number of points is */
-    JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end at a pole, or leave the levels */
+    JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end or do not return (DOMAIN, EMPTY, BUDGET of jlt_branch_point) */
     JLT_MANIFOLD_INTERRUPT
 } jlt_manifold_end;
 
@@ -37,7 +37,8 @@ typedef struct {
 
 void jlt_manifold_clear(jlt_manifold *self); /* frees; legal on a zeroed polygon */
 
-/** Grow into an empty polygon. options NULL: all defaults. Errors: ARG, NOMEM, and those of the integrator. */
+/** Grow into an empty polygon. options NULL: all defaults; a member that is 0: its default. Errors: ARG, spacing is not above
+ *  finest, or another option; NOMEM; as jlt_branch_point but for what ends a branch. */
 JLT_CHECKED jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch,
                                          const jlt_manifold_options *options);
 

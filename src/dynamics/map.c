@@ -132,7 +132,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
     for (unsigned i = 0; i < d; i++) {
         double largest = 0;
         for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
-        all *= 1 + largest * tangent / jlt_map_return_row_length(slope + i * d, d);
+        all *= 1 + largest * tangent / jlt_linear_length(slope + i * d, d);
     }
     return (all - 1) + part * (error * self->swing + rate);
 }

@@ -40,14 +40,16 @@ const jlt_flow *jlt_map_flow(const jlt_map *self);
 
 /** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every
  *  return starts from the chart's point, exactly on the levels.
+ *  The variational equations are neither projected (flow.kept) nor ended by conditions of the model (flow.end_where_invalid).
  *  Errors: ARG, count is 0; EMPTY, no state of the section has these coordinates; DOMAIN, q is no start, or the orbit ended: at
- *  a pole, at rest, or where a condition of the model breaks and flow.end_where_invalid is set; BUDGET, a return took more than
- *  flow.max_steps or flow.t_max; NONFINITE, NO_PROGRESS; NO_CONVERGENCE, interrupted, or returned on another branch of a chart
- *  that solves for states. *out is then not touched. */
+ *  a pole, at rest, or at the edge of its table's domain; BUDGET, a return took more than flow.max_steps or flow.t_max; NONFINITE,
+ *  NO_PROGRESS; NO_CONVERGENCE, interrupted, or returned on another branch of a chart that solves for states. *out is then not
+ *  touched. */
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
-/** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, told, expansion, defect and bound are
- *  NaN. */
+/** P^count(q) without the derivative, five times cheaper, as a jlt_section follows the orbit: fills q, T and x; slope, determinant,
+ *  told, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but that another branch is not told; DOMAIN also where a
+ *  condition of the model breaks and flow.end_where_invalid is set. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
 /** Follow a varied state (map_return.h) to the section, forwards or backwards. In/out: varied, shape (states*(1 + dim) + 1,). Out:

@@ -33,7 +33,7 @@ bool jlt_map_batch_in_lanes(const jlt_map_batch *self);
 typedef struct {
     jlt_status *status;        /* what jlt_map_apply would return; of points with another status than OK nothing else is said */
     double *q, *slope;         /* (count, dim), (count, dim, dim) */
-    double *T;                 /* time of all returns */
+    double *T;                 /* [time] that all returns took, negative backwards */
     double *determinant;       /* of slope: product over the returns */
     double *expansion;         /* integral of the divergence on the levels */
     double *defect;            /* of det DP against flux and divergence, relative to the product of DP's row lengths; of the return

@@ -42,18 +42,11 @@ static void project(const jlt_chart *chart, double *slope, double *q, const doub
     }
 }
 
-double jlt_map_return_row_length(const double *row, unsigned d)
-{
-    double sum = 0;
-    for (unsigned j = 0; j < d; j++) sum += row[j] * row[j];
-    return sqrt(sum);
-}
-
 /* Product of the rows' lengths: what a determinant is at most, and what its rounding errors are relative to. */
 static double hadamard(const double *slope, unsigned d)
 {
     double product = 1;
-    for (unsigned i = 0; i < d; i++) product *= jlt_map_return_row_length(slope + i * d, d);
+    for (unsigned i = 0; i < d; i++) product *= jlt_linear_length(slope + i * d, d);
     return product;
 }
 

@@ -21,7 +21,4 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
                                           double flux);
 
-/** Euclidean length of a row, shape (d,). */
-double jlt_map_return_row_length(const double *row, unsigned d);
-
 #endif

@@ -39,7 +39,7 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
     st = jlt_eigen_least_squares(free_delta, system, carried, d, count,
-                                 null_cutoff / fmin(1, jlt_shooting_norm(system, d * count)));
+                                 null_cutoff / fmin(1, jlt_linear_length(system, d * count)));
     if (st != JLT_OK) return st;
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
@@ -112,7 +112,7 @@ static bool new_step(jlt_newton *self, jlt_status looked)
     if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, looked);
     const jlt_status st = step(self->delta, &self->now, d, self->period, self->held);
     if (st != JLT_OK) return end(self, st);
-    for (size_t k = 0; k < self->period; k++) longest = fmax(longest, jlt_shooting_norm(self->delta + k * d, d));
+    for (size_t k = 0; k < self->period; k++) longest = fmax(longest, jlt_linear_length(self->delta + k * d, d));
     self->factor = longest > longest_step ? longest_step / longest : 1;
     self->halving = 0;
     return try_step(self);

@@ -39,14 +39,16 @@ typedef struct {
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_symmetric_line *lines; /* shape (line_count,): symmetric orbits are looked for on these as well; borrowed */
     size_t line_count;
-    void (*progress)(void *context, size_t done, size_t all, size_t found); /* after each start of the grid; NULL: nobody */
+    void (*progress)(void *context, size_t done, size_t all, size_t found); /* told after some 1000 starts of the grid each how many
+                                                                               of all are done; NULL: nobody */
     void *context;
 } jlt_orbits_options;
 
 /** Search, and add what is found to the list, which is then sorted; on a section with a reversor mirror images of asymmetric
  *  orbits are added too, each measured by itself. Starts from which nothing is found are passed over. On an error the list
  *  holds what was found until then.
- *  Errors: ARG, period_max is out of its range; NOMEM; NO_CONVERGENCE when interrupted (flow.interrupt). */
+ *  Errors: ARG, period_max is out of its range; NOMEM; NO_CONVERGENCE when interrupted (flow.interrupt); of the lines as
+ *  jlt_symmetric_search, of the grid as jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options);
 
 #endif

@@ -23,15 +23,6 @@ const char *jlt_periodic_type_name(jlt_orbit_type type)
     return (unsigned)type < sizeof names / sizeof *names ? names[type] : "unknown";
 }
 
-static double norm(const double *v, unsigned count)
-{
-    double sum = 0;
-    unsigned i;
-
-    for (i = 0; i < count; i++) sum += v[i] * v[i];
-    return sqrt(sum);
-}
-
 /* By the map alone, one trial after another. */
 static jlt_status iterate(jlt_map *map, double *points, size_t period, const unsigned char *held)
 {
@@ -125,11 +116,11 @@ bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
     for (size_t k = orbit->period; k-- > 0;) { /* the first point last */
         if (flow->chart->lift(flow->chart, x, NULL, orbit->points + k * flow->chart->dim) != JLT_OK) return false;
         flow->field->call(x, flow->field->p, f);
-        if (fabs(f[flow->chart->column]) <= in_section * norm(f, flow->chart->states)) return false;
+        if (fabs(f[flow->chart->column]) <= in_section * jlt_linear_length(f, flow->chart->states)) return false;
     }
     if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
-    return norm(f, flow->chart->states) / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
-           standstill * fmax(1, norm(x, flow->chart->states));
+    return jlt_linear_length(f, flow->chart->states) / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
+           standstill * fmax(1, jlt_linear_length(x, flow->chart->states));
 }
 
 jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *points, size_t period, const unsigned char *held)

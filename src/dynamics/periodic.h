@@ -8,9 +8,9 @@
 enum { JLT_PERIODIC_MAX = 64 };
 
 typedef enum {
-    JLT_ORBIT_CENTRE,      /* complex multipliers of modulus 1 */
-    JLT_ORBIT_SADDLE,      /* 0 < mu2 < 1 < mu1 in modulus, mu1 > 0 */
-    JLT_ORBIT_FLIP_SADDLE, /* the same with mu1 < 0 */
+    JLT_ORBIT_CENTRE,      /* complex multipliers, all of modulus 1 */
+    JLT_ORBIT_SADDLE,      /* none of the others; of two multipliers |mu2| < 1 < mu1 */
+    JLT_ORBIT_FLIP_SADDLE, /* the same, with mu1 real and < 0 */
     JLT_ORBIT_ATTRACTING,  /* all inside the unit circle */
     JLT_ORBIT_REPELLING,   /* all outside */
     JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7 */
@@ -21,9 +21,9 @@ const char *jlt_periodic_type_name(jlt_orbit_type type);
 typedef struct {
     size_t period;                                       /* primitive, <= JLT_PERIODIC_MAX */
     double points[(size_t)JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
-    double T;                                            /* time of the whole orbit */
+    double T;                                            /* [time] of the whole orbit */
     double slope[4];         /* D(P^period) at the first point; on sections of two coordinates alone */
-    double trace;
+    double trace;            /* of D(P^period), on any section */
     double determinant;      /* exp of the integral of the divergence: the flux is the same at both ends */
     double determinant_slope; /* of slope itself, a second way */
     double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* multipliers, largest modulus first */
@@ -35,8 +35,9 @@ typedef struct {
 
 /** Find an orbit of `period` returns by Newton's method from q, shape (dim,). held: shape (dim,), 1 for each coordinate that
  *  must keep its value, which picks one orbit of a family; or NULL. The equations are solved in the sense of least squares.
- *  Out: *out, with its primitive period, which may divide `period`. Errors: NO_CONVERGENCE; those of jlt_map_apply at q;
- *  ARG. */
+ *  Out: *out, with its primitive period, which may divide `period`; untouched on failure. Errors: NO_CONVERGENCE, the residual does
+ *  not fall to 1e-10 of the largest |DP|, at most 1e-9, or what is found is no orbit (jlt_periodic_moves); those of jlt_map_apply
+ *  at q; ARG, period outside 1 .. JLT_PERIODIC_MAX, or all coordinates are held; NOMEM. */
 JLT_CHECKED jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
                                          const unsigned char *held);
 
@@ -44,10 +45,11 @@ JLT_CHECKED jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const 
 JLT_CHECKED jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *points, size_t period,
                                            const unsigned char *held);
 
-/** Fill everything else from period and points, which are not improved. Errors: those of jlt_map_apply. */
+/** Fill everything else from period and points, which are not improved. Errors: ARG, the period; NOMEM; those of jlt_map_apply and
+ *  jlt_linear_eigenvalues. */
 JLT_CHECKED jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io);
 
-/** Make point `first` the first one, and measure again. */
+/** Make point `first` the first one, and measure again. Errors: ARG, there is no such point; as jlt_periodic_measure. */
 JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first);
 
 /** The least number of returns after which points, shape (period, dim), repeat. */

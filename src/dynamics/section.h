@@ -62,7 +62,7 @@ jlt_status jlt_section_fate_status(jlt_fate fate);
 bool jlt_section_failed(jlt_fate fate);
 
 typedef struct {
-    size_t number;               /* 0 is the start */
+    size_t number;               /* 0 is the start; of an end, and where interrupted, one more than the last return's */
     double t;                    /* time since the start, negative when the orbit is followed backwards */
     double q[JLT_CHART_DIM_MAX]; /* NaN where the orbit ended off the section */
     int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
@@ -72,14 +72,14 @@ typedef struct {
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
     double least;                /* least value of the model's conditions since the start, at ends of steps, or within one at whose
-                                    ends they hold, if it is not positive; INFINITY: none; NaN: as
-                                    far as is known all held, and one of them had no value */
+                                    ends they hold, if it is not positive; INFINITY: there are none; NaN: as far as is known all
+                                    held, and one of them had no value */
 } jlt_return;
 
 typedef struct jlt_section jlt_section;
 
 /** Create a section; *flow is copied. Call jlt_section_start before jlt_section_next. Errors: ARG, chart and field do not fit;
- *  as jlt_orbit_create; NOMEM. */
+ *  UNSUPPORTED, end_where_invalid with more conditions than events fit (JLT_ORBIT_EVENTS_MAX); as jlt_orbit_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow);
 void jlt_section_destroy(jlt_section *self); /* NULL is legal */
 
@@ -103,13 +103,13 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
 /** Go on from the point (t, x), in these units, that another integrator has led the orbit to after so many returns. */
 void jlt_section_resume(jlt_section *self, size_t number, double t, const double *x);
 
-/** The least value of the model's conditions that whoever followed the orbit met, and whose it is. */
+/** Tell the section the least value of the model's conditions that another integrator met, and the index of that condition. */
 void jlt_section_note(jlt_section *self, double least, unsigned condition);
 
 /** Take a fate at (t, x), as above, for the end of the orbit, as if jlt_section_next had come to it. */
 void jlt_section_end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate, unsigned lost);
 
-/** Accepted and rejected steps, and field evaluations, since creation of the orbit. */
+/** Accepted and rejected steps, and field evaluations, since the section was created. */
 void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations);
 
 #endif

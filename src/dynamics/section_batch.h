@@ -45,8 +45,8 @@ JLT_CHECKED jlt_status jlt_section_batch_add(jlt_section_batch *self, size_t *in
 
 /** Follow the orbits from starts q, shape (count, dim), on the section for `returns` returns each; the orbits of an earlier run
  *  are dropped. An interrupt ends the run early, with OK. Errors: ARG; as jlt_batch_section; IO, the temporary file.
- *  Memory: some 200 bytes an orbit, and unless last_only count * min(returns, 1024) rows, 256 MiB or a row each at most; older rows
- *  wait in a temporary file (core/spool.h). */
+ *  Memory: some 24 states + 100 bytes an orbit, and unless last_only count * min(returns, 1024) rows, 256 MiB or a row each at
+ *  most; older rows wait in a temporary file (core/spool.h). */
 JLT_CHECKED jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns);
 
 /** The same of orbits each of which has its own flow, by index; flow_of, shape (count,). Those of one flow had best stand
@@ -61,7 +61,7 @@ size_t jlt_section_batch_begun(const jlt_section_batch *self);
 /** Begin to read an orbit: *row is its start, number 0. Errors: as the chart's lift. */
 JLT_CHECKED jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, size_t orbit);
 
-/** Read its next return, or its end, as jlt_section_next. Errors: IO, the temporary file; as jlt_section_next. */
+/** Read its next return, or its end, as jlt_section_next. Errors: ARG, last_only; IO, the temporary file; as jlt_section_next. */
 JLT_CHECKED jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row);
 
 /** The last row of an orbit: its end, or the last of its returns. Errors: as the chart's lift. */

@@ -10,10 +10,10 @@
 #include "dynamics/section.h"
 
 typedef struct {
-    size_t returns;        /* counted after the settling, of each orbit */
-    size_t alive_forward, alive_backward; /* orbits that had not ended by then */
+    size_t returns;        /* counted after the settling, of each orbit, at most */
+    size_t alive_forward, alive_backward; /* orbits that had not ended after options->returns: the same in every row */
     size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */
-    double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart */
+    double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart; NaN: no cell was visited */
     double mirror_overlap; /* the same of the forward set's mirror image and the backward set: tends to 1 with length */
 } jlt_separation;
 
@@ -26,10 +26,11 @@ typedef struct {
     unsigned threads;  /* 0 and 1: the caller's alone */
 } jlt_separation_options;
 
-/** Count the cells visited. Out: a row of `out`, which has room for 48, for each power of two of returns up to
- *  options->returns; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends
- *  is counted up to its end.
- *  Errors: ARG, a section of more than two coordinates or without reversor; NO_CONVERGENCE (interrupted); as
+/** Count the cells visited. Out: a row of `out`, which has room for 48, for each power of two of returns below options->returns,
+ *  and one for these; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends is
+ *  counted up to its end.
+ *  Errors: ARG, a section of other than two coordinates or without reversor, no cells, no returns or more than 2^47;
+ *  NO_CONVERGENCE (interrupted); as
  *  jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow,
                                               const double *starts, size_t count,

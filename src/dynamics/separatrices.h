@@ -16,8 +16,9 @@ typedef struct {
     size_t count[2][2], touching[2][2]; /* as of jlt_homoclinic_find */
 } jlt_separatrices;
 
-/** Grow all four, each on a thread; a stable branch that is the mirror image of an unstable one is reflected. *self zeroed; the map
- *  must outlive it. Errors: those of jlt_branch_init and jlt_manifold_grow. */
+/** Grow all four, side by side on `threads` threads; a stable branch that is the mirror image of an unstable one is reflected.
+ *  In/out: *self, zeroed before; the map must outlive it. Give it to jlt_separatrices_clear whatever is returned. Errors: those of
+ *  jlt_branch_init and jlt_manifold_grow. */
 JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
                                              const jlt_manifold_options *options, unsigned threads);
 

@@ -4,13 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-double jlt_shooting_norm(const double *v, unsigned count)
-{
-    double sum = 0;
-
-    for (unsigned i = 0; i < count; i++) sum += v[i] * v[i];
-    return sqrt(sum);
-}
+#include "dynamics/linear.h"
 
 jlt_status jlt_shooting_create(jlt_shooting *out, unsigned d, size_t period)
 {
@@ -38,8 +32,8 @@ void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *
 
     memcpy(self->slopes + index * d * d, slope, sizeof *slope * d * d);
     jlt_chart_difference(chart, self->miss + index * d, q, points + (index + 1) % period * d);
-    self->residual = fmax(self->residual, jlt_shooting_norm(self->miss + index * d, d));
-    self->scale = fmax(self->scale, jlt_shooting_norm(slope, d * d));
+    self->residual = fmax(self->residual, jlt_linear_length(self->miss + index * d, d));
+    self->scale = fmax(self->scale, jlt_linear_length(slope, d * d));
     self->T += measured[0];
     self->expansion += measured[1];
     self->determinant *= measured[2];

@@ -24,6 +24,4 @@ void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *
 /** Fill all returns by a map. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_shooting_of(jlt_shooting *out, jlt_map *map, const double *points, size_t period);
 
-double jlt_shooting_norm(const double *v, unsigned count); /* Euclid's */
-
 #endif

@@ -24,9 +24,9 @@ typedef struct jlt_surface {
     unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels */
 } jlt_surface;
 
-/** The section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those that
- *  are built in, NULL for none. *broken: where there is none but a claim
- *  would lead to it that is not proved, that claim, and *out the section all the same; else NULL.
+/** Find the section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those
+ *  that are built in, NULL for none. *broken: where there is none but a claim would lead to it that is not proved, that claim, and
+ *  *out the section all the same; else NULL.
  *  Errors: UNSUPPORTED, none, or one with more values than there is room for. */
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
                                         const jlt_way_tables *others, const char *name);
@@ -34,10 +34,11 @@ JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **brok
 /** The index of a value; surface->count where there is none of this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
 
-/** The most special kernel that serves values, shape (count,), both copied, in units of the problem. options: chart, field and
- *  rhs_jacobian are not read; NULL: all defaults (upward crossings).
+/** Make the system of the most special kernel that serves, in units of the problem. Out: *out, NULL on failure; destroy with
+ *  jlt_system_destroy. In: surface; values, shape (count,), both copied; options, of which chart, field and rhs_jacobian are not
+ *  read; NULL: all defaults (upward crossings).
  *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the
- *  direction of options; NOMEM; as jlt_chart_section_init. */
+ *  direction of options; UNSUPPORTED, no Jacobian; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,
                                           const jlt_flow *options);
 
@@ -63,7 +64,7 @@ const jlt_chart_section *jlt_surface_chart(const jlt_system *system);
 bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high);
 
 /** What is shown beside the coordinates, and at the end of an orbit: shape (section->beside_count,), (section->ending_count,), at a
- *  state of a row; NaN where it has no limit. */
+ *  state of a row; NaN where a value is not finite. */
 void jlt_surface_beside(double *out, const jlt_system *system, const double *x);
 void jlt_surface_ending(double *out, const jlt_system *system, const double *x);
 

@@ -12,7 +12,8 @@
 #include "dynamics/periodic.h"
 
 typedef struct {
-    double base[JLT_CHART_DIM_MAX]; /* a point of the line; its mirrored coordinate must be fixed (0, or pi for an angle) */
+    double base[JLT_CHART_DIM_MAX]; /* a point of the line; its mirrored coordinate must be 0, or half a period of an angle, which
+                                       is not checked */
     unsigned free;                  /* the coordinate that runs */
     double low, high;
     size_t samples;                 /* >= 2, evenly spread over [low, high] */
@@ -23,8 +24,10 @@ typedef jlt_status (*jlt_symmetric_sink)(void *context, const jlt_periodic *orbi
 
 /** Search for the orbits of up to period_max returns. Two zeros of h_j between neighbouring samples are not seen. Each orbit is
  *  refined by jlt_periodic_find and starts at its point nearest to the fixed set. Samples without a state are skipped.
- *  Errors: UNSUPPORTED, the chart is not reversible or mirrors more than one coordinate; ARG; NOMEM; the sink's.
- *  Cost: samples * period_max returns, and about 12 more for each zero. */
+ *  Errors: UNSUPPORTED, the chart is not reversible, or does not mirror exactly one coordinate other than `free`; ARG, samples,
+ *  free or an empty interval; NO_CONVERGENCE, interrupted; NOMEM; the sink's.
+ *  Cost: samples * period_max crossings (half as many where the flow's direction is JLT_BOTH), and some 12 j more for each zero of
+ *  an h_j. */
 JLT_CHECKED jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max,
                                             jlt_symmetric_sink sink, void *context);
 

@@ -39,11 +39,12 @@ JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
 /** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
- *  jlt_system_levels. Errors: DOMAIN, the field is not the same a period further on, as measured at one point; *state then
- *  tells which. */
+ *  jlt_system_levels. Errors: DOMAIN, the field is not the same a period further on at one of five points; *state is then the index
+ *  of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
 
-/** Restrict a plane section to levels (count,) of its table's integrals. Errors: ARG, as jlt_chart_level_init. */
+/** Restrict a plane section to levels (count,) of its table's integrals; on failure it stays as it was. Errors: ARG, as
+ *  jlt_chart_level_init; UNSUPPORTED, as jlt_system_invariants. */
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
 
 /** What the system's field keeps: integrals, in the flow's units; on a plane section also the relations of lifted roots. *out
@@ -61,7 +62,7 @@ typedef struct {
     jlt_map *map;
 } jlt_system_family;
 
-/** map_at of jlt_family, with a jlt_system_family as context. Errors: those of `make`. */
+/** map_at of jlt_family, with a jlt_system_family as context. Errors: those of `make` and of jlt_map_create. */
 JLT_CHECKED jlt_status jlt_system_map_at(void *family, jlt_map **map, double value);
 void jlt_system_family_clear(jlt_system_family *self);
 

@@ -18,7 +18,8 @@ typedef struct {
 
 /* Functions of the caller that are called as the tree grows. */
 typedef struct {
-    jlt_status (*point)(void *context, size_t branch, const jlt_continuation_point *point); /* an error ends all */
+    jlt_status (*point)(void *context, size_t branch, const jlt_continuation_point *point); /* NOMEM and IO, and on the first branch
+                                                              any error, end all; on others another error ends the branch */
     void (*end)(void *context, const jlt_tree_end *end);
     void *context;
 } jlt_tree_sink;

@@ -42,12 +42,11 @@ JLT_CHECKED jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t);
 /** Whether quadratures are known of this model: it has the top's states, parameters and integrals by their names. */
 bool jlt_rod_is_known(const jlt_descriptor *model);
 
-/* What they are, for lists of tiers. */
+/* What quadratures are, in a line for lists of tiers. */
 extern const char jlt_rod_meaning[];
 
-/** Why they do not serve for the orbit of such a model from x, shape (JLT_TOP_STATES,), with params, shape (params,); NULL when
- *  they do. x NULL:
- *  any start. Out: *broken: the claim that is not proved, where that is the reason, else NULL. */
+/** Why quadratures do not serve for the orbit of such a model from x, shape (JLT_TOP_STATES,), with params, shape (params,), in
+ *  words; NULL when they do. x NULL: any start. Out: *broken: the claim that is not proved, where that is the reason, else NULL. */
 const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x);
 
 #endif

@@ -4,7 +4,7 @@
  *  table does not say any more is NaN. States are those of system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023.
  *
  *  At a pole sigma = gamma3 = +-1 the rates across the set of equilibria (integrate/pole.h) are
- *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),
+ *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),      b = a3 + sigma R,
  *  so that orbits end there where sigma omega_tau > 0 and I1 sigma omega_tau < m b v_nu. */
 #ifndef JLT_TOP_TOP_H
 #define JLT_TOP_TOP_H

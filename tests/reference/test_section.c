@@ -102,6 +102,17 @@ static void error_falls_with_tolerance(void **unused)
     }
 }
 
+/* Rows counted one by one. */
+static size_t returns_before_end(jlt_section *section, const double *q)
+{
+    jlt_return row;
+    size_t count = 0;
+
+    assert_int_equal(jlt_section_start(section, &row, q, 1), JLT_OK);
+    while (jlt_section_next(section, &row) == JLT_OK && row.fate == JLT_FATE_ALIVE) count++;
+    return count;
+}
+
 /* Oracle: as above. At a pole omega_n tends to 0 and s to 0; limits to 1e-10, times to 1e-11. */
 static void poles_match_quadruple_precision(void **unused)
 {
@@ -117,6 +128,7 @@ static void poles_match_quadruple_precision(void **unused)
     while (next_row(file, want, 7)) {
         assert_int_equal(jlt_fates_follow(section, &end, want, 100), JLT_OK);
         assert_int_equal(end.fate, want[2] > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS);
+        assert_int_equal(end.returns, returns_before_end(section, want));
         assert_true(fabs(end.t - want[3]) < 1e-11);
         assert_true(fabs(end.x[JLT_CHART_TOP_V_NU] - want[4]) < 1e-10);
         assert_true(fabs(end.x[JLT_CHART_TOP_OMEGA_TAU] - want[5]) < 1e-10);
