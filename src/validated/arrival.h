@@ -27,9 +27,10 @@ typedef struct {
 void jlt_arrival_init(jlt_arrival *self, unsigned dim); /* ends with jlt_arrival_clear */
 void jlt_arrival_clear(jlt_arrival *self);
 
-/** In: start, shape (dim,); the section x[column] = level; instant > 0, exact, near the crossing; direction, the sign of the
- *  crossing. Errors: NO_PROGRESS, DOMAIN, as jlt_step_advance; NO_CONVERGENCE, the crossing is not shown to be one; ARG, more
- *  conditions than there is room for. */
+/** Enclose the arrival of all starts of a box. In: start, shape (dim,), dim that of the step's formulas; the section x[column] =
+ *  level; instant > 0, exact, near the crossing; direction, the sign of the crossing. On failure *self is not meaningful.
+ *  Errors: NO_PROGRESS, also where steps become shorter than 2^-22 of the way; DOMAIN, as jlt_step_advance; NO_CONVERGENCE, the
+ *  crossing is not shown to be one, or to lie in the table's domain; ARG, more conditions than there is room for. */
 JLT_CHECKED jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr start, unsigned column, const arb_t level,
                                            const arf_t instant, int direction);
 

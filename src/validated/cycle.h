@@ -46,7 +46,7 @@ typedef struct {
     unsigned legs, unknowns, multipliers; /* unknowns: states but the section's; multipliers: coordinates on the levels */
     arb_ptr solution;               /* (legs, unknowns): encloses the zero */
     arb_t period, trace, determinant, matrix_determinant; /* determinant: by the divergence */
-    acb_struct multiplier[2];       /* where there are one or two */
+    acb_struct multiplier[2];       /* where there are one or two, else 0: then neither sink nor saddle is shown */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* the model's conditions along the orbit, bounds from below */
     bool sink;                      /* proved: all multipliers are inside the unit circle */
     bool saddle;                    /* proved: two real ones, one inside, one outside */
@@ -54,8 +54,8 @@ typedef struct {
 
 typedef struct jlt_cycle jlt_cycle;
 
-/** Out: *cycle, NULL on failure; destroy with jlt_cycle_destroy. The question is borrowed. Errors: ARG, more states or levels than
- *  there is room for; as jlt_formulas_create. */
+/** Out: *cycle, NULL on failure; destroy with jlt_cycle_destroy. The question is borrowed. Errors: ARG, more than
+ *  JLT_CYCLE_STATES_MAX states, or no coordinate left by the levels; as jlt_formulas_create, jlt_step_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *question);
 void jlt_cycle_destroy(jlt_cycle *cycle); /* legal on NULL */
 
@@ -77,8 +77,9 @@ JLT_CHECKED jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcpt
 void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs); /* ends with jlt_cycle_result_clear */
 void jlt_cycle_result_clear(jlt_cycle_result *result);
 
-/** The proof. In: box, shape (legs, states - 1); instants, shape (legs,), > 0, exact; kept, as above. Errors: as
- *  jlt_arrival_compute. */
+/** The proof. Out: *result, set up before by jlt_cycle_result_init for so many legs; where the verdict is UNSHOWN or OPEN the
+ *  verdict alone is meaningful. In: box, shape (legs, states - 1); instants, shape (legs,), > 0, exact; kept, as above. Errors: as
+ *  jlt_arrival_compute. Cost: a few arrivals of each leg. */
 JLT_CHECKED jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, arb_srcptr instants,
                                        const unsigned *kept);
 

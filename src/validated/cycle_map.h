@@ -41,6 +41,7 @@ bool jlt_cycle_map_meets(jlt_cycle *self, arb_srcptr next, const unsigned *kept)
  *  singular. */
 bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, const unsigned *kept);
 
+/** Whether a state is one of the coordinates kept. */
 bool jlt_cycle_map_is_kept(const jlt_cycle *self, unsigned state, const unsigned *kept);
 
 /** Gradients of the integrals at y, by unknowns: (level_count, unknowns); values, (level_count,), or NULL. */

@@ -32,7 +32,8 @@ typedef struct {
 void jlt_elliptic_result_init(jlt_elliptic_result *result); /* ends with jlt_elliptic_result_clear */
 void jlt_elliptic_result_clear(jlt_elliptic_result *result);
 
-/** In: cycle, PROVED from these instants, with this type of symmetry. Errors: as jlt_taylor_map_compute. */
+/** The proof. In: cycle, PROVED from these instants, with two multipliers and this type of symmetry; kept, shape (2,). Errors: as
+ *  jlt_taylor_map_compute. */
 JLT_CHECKED jlt_status jlt_elliptic_prove(jlt_cycle *of, jlt_elliptic_result *result, const jlt_cycle_result *cycle,
                                           jlt_symmetry_type type, arb_srcptr instants, const unsigned *kept);
 

@@ -28,12 +28,13 @@ typedef enum {
     JLT_FAMILY_ZERO,    /* refuted: the trace is 0 at `point` */
     JLT_FAMILY_CHANGES, /* refuted: it is > 0 at `point`, < 0 at `other` */
     JLT_FAMILY_OUTSIDE, /* no point of the box is shown to be in the table's domain */
-    JLT_FAMILY_LEFT     /* not settled in the box from `point` to `other` */
+    JLT_FAMILY_LEFT     /* not settled in the box from `point` to `other`: `limit` boxes are spent, or all its sides were halved 30
+                           times */
 } jlt_family_verdict;
 
 typedef struct {
     jlt_family_verdict verdict;
-    unsigned dim, valid_count, boxes; /* boxes: that were looked at */
+    unsigned dim, valid_count, boxes; /* boxes: how many were looked at */
     fmpq *point, *other; /* (dim,); PROVED: `point` is one of the domain */
     jlt_range trace;     /* PROVED: over all of the box that may be in the domain, 0 not among it */
     arf_struct *least;   /* (valid_count,), lower bounds of the model's conditions likewise; NaN: none is known */
@@ -43,8 +44,9 @@ typedef struct {
 void jlt_family_result_init(jlt_family_result *self, const jlt_family_question *question);
 void jlt_family_result_clear(jlt_family_result *self);
 
-/** Errors: NOMEM. Cost: at most `limit` boxes, of dim + 2 enclosures each. Boxes are cut where the trace changes most while other
- *  sides stay at their middles, the same way whenever this runs. */
+/** The proof. Out: *result, set up before by jlt_family_result_init. Errors: NOMEM. Cost: at most `limit` boxes, of dim + 2
+ *  enclosures each. Boxes are cut where the trace changes most while other sides stay at their middles, the same way whenever this
+ *  runs. */
 JLT_CHECKED jlt_status jlt_family_prove(jlt_family_result *result, const jlt_family_question *question);
 
 #endif

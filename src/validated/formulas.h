@@ -34,7 +34,8 @@ JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_de
                                            unsigned free_count, const char *const *levels, unsigned level_count);
 void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 
-/* Outputs of `variation`. */
+/** Where outputs of `variation` are: df_row/d(state or free parameter `column`), the divergence, condition `index` of the model,
+ *  and of its domain. */
 unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column);
 unsigned jlt_formulas_divergence(const jlt_formulas *self);
 unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);

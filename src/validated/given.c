@@ -86,7 +86,6 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
            || refuse(problem, "section: no value");
 }
 
-/* Levels of integrals that are proved, whatever the parameters. */
 /* A descriptor lists integrals that are so everywhere: not `when` or `modulo` something alone. */
 static bool is_listed(const jlt_descriptor *d, const char *integral)
 {
@@ -95,6 +94,7 @@ static bool is_listed(const jlt_descriptor *d, const char *integral)
     return false;
 }
 
+/* Levels of integrals that are proved, whatever the parameters. */
 static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;

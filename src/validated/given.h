@@ -11,7 +11,7 @@
  *                  "instant": NUMBER}, ...],                                             from its start, near the next crossing
  *        "digits": N }
  *
- *  NUMBER is a string, "p/q" or a decimal: its exact value is meant. */
+ *  NUMBER is a string, "p/q" or a decimal: its exact value is meant. N is 5 to JLT_GIVEN_DIGITS_MAX decimals to compute with. */
 #ifndef JLT_VALIDATED_GIVEN_H
 #define JLT_VALIDATED_GIVEN_H
 
@@ -28,8 +28,8 @@ typedef struct {
 
 enum { JLT_GIVEN_DIGITS_MAX = 1000 };
 
-/** The general field, in its own time, of the table that is named, among `own`, NULL for none, and those built in; NULL: there is
- *  none of this digest, and problem says so. */
+/** The general field, in its own time, of the table that is named: `own`, NULL for none, or one of those built in. NULL: there is
+ *  none of this name and digest, and problem says so. */
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
 /** Read the question, all but coordinates and legs. Ends with jlt_given_clear in any case. False: it is not of this form,
@@ -37,13 +37,15 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
 bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_clear(jlt_given *self);
 
-/** Then the rest. */
+/** Read coordinates and legs as well, after jlt_given_read. False: as there. */
 bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
-/** Where there is no rest yet, make it, from guesses: x, shape (legs, states), points on the section, and T, shape (legs,), the
- *  times from each to the next, refined by Newton's method, with boxes of this radius around; 0: of 1e-10, or where parameters or
- *  levels are intervals as wide as orbits spread by them. Sets "coordinates" and "legs" of `given`.
- *  Errors: as jlt_cycle_create, jlt_cycle_choose, jlt_cycle_refine; ARG, more than JLT_CYCLE_LEGS_MAX legs. */
+/** Make coordinates and legs where there are none yet, in place of jlt_given_read_legs, from guesses: x, shape (legs, states),
+ *  points on the section, and T, shape (legs,), the times from each to the next, refined by Newton's method, with boxes of this
+ *  radius around; 0: of 1e-10, or where parameters or levels are intervals as wide as orbits spread by them. Sets "coordinates"
+ *  and "legs" of `given`.
+ *  Errors: as jlt_cycle_create, jlt_cycle_choose, jlt_cycle_refine, jlt_cycle_reach; ARG, not 1 to JLT_CYCLE_LEGS_MAX legs;
+ *  NOMEM. */
 JLT_CHECKED jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,
                                            double radius);
 

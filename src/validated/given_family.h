@@ -8,7 +8,8 @@
  *        "limit": N, "digits": N }                               boxes to look at, at most; to compute with
  *      "shown": {
  *        "trace": {"low": DECIMAL, "high": DECIMAL}, "conditions": {NAME: DECIMAL, ...}, "boxes": N,
- *        "point": {NAME: FRACTION, ...}, "claims": ["equilibria NAME"] }       one of the box and of the table's domain
+ *        "point": {NAME: FRACTION, ...},                         one of the box and of the table's domain
+ *        "claims": ["equilibria NAME", "trace NAME"] }           the latter where the table has it, and it is proved
  *
  *  FRACTION is a string, "p" or "p/q". */
 #ifndef JLT_VALIDATED_GIVEN_FAMILY_H
@@ -28,7 +29,7 @@ typedef struct {
     fmpq *low, *high;
 } jlt_given_family;
 
-/** Ends with jlt_given_family_clear in any case. False: it is not of this form, or outside what the table allows, or the
+/** Read it. Ends with jlt_given_family_clear in any case. False: it is not of this form, or outside what the table allows, or the
  *  family is not proved to consist of equilibria; problem says why. */
 bool jlt_given_family_read(jlt_given_family *self, const json_t *given, const jlt_descriptor *descriptor,
                            char problem[JLT_GIVEN_PROBLEM_MAX]);
@@ -37,7 +38,7 @@ void jlt_given_family_clear(jlt_given_family *self);
 /** What was proved; a new reference, NULL when memory is out. */
 json_t *jlt_given_family_shown(const jlt_given_family *self, const jlt_family_result *result);
 
-/** Why nothing was, in words with points and boxes by names. */
+/** Why nothing was proved, in words with points and boxes by names. In: result, with another verdict than PROVED. */
 void jlt_given_family_problem(char problem[JLT_GIVEN_PROBLEM_MAX], const jlt_given_family *self, const jlt_family_result *result);
 
 #endif

@@ -18,11 +18,12 @@ bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *questio
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question);
 
-/** Points of the section, x, shape (count, states), and times, T, shape (count,). Ends with jlt_given_legs_clear. */
+/** Set up boxes of radius 0 and instants from points of the section, x, shape (count, states), and times, T, shape (count,). Ends
+ *  with jlt_given_legs_clear. */
 void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
                           const double *T);
 
-/** A new reference. radius: of all boxes, as text; NULL: their own. */
+/** Legs as in given.h; a new reference. radius: of all boxes, as text; NULL: their own, of three digits and no less. */
 json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius);
 
 /** A number's middle as a decimal; a new reference. */

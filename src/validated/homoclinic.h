@@ -34,7 +34,8 @@ typedef struct {
 typedef enum {
     JLT_HOMOCLINIC_PROVED,
     JLT_HOMOCLINIC_NO_SADDLE,   /* none is shown to be there */
-    JLT_HOMOCLINIC_ASYMMETRIC,  /* it, or the section, is not shown to be its own mirror image */
+    JLT_HOMOCLINIC_ASYMMETRIC,  /* it, or the section, is not shown to be its own mirror image under a reversor that flips one of
+                                   the two coordinates; or the frame is singular */
     JLT_HOMOCLINIC_NO_CONE,     /* the cone is not mapped into itself, or its directions do not grow */
     JLT_HOMOCLINIC_UNSHOWN,     /* Krawczyk's operator leaves the boxes */
     JLT_HOMOCLINIC_OPEN,        /* the legs need not meet, or the orbit may begin outside N, or at the saddle */
@@ -55,12 +56,13 @@ typedef struct {
 void jlt_homoclinic_result_init(jlt_homoclinic_result *result, const jlt_cycle *of, unsigned legs); /* ends with _clear */
 void jlt_homoclinic_result_clear(jlt_homoclinic_result *result);
 
-/** The proof. In: of, of the same question. Errors: as jlt_cycle_prove; ARG, more coordinates than two. */
+/** The proof. Out: *result, set up before by jlt_homoclinic_result_init for so many legs. In: of, of the same question. Errors: as
+ *  jlt_cycle_prove; ARG, other than two coordinates, or free parameters. */
 JLT_CHECKED jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, const jlt_homoclinic_question *question);
 
-/** Make frame, reach, slope, box and instants of `question`, in which nothing is rigorous, so that the proof can succeed: in and
- *  out box and instants, guesses that are refined by Newton's method; the boxes get radii. legs, landing and all above are given.
- *  Errors: as jlt_cycle_prove, jlt_cycle_refine; NO_CONVERGENCE: no saddle, no cone, or no such orbit near the guess. */
+/** Choose frame, reach, slope, box and instants of `question`, in which nothing is rigorous, so that the proof can succeed. In/out:
+ *  box and instants, guesses that are refined by Newton's method; the boxes get radii. In: legs, landing, and all members before
+ *  frame. Errors: as jlt_cycle_prove, jlt_cycle_refine; NO_CONVERGENCE: no saddle, no cone, or no such orbit near the guess. */
 JLT_CHECKED jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *question);
 
 #endif

@@ -22,7 +22,8 @@ typedef struct {
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX];
 } jlt_homoclinic_chain;
 
-/** False: the frame is singular. Ends with _clear in any case. In: saddle, shape (unknowns,), copied. */
+/** Set up the chain. Ends with _clear in any case. False: the frame is singular, or the reversor does not flip the section's state,
+ *  which is 0 there, and exactly one of the kept states. In: saddle, shape (unknowns,), copied. */
 bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question,
                                arb_srcptr saddle);
 void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self);

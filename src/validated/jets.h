@@ -17,8 +17,8 @@ typedef struct jlt_jets jlt_jets;
 unsigned jlt_jets_terms(unsigned degree);
 
 /** Out: *jets, NULL on failure; destroy with jlt_jets_destroy. program, of `of`, is borrowed; its first outputs are rates of the
- *  states where `order` is more than 0. degree: of polynomials, 0 for balls alone. Errors: NOMEM; UNSUPPORTED, an operation that
- *  programs as written do not have. */
+ *  states where `order` is more than 0. degree: of polynomials, 0 for balls alone. Errors: NOMEM; UNSUPPORTED, a fused operation,
+ *  which programs do not have before the compiler's last passes. */
 JLT_CHECKED jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order,
                                        unsigned degree);
 void jlt_jets_destroy(jlt_jets *jets); /* legal on NULL */

@@ -19,11 +19,11 @@ typedef struct {
     void *context;
 } jlt_krawczyk;
 
-/** The inverse of the middle, exact numbers near it; false where it has none. Out: M; both (n, n). */
+/** Compute exact numbers M near the inverse of DG's middle; false where none is found. Both of shape (n, n). */
 bool jlt_krawczyk_invert(arb_mat_t M, const arb_mat_t DG, slong bits);
 
 /** Newton's method, at middles: a guess, in which nothing is rigorous, made better until a correction is below 2^-accuracy. In and
- *  out: y, shape (n,), exact. Errors: those of the equations; NO_CONVERGENCE. */
+ *  out: y, shape (n,), exact. Errors: those of the equations; NO_CONVERGENCE, also where a correction is 1 or more. */
 JLT_CHECKED jlt_status jlt_krawczyk_refine(const jlt_krawczyk *self, arb_ptr y, double accuracy);
 
 typedef enum {
@@ -32,8 +32,9 @@ typedef enum {
     JLT_KRAWCZYK_CONTRADICTED  /* enclosures of one zero exclude each other: an error of this program */
 } jlt_krawczyk_verdict;
 
-/** The proof in `box`, shape (n,), then in smaller and smaller ones around the zero, as long as they shrink. Out: verdict;
- *  solution, shape (n,), over which the equations were evaluated last. Errors: those of the equations. */
+/** The proof in `box`, shape (n,), then in smaller and smaller ones around the zero, as long as they shrink to an eighth. Out:
+ *  verdict; solution, shape (n,), which holds the zero, and over which the equations were evaluated last: untouched where the
+ *  verdict is UNSHOWN. Errors: those of the equations. */
 JLT_CHECKED jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *verdict, arb_ptr solution,
                                           arb_srcptr box);
 

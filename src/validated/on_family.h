@@ -4,8 +4,8 @@
 
 #include "read/model.h"
 
-/** What the family gives put in, and lets written out that this changes, so that terms cancel. TTC_NONE where that divides by zero.
- *  What has been put in may hold symbols that the family gives as well. */
+/** The expression with what the family gives put in, and with those `let`s written out that this changes, so that terms cancel.
+ *  What has been put in may hold symbols that the family gives as well. Returns TTC_NONE where that divides by zero. */
 ttc_id jlt_on_family(const ttc_model *model, const ttc_claim *family, ttc_id id);
 
 #endif

@@ -23,11 +23,11 @@ void jlt_range_add(jlt_range *out, const jlt_range *a, const jlt_range *b, slong
 void jlt_range_multiply(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits);
 void jlt_range_power(jlt_range *out, const jlt_range *a, unsigned exponent, slong bits); /* sharp: squares are not negative */
 
-/* These are undefined somewhere in `a`, and say false, where it holds 0; a negative number. */
+/** 1/a, false where a holds 0; and the square root, false where a holds a negative number. out is then untouched. */
 bool jlt_range_invert(jlt_range *out, const jlt_range *a, slong bits);
 bool jlt_range_root(jlt_range *out, const jlt_range *a, slong bits);
 
-/** A function of Arb, over a whole ball. False: it has no finite value everywhere. */
+/** A function of Arb over a ball around a. False: it is not shown to be finite everywhere there. */
 typedef void (*jlt_range_function)(arb_t out, const arb_t of, slong bits);
 bool jlt_range_apply(jlt_range *out, const jlt_range *a, jlt_range_function function, slong bits);
 

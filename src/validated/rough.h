@@ -33,19 +33,19 @@ typedef struct {
     double caution;         /* by which steps are shorter than coefficients say */
 } jlt_rough;
 
-/** In: program, of `of`; params, shape (of->params,), borrowed; degree, of polynomials. Ends with jlt_rough_clear where it is
- *  zeroed before. Errors: as jlt_jets_create. */
+/** Set it up. In: program, of `of`; params, shape (of->params,), borrowed; degree, of polynomials. Ends with jlt_rough_clear, also
+ *  on failure. Errors: as jlt_jets_create. */
 JLT_CHECKED jlt_status jlt_rough_init(jlt_rough *self, const jlt_formulas *of, const ttc_program *program, arb_srcptr params,
                                       jlt_rough_accuracy accuracy, unsigned degree);
-void jlt_rough_clear(jlt_rough *self);
+void jlt_rough_clear(jlt_rough *self); /* legal on a zeroed one */
 
-/** The length by which the last two coefficients reach the tolerance, or *h where that is shorter. */
+/** Shorten h to the length over which the last two coefficients over the set, `hull`, reach the tolerance; in units of time. */
 void jlt_rough_choose(const jlt_rough *self, arf_t h);
 
 /** Make y such that the set spread over [0, h] lies within its interior; false when this h is too long. */
 bool jlt_rough_enclose(jlt_rough *self, const arf_t h);
 
-/** log2 of the remainder over a step of this length. */
+/** log2 of the largest remainder of a state over a step of this length, after jlt_rough_enclose. */
 double jlt_rough_remainder(const jlt_rough *self, const arf_t h);
 
 /** sum_(i<count) t^i a_i + t^count last */

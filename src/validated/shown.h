@@ -20,10 +20,11 @@ json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *give
  *  "first", its point there, "point", the symmetric one, "tangent" of the unstable manifold there, "conditions" on the way. */
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given);
 
-/** {"middle": DECIMAL, "radius": DECIMAL} around a ball; a new reference. */
+/** {"middle": DECIMAL, "radius": DECIMAL} around a ball of twice the radius, so that a replay need not give the same last bits; a
+ *  new reference. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits);
 
-/** A decimal below a bound, or at it; above it likewise: five digits. A new reference. */
+/** A decimal of five digits below a bound, or at it, "-inf" for NaN; and above a bound likewise. A new reference. */
 json_t *jlt_shown_lower_bound(const arf_t bound);
 json_t *jlt_shown_upper_bound(const arf_t bound);
 

@@ -19,25 +19,26 @@ jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits);
 
 typedef struct jlt_step jlt_step;
 
-/** Out: *step, NULL on failure; destroy with jlt_step_destroy. In: params, shape (of->params,), copied. Errors: as jlt_jets_create.
- *  */
+/** Out: *step, NULL on failure; destroy with jlt_step_destroy. In: of, borrowed; params, shape (of->params,), copied. Errors: as
+ *  jlt_jets_create. */
 JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy);
 void jlt_step_destroy(jlt_step *step); /* legal on NULL */
 
 /** Move the set by *h at most. In and out: *h, an exact positive number, the step's length; expansion, to which the integral of the
- *  divergence is added; least, shape (of->valid_count,), lower bounds of the conditions so far. Errors: NO_PROGRESS, no step
- *  that was tried can be validated; DOMAIN, the set may leave the table's domain. */
+ *  divergence is added; least, shape (of->valid_count,), lower bounds of the conditions so far, NaN where one has no value.
+ *  Errors: NO_PROGRESS, no step that was tried can be validated; DOMAIN, the set, which is moved all the same, may leave the
+ *  table's domain. */
 JLT_CHECKED jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansion, arf_struct *least);
 
-/** Field, its derivative, divergence and conditions over a box, by the program `variation`; borrowed until the next call. In: x,
- *  shape (dim,). */
-arb_srcptr jlt_step_output(const jlt_step *self, unsigned index);
+/** Evaluate field, its derivative, divergence and conditions over a box x, shape (dim,), by the program `variation`; and read
+ *  output `index` (formulas.h), borrowed until the next evaluation. */
 void jlt_step_evaluate(jlt_step *self, arb_srcptr x);
+arb_srcptr jlt_step_output(const jlt_step *self, unsigned index);
 
 /* Whether the box last evaluated lies in the table's domain. */
 bool jlt_step_holds(const jlt_step *self);
 
-/* Lower bounds of the conditions at the box last evaluated. */
+/* Lower `least`, shape (valid_count,), to the conditions' bounds over the box last evaluated. */
 void jlt_step_conditions(const jlt_step *self, arf_struct *least);
 
 const jlt_formulas *jlt_step_formulas(const jlt_step *self);

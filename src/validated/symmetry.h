@@ -43,7 +43,7 @@ typedef struct {
 void jlt_symmetry_result_init(jlt_symmetry_result *result); /* ends with jlt_symmetry_result_clear */
 void jlt_symmetry_result_clear(jlt_symmetry_result *result);
 
-/** By the first of the table's reversors that serves. In: cycle, PROVED from this box and these instants. Errors: as
+/** The proof, by the first of the table's reversors that serves. In: cycle, PROVED from this box and these instants. Errors: as
  *  jlt_arrival_compute; ARG, other than two multipliers. */
 JLT_CHECKED jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const jlt_cycle_result *cycle, arb_srcptr box,
                                           arb_srcptr instants);

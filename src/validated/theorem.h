@@ -8,6 +8,7 @@
  *  and shown, as in certificates. */
 json_t *jlt_theorem_words(const char *kind, const jlt_descriptor *descriptor, const json_t *given, const json_t *shown);
 
+/** Whether certificates of this kind are known. */
 bool jlt_theorem_is_kind(const char *kind);
 
 /** The proved reversor by which images of orbits repel where these attract: it changes signs of states and no more, without a

@@ -19,9 +19,9 @@ JLT_CHECKED jlt_status jlt_transport_create(jlt_transport **transport, const jlt
                                             jlt_rough_accuracy accuracy, unsigned degree);
 void jlt_transport_destroy(jlt_transport *transport); /* legal on NULL */
 
-/** Carry x, shape (dim, terms), free parameters behind the states and left as they are, for a time in a ball, > 0. Errors:
- *  NO_PROGRESS, no step that was tried can be validated.
- *  The table's domain is not looked at: it is shown where the orbit is proved. */
+/** Carry x, shape (dim, terms), free parameters behind the states and left as they are, for a time in a ball, > 0, in place. The
+ *  table's domain is not looked at: it is shown where the orbit is proved. Errors: NO_PROGRESS, no step that was tried can be
+ *  validated. */
 JLT_CHECKED jlt_status jlt_transport_carry(jlt_transport *self, arb_ptr x, const arb_t time);
 
 /** Taylor coefficients of the solution through x, to order 3 at least: of coefficient `term` of state i, order by order, lowest
