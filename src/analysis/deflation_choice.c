@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SIZE = JLT_DEFLATION_SIZE_MAX, CHOICES_MAX = 20000 };
+enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
@@ -167,7 +167,6 @@ bool jlt_deflation_problem_choose(jlt_deflation_choice *best, const jlt_deflatio
 {
     jlt_deflation_choice c;
     bool found = false;
-    long tried = 0;
 
     for (size_t i = 0; i < problem->rank; i++) c.pivots[i] = i;
     do {
@@ -180,6 +179,6 @@ bool jlt_deflation_problem_choose(jlt_deflation_choice *best, const jlt_deflatio
             *best = c;
             found = true;
         }
-    } while (++tried < CHOICES_MAX && advance(c.pivots, problem->rank, problem->n));
+    } while (advance(c.pivots, problem->rank, problem->n));
     return found;
 }

@@ -111,7 +111,7 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
         .root_floor = root_floor,
         .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL,
         .method = method,
-        .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
+        .tolerance = flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE,
         .max_steps = flow->max_steps != 0 && flow->max_steps < most_steps ? flow->max_steps : most_steps,
         .interrupt = flow->interrupt,
     };

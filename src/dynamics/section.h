@@ -15,7 +15,7 @@ typedef struct {
     const jlt_field *field;
     jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's prepared values; NULL: field->jacobian beside field->call */
     const jlt_method *method;         /* default: the first of the table */
-    double tolerance;                 /* see integrate/method.h; default 1e-12 */
+    double tolerance;                 /* see integrate/method.h; default JLT_ORBIT_TOLERANCE */
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */

@@ -78,7 +78,7 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     self->threads = options->threads > 1 ? options->threads : 1;
     self->columns = flow->chart->states + 1;
     self->width = self->columns + WATCHED;
-    const double tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12;
+    const double tolerance = flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE;
     const size_t steps_max = most_steps(tolerance);
     self->slow = jlt_rest_slow(tolerance);
     self->map = (jlt_batch_map){

@@ -105,7 +105,7 @@ jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch
     jlt_map_batch *maps[2] = { NULL, NULL };
     jlt_status st = JLT_OK;
 
-    coarse.tolerance *= 10;
+    coarse.tolerance = 10 * (flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE);
     JLT_TRY(jlt_map_batch_create(&maps[0], flow, kernels, NULL, threads));
     JLT_TRY(jlt_map_batch_create(&maps[1], &coarse, kernels, NULL, threads));
     for (int u = 0; u < 2; u++)

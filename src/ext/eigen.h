@@ -18,7 +18,8 @@ JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a,
 JLT_CHECKED jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n);
 
 /** The shortest z with least |a z - b|, singular values below cutoff * largest taken as zero.
- *  Out: z, shape (columns,). In: a, shape (rows, columns); b, shape (rows,). Errors: NONFINITE, NOMEM. */
+ *  Out: z, shape (columns,). In: a, shape (rows, columns); b, shape (rows,). Errors: NONFINITE, also where products of entries
+ *  overflow, so that the decomposition does not settle; NOMEM. */
 JLT_CHECKED jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, size_t rows, size_t columns,
                                                double cutoff);
 

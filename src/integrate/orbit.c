@@ -12,7 +12,6 @@
 #include "integrate/step_control.h"
 #include "integrate/watch.h"
 
-static const double default_tolerance = 1e-12;
 static const size_t default_steps = 10000000;
 
 struct jlt_orbit {
@@ -48,7 +47,7 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     self = jlt_memory_array(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->options = *options;
-    if (self->options.tolerance == 0) self->options.tolerance = default_tolerance;
+    if (self->options.tolerance == 0) self->options.tolerance = JLT_ORBIT_TOLERANCE;
     if (self->options.max_step == 0) self->options.max_step = INFINITY;
     if (self->options.max_steps == 0) self->options.max_steps = default_steps;
     JLT_TRY(jlt_stepper_create(&self->stepper, method, field, self->options.tolerance, self->options.max_step));

@@ -14,9 +14,12 @@
 #include "integrate/event.h"
 #include "integrate/invariant.h"
 
+/** The default of tolerances. */
+#define JLT_ORBIT_TOLERANCE 1e-12
+
 /** Zero means the default, in all fields. */
 typedef struct {
-    double tolerance;         /* see method.h; default 1e-12 */
+    double tolerance;         /* see method.h; default JLT_ORBIT_TOLERANCE */
     double first_step;        /* in tau */
     double max_step;          /* in tau */
     size_t max_steps;         /* budget of accepted and rejected steps of one call; default 10^7 */

@@ -183,6 +183,38 @@ static void images_of_crossings_are_crossings(void **unused)
     jlt_system_destroy(rough);
 }
 
+/* A flow that leaves its tolerance to the default has the same crossings, with the same error bars, as one that names it. */
+static void the_default_tolerance_has_the_error_bars_of_its_value(void **unused)
+{
+    const jlt_manifold_options options = { .length_max = 0.5 };
+    jlt_system *system = top(1e-12);
+    jlt_separatrices all[2] = { { .chart = NULL }, { .chart = NULL } };
+    jlt_map *maps[2];
+    size_t compared = 0;
+
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        jlt_flow flow = system->flow;
+        flow.tolerance = k == 0 ? 1e-12 : 0;
+        assert_ok(jlt_map_create(&maps[k], &flow));
+        const jlt_periodic saddle = saddle_of(maps[k]);
+        assert_ok(jlt_separatrices_grow(&all[k], maps[k], &saddle, 1e-4, &options, 2));
+        assert_ok(jlt_separatrices_cross(&all[k], system->field.batch, 2));
+    }
+    for (int u = 0; u < 2; u++)
+        for (int s = 0; s < 2; s++) {
+            assert_int_equal(all[1].count[u][s], all[0].count[u][s]);
+            for (size_t i = 0; i < all[0].count[u][s]; i++, compared++)
+                assert_near(all[1].crossings[u][s][i].angle_error, all[0].crossings[u][s][i].angle_error, 0);
+        }
+    assert_true(compared > 0);
+    for (int k = 0; k < 2; k++) {
+        jlt_separatrices_clear(&all[k]);
+        jlt_map_destroy(maps[k]);
+    }
+    jlt_system_destroy(system);
+}
+
 typedef struct {
     jlt_continuation_point doubling, fold;
     bool has_doubling, has_fold;
@@ -380,6 +412,7 @@ int main(void)
         cmocka_unit_test(stable_branch_mirrors_the_unstable_one),
         cmocka_unit_test(separatrices_cross_transversally),
         cmocka_unit_test(images_of_crossings_are_crossings),
+        cmocka_unit_test(the_default_tolerance_has_the_error_bars_of_its_value),
         cmocka_unit_test(bifurcations_lie_where_multipliers_say),
         cmocka_unit_test(exponents_of_the_lorenz_attractor),
         cmocka_unit_test(exponents_of_a_periodic_orbit_are_its_multipliers),
