@@ -29,10 +29,9 @@ typedef struct {
     size_t n, kept; /* size of A; n less the zeros attributed to integrals */
     jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the zeros attributed, then the rest, ascending */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for true integrals */
-    /* Largest distances from an eigenvalue to the nearest one of another computation, relative to the Frobenius norm of A: */
-    double gsl_difference;    /* from those of B to GSL's for B */
-    double plain_difference;  /* between all of them and GSL's for A as it is, without deflation, both ways */
-    double arpack_difference; /* from ARPACK's for A, of largest magnitude, to ours; NaN where ARPACK cannot serve */
+    double gsl_difference;    /* largest distance from an eigenvalue of B to the nearest of GSL's for B, over A's Frobenius norm */
+    double plain_difference;  /* the same between all eigenvalues and GSL's for A as it is, without deflation, both ways */
+    double arpack_difference; /* the same from ARPACK's for A, of largest magnitude, to ours; NaN where ARPACK cannot serve */
     const char *arpack_note;  /* why not; "" when it did */
     int defective_zero; /* a zero eigenvalue beyond those of the integrals has too few eigenvectors: linear growth */
     int doubtful_zero;  /* errors leave open whether there is one, or how many eigenvectors it has */

@@ -7,7 +7,7 @@ void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end)
 {
     *end = (jlt_drift_end){ .t = 0 };
     self->row = (jlt_drift_row){ .returns = 0 };
-    self->told = 0;
+    self->last_due = 0;
     self->stopped = false;
 }
 
@@ -23,14 +23,14 @@ jlt_status jlt_drift_note(jlt_drift *self, size_t returns, double t, size_t eval
         if (!isfinite(drift)) return JLT_ERR_NONFINITE;
         self->row.drift[k] = fmax(self->row.drift[k], drift);
     }
-    if (due) self->told = returns;
+    if (due) self->last_due = returns;
     self->stopped = !self->tell(self->context, &self->row, due);
     return JLT_OK;
 }
 
 void jlt_drift_finish(jlt_drift *self, const jlt_drift_end *end)
 {
-    if (end->name[0] != '\0' && self->row.returns > self->told) (void)self->tell(self->context, &self->row, true);
+    if (end->name[0] != '\0' && self->row.returns > self->last_due) (void)self->tell(self->context, &self->row, true);
 }
 
 double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k)

@@ -36,7 +36,7 @@ typedef struct {
     /* Of the orbit under way, for those who follow it. */
     double first[JLT_INVARIANTS_MAX], sizes[JLT_INVARIANTS_MAX]; /* of those watched, at the start */
     jlt_drift_row row;
-    size_t told; /* returns of the last row that was due */
+    size_t last_due; /* returns of the last row that was due */
     bool stopped;
 } jlt_drift;
 

@@ -43,7 +43,7 @@ static const double resolved = 1e-3;
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
                          unsigned d)
 {
-    if (step_frame(frame, growth, p->slope, p->told, d) > resolved && d > 2) state->blurred++;
+    if (step_frame(frame, growth, p->slope, p->flux_determinant, d) > resolved && d > 2) state->blurred++;
     memcpy(state->q, p->q, d * sizeof *p->q);
     state->t += p->T;
     state->returns++;
@@ -66,7 +66,7 @@ jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double 
     while (state.returns < returns) {
         JLT_TRY(jlt_map_apply(map, &image, state.q, 1, 1));
         count_return(&state, frame, growth, &expansion,
-                     &(jlt_map_batch_return){ image.q, image.slope, image.told, image.T, image.expansion }, d);
+                     &(jlt_map_batch_return){ image.q, image.slope, image.flux_determinant, image.T, image.expansion }, d);
         if (observer != NULL && observer(context, &state) != 0) break;
     }
 done:

@@ -150,8 +150,9 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
     JLT_TRY(to_section(self, &outcome, time_direction));
     JLT_TRY(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
-    const double defect = (fabs(arrival.determinant) - arrival.told) / arrival.size;
-    const double bound = bound_of(self, outcome.x, arrival.f, slope, fmax(fabs(arrival.determinant), arrival.told) / arrival.size);
+    const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / arrival.size;
+    const double part = fmax(fabs(arrival.determinant), arrival.flux_determinant) / arrival.size;
+    const double bound = bound_of(self, outcome.x, arrival.f, slope, part);
     if (image->bound == 0 || fabs(defect) * image->bound > fabs(image->defect) * bound) {
         image->defect = defect;
         image->bound = bound;
@@ -160,7 +161,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     image->T += ldexp(outcome.t, self->flow.units.time);
     image->expansion += outcome.x[n * (1 + d)];
     image->determinant *= arrival.determinant;
-    image->told *= arrival.told;
+    image->flux_determinant *= arrival.flux_determinant;
     for (unsigned i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
 done:
     return st;
@@ -189,7 +190,7 @@ static void copy_image(jlt_image *out, const jlt_image *image, const jlt_chart *
     memcpy(out->x, image->x, chart->states * sizeof *out->x);
     out->T = image->T;
     out->determinant = image->determinant;
-    out->told = image->told;
+    out->flux_determinant = image->flux_determinant;
     out->expansion = image->expansion;
     out->defect = image->defect;
     out->bound = image->bound;
@@ -206,7 +207,7 @@ jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t 
     memcpy(image->q, q, d * sizeof *q);
     for (i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
     image->T = image->expansion = image->defect = image->bound = 0;
-    image->determinant = image->told = 1;
+    image->determinant = image->flux_determinant = 1;
     for (i = 0; i < count; i++) JLT_TRY(advance(self, image, time_direction));
     copy_image(out, image, self->flow.chart);
 done:
@@ -231,7 +232,7 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
     memcpy(out->x, row.x, self->flow.chart->states * sizeof *out->x);
     out->T = row.t;
     for (i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
-    out->determinant = out->told = out->expansion = out->defect = out->bound = NAN;
+    out->determinant = out->flux_determinant = out->expansion = out->defect = out->bound = NAN;
 done:
     return st;
 }

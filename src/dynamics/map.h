@@ -18,7 +18,7 @@ typedef struct {
                                                             rule */
     double T;                /* [time] that all returns took, negative backwards */
     double determinant;      /* of slope: product over the returns */
-    double told;             /* what flux and divergence say of the determinant's size, also where DP has lost it to rounding */
+    double flux_determinant; /* |det DP| by flux and divergence, also where DP itself has lost it to rounding */
     double expansion;        /* integral of the divergence on the levels, over all returns */
     double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
                                 relative to that); of the single return that is worst by its bound */
@@ -48,8 +48,8 @@ const jlt_flow *jlt_map_flow(const jlt_map *self);
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
 /** P^count(q) without the derivative, five times cheaper, as a jlt_section follows the orbit: fills q, T and x; slope, determinant,
- *  told, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but that another branch is not told; DOMAIN also where a
- *  condition of the model breaks and flow.end_where_invalid is set. */
+ *  flux_determinant, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but that a return on another branch is none;
+ *  DOMAIN also where a condition of the model breaks and flow.end_where_invalid is set. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
 /** Follow a varied state (map_return.h) to the section, forwards or backwards. In/out: varied, shape (states*(1 + dim) + 1,). Out:

@@ -191,8 +191,9 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
     out->status[point] = jlt_map_return_end(&arrival, out->q + point * d, slope, flow, varied, self->flux[lane]);
     if (out->status[point] != JLT_OK) return;
     add(self, point,
-        &(jlt_map_batch_return){ out->q + point * d, slope, arrival.told, ldexp(t, flow->units.time), varied[n * (1 + d)] },
-        arrival.determinant, (fabs(arrival.determinant) - arrival.told) / arrival.size);
+        &(jlt_map_batch_return){ out->q + point * d, slope, arrival.flux_determinant, ldexp(t, flow->units.time),
+                                 varied[n * (1 + d)] },
+        arrival.determinant, (fabs(arrival.determinant) - arrival.flux_determinant) / arrival.size);
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
@@ -238,7 +239,7 @@ static void go_alone(worker *self, size_t point)
         out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->direction);
     if (out->status[point] != JLT_OK) return;
     memcpy(out->q + point * d, image.q, d * sizeof *image.q);
-    add(self, point, &(jlt_map_batch_return){ out->q + point * d, image.slope, image.told, image.T, image.expansion },
+    add(self, point, &(jlt_map_batch_return){ out->q + point * d, image.slope, image.flux_determinant, image.T, image.expansion },
         image.determinant, image.defect);
 }
 

@@ -58,7 +58,7 @@ JLT_CHECKED jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_m
  *  and the integral of the divergence. */
 typedef struct {
     const double *q, *slope;
-    double told, T, expansion;
+    double flux_determinant, T, expansion;
 } jlt_map_batch_return;
 
 /** Told of every return of each point in order; of several points by several threads at once. */

@@ -65,6 +65,6 @@ jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, con
     out->determinant = jlt_linear_determinant(slope, d);
     out->size = hadamard(slope, d);
     /* A crossing in the other direction turns the flux round; volume is counted positive. */
-    out->told = fabs(flux / after) * exp(varied[n * (1 + d)]);
-    return isfinite(out->told) ? JLT_OK : JLT_ERR_NONFINITE; /* infinite where the coordinates fold */
+    out->flux_determinant = fabs(flux / after) * exp(varied[n * (1 + d)]);
+    return isfinite(out->flux_determinant) ? JLT_OK : JLT_ERR_NONFINITE; /* infinite where the coordinates fold */
 }

@@ -12,7 +12,7 @@ JLT_CHECKED jlt_status jlt_map_return_start(double *varied, double *flux, const 
 typedef struct {
     double f[JLT_CHART_STATES_MAX]; /* the field at the return */
     double determinant;             /* of DP */
-    double told;                    /* the same from flux and divergence, by the identity in map.h */
+    double flux_determinant;        /* its size by flux and divergence, by the identity in map.h */
     double size;                    /* the product of DP's row lengths, which rounding errors of both are relative to */
 } jlt_map_return;
 

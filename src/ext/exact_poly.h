@@ -1,4 +1,5 @@
-/** Polynomials with coefficients in a tower of square roots, exactly. */
+/** Polynomials with coefficients in a tower of square roots, exactly. Outputs are initialized before a call, and may alias inputs.
+ *  Running out of memory ends the program, as in all of FLINT. */
 #ifndef JLT_EXT_EXACT_POLY_H
 #define JLT_EXT_EXACT_POLY_H
 
@@ -17,7 +18,6 @@ typedef struct {
     jlt_surd *coefficients; /* the constant first */
 } jlt_exact_poly;
 
-/* Outputs below are initialized before, and may alias inputs. Running out of memory ends the program, as in all of FLINT. */
 void jlt_exact_poly_init(jlt_exact_poly *p); /* zero */
 void jlt_exact_poly_clear(jlt_exact_poly *p);
 

@@ -12,10 +12,8 @@ typedef struct jlt_batch_method {
     const char *name;
     unsigned order;       /* of the solution */
     unsigned error_order; /* the error estimate of a step h is O(h^error_order) */
-    /* The estimate is held below caution * tolerance^power. Both were measured on section maps, so that one tolerance gives about
-     * the same error by every method. */
-    double power;
-    double caution;
+    double power;         /* the estimate is held below caution * tolerance^power */
+    double caution;       /* both were measured on section maps, so that one tolerance gives about the same error by every method */
     unsigned stages;      /* slopes beyond k[0]; the last is at the end of the step, and the next step's k[0] */
     jlt_stage_sum sum[JLT_BATCH_STAGES_MAX]; /* [i - 1] leads to slope i; the last one is the solution */
     jlt_stage_sum error;                     /* its estimate */

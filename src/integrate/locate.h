@@ -4,9 +4,10 @@
 
 #include "integrate/event.h"
 
-/** g at x; and its derivative dg/dtau there, where f is the field at x: by central differences along f where the event has no
- *  `rate`. x and f (stride,). */
+/** g at x, shape (stride,). */
 double jlt_locate_value(const jlt_event *event, const double *x);
+
+/** dg/dtau at x, where f is the field at x, both (stride,): by central differences along f where the event has no `rate`. */
 double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
 /** What x[column] - level is measured against: its level, and what counts as small. */

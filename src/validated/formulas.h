@@ -34,11 +34,10 @@ JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_de
                                            unsigned free_count, const char *const *levels, unsigned level_count);
 void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 
-/** Where outputs of `variation` are: df_row/d(state or free parameter `column`), the divergence, condition `index` of the model,
- *  and of its domain. */
-unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column);
+/* Which output of `variation` is what: */
+unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column); /* df_row by x_column, or a free parameter */
 unsigned jlt_formulas_divergence(const jlt_formulas *self);
-unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);
-unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index);
+unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);  /* the quantity of the model's condition `index` */
+unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index); /* what is positive in the domain, number `index` */
 
 #endif

@@ -23,8 +23,10 @@ void jlt_range_add(jlt_range *out, const jlt_range *a, const jlt_range *b, slong
 void jlt_range_multiply(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits);
 void jlt_range_power(jlt_range *out, const jlt_range *a, unsigned exponent, slong bits); /* sharp: squares are not negative */
 
-/** 1/a, false where a holds 0; and the square root, false where a holds a negative number. out is then untouched. */
+/** 1/a. False: a holds 0, and out is untouched. */
 bool jlt_range_invert(jlt_range *out, const jlt_range *a, slong bits);
+
+/** The square root. False: a holds a negative number, and out is untouched. */
 bool jlt_range_root(jlt_range *out, const jlt_range *a, slong bits);
 
 /** A function of Arb over a ball around a. False: it is not shown to be finite everywhere there. */

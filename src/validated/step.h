@@ -30,9 +30,10 @@ void jlt_step_destroy(jlt_step *step); /* legal on NULL */
  *  table's domain. */
 JLT_CHECKED jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansion, arf_struct *least);
 
-/** Evaluate field, its derivative, divergence and conditions over a box x, shape (dim,), by the program `variation`; and read
- *  output `index` (formulas.h), borrowed until the next evaluation. */
+/** Evaluate field, its derivative, divergence and conditions over a box x, shape (dim,), by the program `variation`. */
 void jlt_step_evaluate(jlt_step *self, arb_srcptr x);
+
+/** Output `index` (formulas.h) over the box last evaluated, borrowed until the next evaluation. */
 arb_srcptr jlt_step_output(const jlt_step *self, unsigned index);
 
 /* Whether the box last evaluated lies in the table's domain. */
