@@ -101,7 +101,7 @@ typedef struct {
 /* The piece at this place of the shard's order. */
 static size_t piece_at(const sweep *self, size_t position)
 {
-    return jlt_deal_piece(self->rank.index - 1 + position * self->rank.count, self->study.pieces);
+    return jlt_deal_piece(position, self->rank.index - 1, self->rank.count);
 }
 
 /* FOLDER/I-of-N.shard. */
@@ -334,10 +334,9 @@ static jlt_exit show_all(const sweep *self)
 static jlt_exit run_shard(sweep *self)
 {
     bool interrupted = false;
-    const size_t first = self->rank.index - 1;
     jlt_exit code = place(self);
 
-    self->own = first < self->study.pieces ? (self->study.pieces - 1 - first) / self->rank.count + 1 : 0;
+    self->own = jlt_deal_count(self->rank.index - 1, self->rank.count, self->study.pieces);
     if (code == JLT_EXIT_DONE && self->o->dry) return show_all(self);
     self->is_done = calloc(self->own + 1, 1);
     if (self->is_done == NULL) return jlt_command_no_memory();

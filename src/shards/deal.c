@@ -13,28 +13,40 @@ static uint64_t mix(uint64_t z)
 }
 
 /* A permutation of the numbers of 2 * half bits: a Feistel network (Luby, Rackoff, SIAM J. Comput. 17, 1988), which needs no
- * inverse of its hash. */
-static uint64_t permuted(uint64_t x, unsigned half)
+ * inverse of its hash. Each `turn` has one of its own. */
+static uint64_t permuted(uint64_t x, unsigned half, uint64_t turn)
 {
-    const uint64_t mask = ((uint64_t)1 << half) - 1;
+    const uint64_t mask = ((uint64_t)1 << half) - 1, key = mix(turn);
     uint64_t left = x >> half, right = x & mask;
 
     for (uint64_t round = 1; round <= ROUNDS; round++) {
-        const uint64_t next = left ^ (mix(right + round * 0x9e3779b97f4a7c15u) & mask);
+        const uint64_t next = left ^ (mix(key + right + round * 0x9e3779b97f4a7c15u) & mask);
         left = right;
         right = next;
     }
     return left << half | right;
 }
 
-size_t jlt_deal_piece(size_t position, size_t pieces)
+/* Which of the pieces of a turn, `shards` of them, a shard has. */
+static size_t drawn(size_t shard, size_t shards, size_t turn)
 {
     unsigned half = 1;
-    uint64_t x = position;
+    uint64_t x = shard;
 
-    while ((uint64_t)1 << (2 * half) < pieces) half++;
-    /* Numbers beyond the last piece are passed over: what is left of a permutation's cycles is one of the pieces. */
-    do x = permuted(x, half);
-    while (x >= pieces);
+    while ((uint64_t)1 << (2 * half) < shards) half++;
+    /* Numbers beyond the last are passed over: what is left of a permutation's cycles is one of these. */
+    do x = permuted(x, half, turn);
+    while (x >= shards);
     return (size_t)x;
+}
+
+size_t jlt_deal_count(size_t shard, size_t shards, size_t pieces)
+{
+    const size_t whole = pieces / shards;
+    return whole + (drawn(shard, shards, whole) < pieces % shards);
+}
+
+size_t jlt_deal_piece(size_t place, size_t shard, size_t shards)
+{
+    return place * shards + drawn(shard, shards, place);
 }
