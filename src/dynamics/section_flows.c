@@ -121,7 +121,7 @@ jlt_batch_case *jlt_section_flows_cases(jlt_section_flows *self, const jlt_kerne
     for (size_t i = 0; cases != NULL && i < self->count; i++) {
         jlt_section_flows_entry *entry = &self->all[i];
         cases[i] = (jlt_batch_case){ .p = entry->flow.field->p, .level = entry->flow.chart->level,
-                                     .params = entry->project != NULL ? entry->project->params : NULL };
+                                     .params = entry->project != NULL ? entry->project->counted : NULL };
         if (watches) set_watched(&cases[i], entry, kernels->lanes);
     }
     return cases;

@@ -63,7 +63,7 @@ jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self)
 
     *out = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, self->field.p };
     if (self->surface != NULL || d->lifted_count == 0) return JLT_OK;
-    return jlt_conserved_of(out, &((plane_system *)(void *)self)->conserved, d, instance->prepared, instance->params);
+    return jlt_conserved_of(out, &((plane_system *)(void *)self)->conserved, instance);
 }
 
 /* The plane of all states becomes one of those before lifted roots. */

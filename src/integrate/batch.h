@@ -31,7 +31,7 @@ typedef enum {
 typedef struct {
     const double *p;       /* prepared values, (kernels->prepared,) */
     double level;          /* the section is x[column] = level */
-    const double *params;  /* of `project`: what the descriptor's relation of a root takes */
+    const double *params;  /* of `project`: what the descriptor's relation of a root takes, in the states' units */
     const double *watched; /* of `watch`: prepared values, (watch->kernels->prepared,) */
     const double *unit;    /* of `watch`: (dim,), states times these are what its kernels take; NULL: states as they are */
 } jlt_batch_case;

@@ -2,29 +2,28 @@
 
 static void values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const jlt_conserved *self = (const jlt_conserved *)(const void *)p;
+    const jlt_instance *self = ((const jlt_conserved *)(const void *)p)->instance;
     const jlt_descriptor *d = self->descriptor;
 
     if (d->integral_count > 0) d->integral_values.call(x, self->prepared, out);
-    if (d->lifted_count > 0) d->root_relations(x, self->params, out + d->integral_count);
+    if (d->lifted_count > 0) d->root_relations(x, self->counted, out + d->integral_count);
 }
 
 static void gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const jlt_conserved *self = (const jlt_conserved *)(const void *)p;
+    const jlt_instance *self = ((const jlt_conserved *)(const void *)p)->instance;
     const jlt_descriptor *d = self->descriptor;
 
     if (d->integral_count > 0) d->integral_gradients.call(x, self->prepared, out);
-    if (d->lifted_count > 0) d->root_relation_gradients(x, self->params, out + (size_t)d->integral_count * d->state_count);
+    if (d->lifted_count > 0) d->root_relation_gradients(x, self->counted, out + (size_t)d->integral_count * d->state_count);
 }
 
-jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor, const double *prepared,
-                            const double *params)
+jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_instance *instance)
 {
-    const unsigned count = descriptor->integral_count + descriptor->lifted_count;
+    const unsigned count = instance->descriptor->integral_count + instance->descriptor->lifted_count;
 
     if (count > JLT_INVARIANTS_MAX) return JLT_ERR_UNSUPPORTED;
-    *keep = (jlt_conserved){ .descriptor = descriptor, .prepared = prepared, .params = params };
+    *keep = (jlt_conserved){ .instance = instance };
     *out = (jlt_invariants){ .count = count, .values = values, .gradients = gradients, .p = (const double *)(const void *)keep };
     return JLT_OK;
 }

@@ -8,14 +8,11 @@
 
 /** Plain data that must outlive the invariants made from it and is passed to them as their prepared values, hence the alignment. */
 typedef struct {
-    _Alignas(double) const jlt_descriptor *descriptor;
-    const double *prepared, *params;
+    _Alignas(double) const jlt_instance *instance;
 } jlt_conserved;
 
-/** The invariants of the field of `descriptor`. prepared, shape (prepared_count,), and params, shape (param_count,), are those that
- *  it is integrated with; both must live as long. keep: storage to which *out points. Errors:
- *  UNSUPPORTED, there are more than JLT_INVARIANTS_MAX. */
-JLT_CHECKED jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_descriptor *descriptor,
-                                        const double *prepared, const double *params);
+/** The invariants of the field of `instance`, which must live as long. keep: storage to which *out points. Errors: UNSUPPORTED,
+ *  there are more than JLT_INVARIANTS_MAX. */
+JLT_CHECKED jlt_status jlt_conserved_of(jlt_invariants *out, jlt_conserved *keep, const jlt_instance *instance);
 
 #endif

@@ -43,13 +43,14 @@ jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor 
     if (self == NULL) goto done;
     self->descriptor = descriptor;
     self->params = jlt_memory_array(descriptor->param_count, sizeof *self->params);
+    self->counted = jlt_memory_array(descriptor->param_count, sizeof *self->counted);
     self->prepared = jlt_memory_array(descriptor->prepared_count, sizeof *self->prepared);
     self->states = jlt_memory_array(descriptor->state_count, sizeof *self->states);
-    if (self->params == NULL || self->prepared == NULL || self->states == NULL) goto done;
-    jlt_units_count(self->params, params, descriptor->params, descriptor->param_count, units);
-    JLT_TRY(jlt_kernel_prepare_params(self->prepared, descriptor, self->params));
-    count_states(self->states, descriptor, units);
+    if (self->params == NULL || self->counted == NULL || self->prepared == NULL || self->states == NULL) goto done;
     memcpy(self->params, params, descriptor->param_count * sizeof *params);
+    jlt_units_count(self->counted, params, descriptor->params, descriptor->param_count, units);
+    JLT_TRY(jlt_kernel_prepare_params(self->prepared, descriptor, self->counted));
+    count_states(self->states, descriptor, units);
     *instance = self;
     self = NULL; /* ownership moved to the caller */
 done:
@@ -61,6 +62,7 @@ void jlt_instance_destroy(jlt_instance *instance)
 {
     if (instance == NULL) return;
     free(instance->params);
+    free(instance->counted);
     free(instance->prepared);
     free(instance->states);
     free(instance);

@@ -10,7 +10,8 @@
 typedef struct {
     const jlt_descriptor *descriptor;
     double *params;   /* shape (param_count,), owned, in the table's units */
-    double *prepared; /* shape (prepared_count,), owned, made from params */
+    double *counted;  /* the same in the units in which states are counted: what kernels of roots take beside such states */
+    double *prepared; /* shape (prepared_count,), owned, made from these */
     jlt_quantity *states; /* shape (state_count,), owned: those of the descriptor, with intervals and periods in the units in
                              which states are counted */
 } jlt_instance;

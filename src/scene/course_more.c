@@ -60,7 +60,7 @@ jlt_status jlt_course_more_follow(jlt_course_more *self, const jlt_leg *leg, con
         self->observed = NULL;
         return JLT_OK;
     }
-    jlt_units_restore(params, leg->params, of->params, of->param_count, units);
+    jlt_units_restore(params, leg->view.instance->counted, of->params, of->param_count, units);
     JLT_TRY(jlt_observed_create(&observed, of, params, units));
     st = JLT_ERR_NOMEM;
     self->seen = calloc(jlt_observed_count(observed) + 1, sizeof *self->seen);

@@ -64,10 +64,9 @@ jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, 
     JLT_TRY(lift(out->start, way, system, q));
     out->level = ldexp(out->level, -jlt_units_exponent(&system->units, field->states[column].unit));
     jlt_units_count(out->start, out->start, field->states, field->state_count, &system->units);
-    jlt_units_count(out->params, told, field->params, field->param_count, &system->units);
     JLT_TRY(jlt_instance_create_in(&out->instance, field, told, &system->units));
     JLT_TRY(jlt_field_of(&out->field, out->instance));
-    JLT_TRY(jlt_conserved_of(&out->invariants, &out->conserved, field, out->instance->prepared, out->params));
+    JLT_TRY(jlt_conserved_of(&out->invariants, &out->conserved, out->instance));
 done:
     if (st != JLT_OK) jlt_drift_whole_close(out);
     return st;

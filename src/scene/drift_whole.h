@@ -15,8 +15,8 @@ typedef struct {
     unsigned watched[JLT_INVARIANTS_MAX]; /* (levels of the section,): the number of each among the invariants */
     unsigned column;                      /* the section is where this state has the value `level` */
     double level;
-    double params[JLT_WAY_VALUES_MAX], start[JLT_WAY_VALUES_MAX]; /* in the flow's units */
-    int time;                             /* binary exponent of the flow's unit of time */
+    double start[JLT_WAY_VALUES_MAX]; /* in the flow's units */
+    int time;                         /* binary exponent of the flow's unit of time */
 } jlt_drift_whole;
 
 /** Place the start q, shape (dim,), of a section that tables describe in the asked model. *out must not move. Errors: UNSUPPORTED,

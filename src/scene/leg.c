@@ -18,12 +18,9 @@ jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const
 
     *out = (jlt_leg){ .t = t, .direction = direction };
     JLT_TRY(jlt_tier_open(&out->view, out->y, refusal, tier, params, x));
-    const jlt_instance *instance = out->view.instance;
     JLT_TRY(jlt_tier_edges_open(&out->edges, &out->view));
-    JLT_TRY(jlt_field_of(&out->field, instance));
-    jlt_units_count(out->params, instance->params, instance->descriptor->params, instance->descriptor->param_count, &tier->units);
-    if (options.project)
-        JLT_TRY(jlt_conserved_of(&options.invariants, &out->conserved, instance->descriptor, instance->prepared, out->params));
+    JLT_TRY(jlt_field_of(&out->field, out->view.instance));
+    if (options.project) JLT_TRY(jlt_conserved_of(&options.invariants, &out->conserved, out->view.instance));
     JLT_TRY(jlt_orbit_create(&out->orbit, method, &out->field, &options));
 done:
     if (st != JLT_OK) jlt_leg_close(out);

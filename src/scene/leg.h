@@ -15,8 +15,7 @@ typedef struct {
     double t;      /* of the start */
     int direction; /* of time; 0: that of the first time asked for */
     bool started;
-    double params[JLT_WAY_VALUES_MAX]; /* of the kernel, in the tier's units */
-    double y[JLT_WAY_VALUES_MAX];      /* its states at the last point that was reached */
+    double y[JLT_WAY_VALUES_MAX]; /* the kernel's states at the last point that was reached */
 } jlt_leg;
 
 /** Begin a leg at x, shape (states of the asked model,), at time t. In: params, shape (params of the asked model,), whose units are
