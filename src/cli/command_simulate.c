@@ -113,21 +113,8 @@ static jlt_exit regular_times(jlt_simulate_request *r)
 
 /* ---- the courses: the orbit asked for, then those it is compared with ---- */
 
-/* The claim without a proof for which a table of this name, or at the end of a way of this name, is not even looked for; NULL:
- * none. */
-static const jlt_claim *broken_way(const jlt_descriptor *asked, const char *name)
-{
-    for (unsigned i = 0; i < asked->way_count; i++) {
-        const jlt_way *way = &asked->ways[i];
-        if (strcmp(way->name, name) != 0 && strcmp(way->model, name) != 0) continue;
-        if (asked->claims[way->claim].verdict != JLT_PROVED) return &asked->claims[way->claim];
-    }
-    return NULL;
-}
-
 static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
 {
-    const jlt_claim *broken;
     const jlt_session *s = &r->session;
     const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0, false, tier, &s->others };
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt,
@@ -136,22 +123,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     jlt_status st;
 
     st = jlt_plan_make(plan, &question);
-    if (st == JLT_ERR_ARG && (broken = broken_way(s->descriptor, tier)) != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of this table: %s", tier,
-                                broken->kind, broken->name, broken->reason);
-    if (st == JLT_ERR_ARG)
-        return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
-                                s->descriptor->model);
-    if (st == JLT_ERR_UNSUPPORTED && tier == NULL && question.more)
-        return jlt_command_fail(
-            JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
-            s->descriptor->model);
-    if (st == JLT_ERR_UNSUPPORTED && tier != NULL) {
-        char refusal[1024];
-        jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
-        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, refusal);
-    }
-    if (st == JLT_ERR_UNSUPPORTED) return jlt_planned_refuse(plan, s->descriptor);
+    if (st == JLT_ERR_ARG || st == JLT_ERR_UNSUPPORTED) return jlt_planned_refuse(plan, &question, st, s->common.plan);
     if (st == JLT_OK && options.project) {
         const jlt_descriptor *field = plan->candidates[plan->chosen].descriptor;
         if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: by quadratures there are no steps to go back after");
@@ -276,6 +248,9 @@ static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row
     if (st == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "at t = %.10g %s%s", row->t, row->edge,
                                 r->plans[0].forced && r->plans[0].count > 1 ? ": leave out --tier" : "");
+    if (row->unbounded != NULL)
+        return jlt_command_fail(jlt_command_exit(st), "%s grows without bound towards t = %.10g: %s", row->unbounded, row->t,
+                                jlt_status_text(st));
     return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
                             jlt_status_text(st));
 }

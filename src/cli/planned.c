@@ -20,6 +20,7 @@ static void show_candidate(const jlt_plan *plan, unsigned index, const char *why
 {
     const jlt_candidate *c = &plan->candidates[index];
     char kernel[128], counts[64] = "", refusal[1024];
+    const bool taken = index == plan->chosen && c->refusal[0] == '\0';
 
     kernel_name(kernel, sizeof kernel, c->descriptor);
     if (c->descriptor != NULL) {
@@ -27,8 +28,8 @@ static void show_candidate(const jlt_plan *plan, unsigned index, const char *why
         snprintf(counts, sizeof counts, "%u+ %ux %ufma %u/ %uroot %uelem", n->add, n->multiply, n->fma, n->divide, n->root,
                  n->elementary);
     }
-    printf("  %c %-14s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', c->tier.name, c->tier.dimension, kernel, counts);
-    if (index == plan->chosen)
+    printf("  %c %-14s %3u  %-52s %-36s ", taken ? '*' : ' ', c->tier.name, c->tier.dimension, kernel, counts);
+    if (taken)
         printf("taken: %s\n", why != NULL        ? why
                               : plan->forced     ? "asked for by name"
                               : plan->count == 1 ? "the model's own field"
@@ -113,7 +114,9 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
         const jlt_status st = system->surface != NULL ? jlt_plan_make(&plan, &question) : JLT_OK;
         if (st == JLT_OK)
             jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
-        code = st == JLT_OK ? JLT_EXIT_PLANNED : jlt_motion_fail(st, system, asked->model);
+        code = st == JLT_OK                ? JLT_EXIT_PLANNED
+               : st == JLT_ERR_UNSUPPORTED ? jlt_planned_refuse(&plan, &question, st, true)
+                                           : jlt_motion_fail(st, system, asked->model);
     }
     free(params);
     if (code != JLT_EXIT_PLANNED) return code;
@@ -134,8 +137,46 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     return code;
 }
 
+/* The first claim of these, from `from` on, by which another table would serve, and which is not proved; NULL: none. */
+static const jlt_claim *broken_claim(const jlt_claim *from)
+{
+    for (const jlt_claim *c = from; c->kind != NULL; c++)
+        if (c->verdict != JLT_PROVED && (strcmp(c->kind, "reduction") == 0 || strcmp(c->kind, "lift") == 0)) return c;
+    return NULL;
+}
+
+/* The claim without a proof for which a table of this name, or at the end of a way of this name, is not even looked for; NULL:
+ * none. */
+static const jlt_claim *broken_way(const jlt_descriptor *asked, const char *name)
+{
+    for (unsigned i = 0; i < asked->way_count; i++) {
+        const jlt_way *way = &asked->ways[i];
+        if (strcmp(way->name, name) != 0 && strcmp(way->model, name) != 0) continue;
+        if (asked->claims[way->claim].verdict != JLT_PROVED) return &asked->claims[way->claim];
+    }
+    for (const jlt_claim *c = broken_claim(asked->claims); c != NULL; c = broken_claim(c + 1))
+        if (strcmp(c->name, name) == 0) return c;
+    return NULL;
+}
+
+static jlt_exit refuse_name(const jlt_descriptor *asked, const char *tier)
+{
+    const jlt_claim *broken = broken_way(asked, tier);
+
+    if (broken != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of this table: %s", tier,
+                                broken->kind, broken->name, broken->reason);
+    broken = broken_claim(asked->claims);
+    if (broken == NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier, asked->model);
+    return jlt_command_fail(JLT_EXIT_INPUT,
+                            "there is no tier '%s' of %s; jellett plan lists them; a table that has one may not serve: the %s %s "
+                            "is not proved of this table: %s",
+                            tier, asked->model, broken->kind, broken->name, broken->reason);
+}
+
 /* Of the asked table's own tiers the last is meant to answer, whatever the others need. */
-jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_descriptor *asked)
+static jlt_exit refuse_all(const jlt_plan *plan, const jlt_descriptor *asked)
 {
     const jlt_candidate *own = NULL;
     char refusal[1024];
@@ -149,4 +190,20 @@ jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_descriptor *asked)
     return jlt_command_fail(JLT_EXIT_INPUT,
                             "no tier of %s can answer; its own, %s: %s (use units in which parameters are nearer one)",
                             asked->model, own->tier.name, refusal);
+}
+
+jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, jlt_status status, bool show)
+{
+    const jlt_descriptor *asked = question->model;
+    char refusal[1024];
+
+    if (status == JLT_ERR_ARG) return refuse_name(asked, question->tier);
+    if (show) jlt_planned_show(plan, NULL);
+    if (question->tier == NULL && question->more)
+        return jlt_command_fail(
+            JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
+            asked->model);
+    if (question->tier == NULL) return refuse_all(plan, asked);
+    jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
+    return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", question->tier, refusal);
 }

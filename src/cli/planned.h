@@ -16,7 +16,8 @@ void jlt_planned_chosen(const jlt_plan *plan);
  *  them, where orbits begin, and what follows them. Returns JLT_EXIT_PLANNED on success. */
 jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options, const jlt_descriptor *asked);
 
-/** Say that no tier of the asked table can answer, and why its own cannot. */
-jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_descriptor *asked);
+/** Say why no tier can answer the question, after jlt_plan_make has ended with this status: ARG, there is none of the name asked
+ *  for; UNSUPPORTED, none serves, or not the one asked for. show: print the candidates first. */
+jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, jlt_status status, bool show);
 
 #endif

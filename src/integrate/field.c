@@ -1,5 +1,6 @@
 #include "integrate/field.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "kernel/batch_isa.h"
@@ -12,6 +13,22 @@ bool jlt_field_watches(const jlt_field *field)
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++)
         watches |= isfinite(domain->intervals[i].low) || isfinite(domain->intervals[i].high);
     return watches;
+}
+
+unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t)
+{
+    double f[JLT_FIELD_DIM_MAX], rate = 1, first = 1e5 * DBL_EPSILON * fabs(t);
+    unsigned found = field->dim;
+
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, &rate);
+    for (unsigned i = 0; i < field->dim; i++) {
+        const double doubles = fabs(x[i] * rate / f[i]);
+        if (!(x[i] * (f[i] / rate) * t > 0) || !(doubles < first)) continue;
+        first = doubles;
+        found = i;
+    }
+    return found;
 }
 
 /* How many conditions orbits watch: none where all are of parameters alone. */

@@ -356,6 +356,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
             self->t = jlt_leg_time(self->leg, outcome.t);
             fill(self, row, outcome.end, self->t);
         }
+        if (st != JLT_OK && outcome.x != NULL) row->unbounded = jlt_leg_unbounded(self->leg, outcome.t);
         if (st != JLT_ERR_DOMAIN) return st;
         name_edge(self, edge);
         row->edge = self->edge;

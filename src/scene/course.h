@@ -37,6 +37,7 @@ typedef struct {
                                  nothing; the course's own */
     int side;                 /* POLE: which one, +1 or -1 */
     unsigned pole;            /* POLE: the state that has come to an end of its interval */
+    const char *unbounded;    /* NO_PROGRESS, NONFINITE: the tier's state that grows without bound; NULL: none is known */
     const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message; the course's own */
 } jlt_course_row;
 

@@ -54,6 +54,13 @@ void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
                  part.is_upper ? kernel->states[part.index].high : kernel->states[part.index].low);
 }
 
+const char *jlt_leg_unbounded(const jlt_leg *self, double t)
+{
+    const unsigned state = jlt_field_unbounded(&self->field, self->y, t);
+
+    return state < self->field.dim ? self->view.instance->descriptor->states[state].name : NULL;
+}
+
 jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome, unsigned *edge)
 {
     jlt_tier_edges *edges = &self->edges;

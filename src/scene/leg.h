@@ -35,6 +35,9 @@ JLT_CHECKED jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome,
  *  (JLT_TIER_TEXT_MAX,). */
 void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge);
 
+/** The name of the state that grows without bound at the last point, at time t of the orbit; NULL: none is known. */
+const char *jlt_leg_unbounded(const jlt_leg *self, double t);
+
 /** The time of the asked model at one of the orbit's. */
 double jlt_leg_time(const jlt_leg *self, double t);
 
