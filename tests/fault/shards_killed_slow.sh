@@ -13,7 +13,7 @@ cat > ends.scene << 'END'
 levels = { E = 2.15; G = -0.56; };
 accuracy = { tolerance = 1e-10; };
 piece = 3;
-compute = ( { what = "fates"; grid = "60x40"; returns = 100; } );
+compute = ( { what = "fates"; grid = "240x160"; returns = 100; } );
 END
 jellett sweep ends.scene --into=whole --shard=1/1 2> log || { cat log; exit 1; }
 jellett merge whole -o whole.csv -o whole.sqlite
