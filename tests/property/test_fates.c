@@ -1,25 +1,14 @@
 /* Fates of orbits from a section, and the cells that orbits visit. */
-#include "unit/check.h"
+#include "property/top_51.h"
 
 #include "dynamics/fates.h"
 #include "dynamics/separation.h"
-#include "witness/top_section.h"
-
-static jlt_system *top(double tolerance)
-{
-    const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING };
-    const jlt_top_values values = jlt_system_top_defaults();
-    jlt_system *system;
-
-    assert_ok(jlt_system_top(&system, &values, &options));
-    return system;
-}
 
 /* The option decides whether loss of contact ends an orbit; orbits of (5.1) that turn over lose it on the way. */
 static void loss_of_contact_ends_orbits_when_asked(void **unused)
 {
     const double q[2] = { 2, -0.5 };
-    jlt_system *system = top(1e-12);
+    jlt_system *system = top_51(1e-12);
     jlt_flow ending = system->flow;
     jlt_section *section;
     jlt_fates_count count = { 0 };
@@ -87,7 +76,7 @@ static void attractor_and_repeller_are_told_apart(void **unused)
     jlt_top_values values = { 1, 1, 1, 0.591, 0.494, 0.548, 2.15, 0.161 };
     const jlt_flow flow = { .tolerance = 1e-11, .direction = JLT_RISING };
     jlt_separation rows[48];
-    jlt_system *system = top(1e-11);
+    jlt_system *system = top_51(1e-11);
     size_t count;
 
     (void)unused;

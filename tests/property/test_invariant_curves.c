@@ -1,22 +1,11 @@
 /* Branches of manifolds, homoclinic points, continuation and exponents: what must hold of each. */
-#include "unit/check.h"
+#include "property/top_51.h"
 
 #include <stdlib.h>
 
 #include "dynamics/separatrices.h"
 #include "dynamics/lyapunov.h"
-#include "witness/top_section.h"
 #include "kernel/descriptor.h"
-
-static jlt_system *top(double tolerance)
-{
-    const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING };
-    const jlt_top_values values = jlt_system_top_defaults();
-    jlt_system *system;
-
-    assert_ok(jlt_system_top(&system, &values, &options));
-    return system;
-}
 
 static jlt_periodic saddle_of(jlt_map *map)
 {
@@ -32,7 +21,7 @@ static jlt_periodic saddle_of(jlt_map *map)
  * seed: halving the seed, with sigma shifted to match, moves points along the curve alone. */
 static void branches_are_invariant(void **unused)
 {
-    jlt_system *system = top(1e-13);
+    jlt_system *system = top_51(1e-13);
     jlt_branch branch;
     jlt_image image;
     jlt_map *map;
@@ -61,7 +50,7 @@ static void branches_are_invariant(void **unused)
 static void stable_branch_mirrors_the_unstable_one(void **unused)
 {
     const jlt_manifold_options options = { .spacing = 0.004, .length_max = 0.5 };
-    jlt_system *system = top(1e-12);
+    jlt_system *system = top_51(1e-12);
     const jlt_chart *chart = system->flow.chart;
     jlt_manifold unstable = { 0 }, stable = { 0 }, mirrored = { 0 };
     jlt_branch u, s;
@@ -100,7 +89,7 @@ static void stable_branch_mirrors_the_unstable_one(void **unused)
 static void separatrices_cross_transversally(void **unused)
 {
     const jlt_manifold_options options = { .length_max = 0.55 };
-    jlt_system *system = top(1e-13), *rough = top(1e-12);
+    jlt_system *system = top_51(1e-13), *rough = top_51(1e-12);
     jlt_manifold curves[2] = { { 0 } };
     jlt_homoclinic *points = NULL;
     jlt_branch branches[2];
@@ -140,7 +129,7 @@ static void separatrices_cross_transversally(void **unused)
 static void images_of_crossings_are_crossings(void **unused)
 {
     const jlt_manifold_options options = { .length_max = 0.7 };
-    jlt_system *system = top(1e-13), *rough = top(1e-12);
+    jlt_system *system = top_51(1e-13), *rough = top_51(1e-12);
     jlt_separatrices all = { .chart = NULL };
     jlt_map_batch *fine, *coarse;
     jlt_map *map;
@@ -185,7 +174,7 @@ static void images_of_crossings_are_crossings(void **unused)
 static void the_default_tolerance_has_the_error_bars_of_its_value(void **unused)
 {
     const jlt_manifold_options options = { .length_max = 0.5 };
-    jlt_system *system = top(1e-12);
+    jlt_system *system = top_51(1e-12);
     jlt_separatrices all[2] = { { .chart = NULL }, { .chart = NULL } };
     jlt_map *maps[2];
     size_t compared = 0;
@@ -294,7 +283,7 @@ static void exponents_of_the_lorenz_attractor(void **unused)
 /* On a periodic orbit the finite-time exponents are its multipliers' logarithms: the 2-norm is that of DP^n. */
 static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
 {
-    jlt_system *system = top(1e-13);
+    jlt_system *system = top_51(1e-13);
     double exponent, t;
     jlt_map *map;
 
