@@ -47,9 +47,12 @@ static const struct argp parser = {
     "Are attractor and repeller apart? Cells of the section that long orbits visit forwards and backwards in time, compared "
     "as the orbits grow longer. The reversor maps one set onto the other."
     "\vColumns: returns, alive_forward, alive_backward, cells_forward, cells_backward, cells_common, overlap, mirror_overlap. "
+    "alive_forward and alive_backward are the orbits that had not ended, at a pole for one, after all returns; the others count up "
+    "to their ends. "
     "overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are apart; in between lies "
     "mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: its distance from 1 "
-    "is the error of finite length. Orbits go at once as those of jellett section, by a method that --tol chooses, or by --method "
+    "is the error of finite length. Where the table proves the reversor and it takes the grid to itself, orbits backwards are "
+    "the mirror images of those forwards, and are not followed. Orbits go at once as those of jellett section, by a method that --tol chooses, or by --method "
     "one at a time.\n\n"
     "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 \\\n"
     "    --returns 4096",
@@ -61,7 +64,8 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
     const jlt_kernel_batch *kernels = o->motion.in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
     jlt_separation_options wanted = {
-        .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads
+        .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads,
+        .by_mirror = o->motion.mirror == NULL
     };
     double *starts = NULL;
     size_t all;

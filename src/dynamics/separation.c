@@ -13,7 +13,13 @@ typedef struct {
     const jlt_chart *chart;
     const jlt_separation_options *options;
     unsigned char *first[2]; /* per cell: 1 + row from which it counts as visited, 0 never; forwards and backwards */
+    size_t alive[2];         /* orbits forwards and backwards */
 } cells;
+
+typedef struct {
+    double q[2];
+    bool mirrored; /* its mirror image is a start too: the orbit backwards of that is the mirror image of this one's */
+} start;
 
 static size_t cell_of(const cells *self, const double *q)
 {
@@ -38,11 +44,20 @@ static unsigned row_of(size_t n)
     return row;
 }
 
-/* An orbit of a batch. */
-static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t *alive, size_t index, bool backwards)
+static void visit(cells *self, bool backwards, const double *q, size_t number)
+{
+    unsigned char *first = self->first[backwards];
+    const size_t cell = cell_of(self, q);
+    const unsigned when = 1 + row_of(number);
+
+    if (cell != SIZE_MAX && (first[cell] == 0 || first[cell] > when)) first[cell] = (unsigned char)when;
+}
+
+/* An orbit of a batch. `mirrored`: its mirror image is the orbit backwards of a start, and is counted too. */
+static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t index, bool backwards, bool mirrored)
 {
     const jlt_separation_options *o = self->options;
-    unsigned char *first = self->first[backwards];
+    double image[2];
     jlt_return row;
     jlt_status st = jlt_section_batch_start(batch, &row, index);
 
@@ -51,33 +66,88 @@ static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t *ali
         st = jlt_section_batch_next(batch, &row);
         if (st != JLT_OK || row.fate != JLT_FATE_ALIVE) break;
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
-        if (row.number > o->settle) {
-            const size_t cell = cell_of(self, row.q);
-            const unsigned when = 1 + row_of(row.number - o->settle);
-            if (cell != SIZE_MAX && (first[cell] == 0 || first[cell] > when)) first[cell] = (unsigned char)when;
-        }
+        if (row.number <= o->settle) continue;
+        visit(self, backwards, row.q, row.number - o->settle);
+        if (!mirrored) continue;
+        jlt_chart_mirror(self->chart, image, row.q);
+        visit(self, true, image, row.number - o->settle);
     }
-    if (st == JLT_OK && row.fate == JLT_FATE_ALIVE) ++*alive;
+    if (st == JLT_OK && row.fate == JLT_FATE_ALIVE) {
+        self->alive[backwards]++;
+        self->alive[1] += mirrored;
+    }
     return st;
 }
 
-/* All orbits in one direction of time. */
-static jlt_status follow(cells *self, size_t *alive, const jlt_flow *flow, const double *starts, size_t count, bool backwards)
+/* Orbits in one direction of time. */
+static jlt_status follow(cells *self, const jlt_flow *flow, const start *starts, size_t count, bool backwards)
 {
     const jlt_separation_options *o = self->options;
-    const unsigned threads = o->threads > 1 ? o->threads : 1;
+    const size_t most = BLOCK * (o->threads > 1 ? o->threads : 1);
+    double *q = malloc(2 * most * sizeof *q);
     jlt_section_batch *batch = NULL;
-    jlt_status st = JLT_OK;
+    jlt_status st = JLT_ERR_NOMEM;
 
+    if (q == NULL) goto done;
     JLT_TRY(jlt_section_batch_create(&batch, flow, o->kernels,
-                                     &(jlt_section_batch_options){ .threads = threads, .backwards = backwards }));
-    for (size_t first = 0; first < count; first += BLOCK * threads) {
-        const size_t here = count - first < BLOCK * threads ? count - first : BLOCK * threads;
-        JLT_TRY(jlt_section_batch_run(batch, starts + 2 * first, here, o->settle + o->returns));
-        for (size_t i = 0; i < here; i++) JLT_TRY(count_orbit(self, batch, alive, i, backwards));
+                                     &(jlt_section_batch_options){ .threads = o->threads, .backwards = backwards }));
+    for (size_t first = 0; first < count; first += most) {
+        const size_t here = count - first < most ? count - first : most;
+        for (size_t i = 0; i < here; i++) memcpy(q + 2 * i, starts[first + i].q, sizeof starts->q);
+        JLT_TRY(jlt_section_batch_run(batch, q, here, o->settle + o->returns));
+        for (size_t i = 0; i < here; i++)
+            JLT_TRY(count_orbit(self, batch, i, backwards, !backwards && starts[first + i].mirrored));
     }
 done:
     jlt_section_batch_destroy(batch);
+    free(q);
+    return st;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double *p = ((const start *)a)->q, *q = ((const start *)b)->q;
+    const int first = (p[0] > q[0]) - (p[0] < q[0]);
+
+    return first != 0 ? first : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* The starts in order; each that is there once, as its mirror image, is told so. */
+static void find_mirrored(start *starts, size_t count, const jlt_chart *chart)
+{
+    qsort(starts, count, sizeof *starts, compare);
+    for (size_t i = 0; i < count; i++) {
+        start image;
+        jlt_chart_mirror(chart, image.q, starts[i].q);
+        const start *found = bsearch(&image, starts, count, sizeof *starts, compare);
+        starts[i].mirrored = found != NULL;
+    }
+}
+
+/* Those without a mirror image come first; returns how many. */
+static size_t keep_lonely(start *starts, size_t count)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < count; i++)
+        if (!starts[i].mirrored) starts[kept++] = starts[i];
+    return kept;
+}
+
+/* All orbits in both directions of time. */
+static jlt_status follow_all(cells *self, const jlt_flow *flow, const double *q, size_t count)
+{
+    start *starts = malloc((count > 0 ? count : 1) * sizeof *starts);
+    jlt_status st = JLT_ERR_NOMEM;
+
+    if (starts == NULL) goto done;
+    for (size_t i = 0; i < count; i++) starts[i] = (start){ .q = { q[2 * i], q[2 * i + 1] } };
+    if (self->options->by_mirror && !flow->end_where_invalid && !jlt_field_watches(flow->field))
+        find_mirrored(starts, count, flow->chart);
+    JLT_TRY(follow(self, flow, starts, count, false));
+    JLT_TRY(follow(self, flow, starts, keep_lonely(starts, count), true));
+done:
+    free(starts);
     return st;
 }
 
@@ -116,7 +186,6 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
 {
     const size_t all = options->cells[0] * options->cells[1];
     cells self = { .chart = flow->chart, .options = options };
-    size_t alive[2] = { 0, 0 };
     unsigned row, last;
     jlt_status st = JLT_OK;
 
@@ -128,9 +197,11 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
     self.first[1] = calloc(all, 1);
     st = JLT_ERR_NOMEM;
     if (self.first[0] == NULL || self.first[1] == NULL) goto done;
-    for (unsigned k = 0; k < 2; k++) JLT_TRY(follow(&self, &alive[k], flow, starts, count, k == 1));
+    JLT_TRY(follow_all(&self, flow, starts, count));
     for (row = 0; row <= last; row++) {
-        out[row] = (jlt_separation){ .returns = (size_t)1 << row, .alive_forward = alive[0], .alive_backward = alive[1] };
+        out[row] = (jlt_separation){
+            .returns = (size_t)1 << row, .alive_forward = self.alive[0], .alive_backward = self.alive[1]
+        };
         count_row(&out[row], &self, row);
     }
     if (out[last].returns > options->returns) out[last].returns = options->returns;

@@ -97,12 +97,41 @@ static void attractor_and_repeller_are_told_apart(void **unused)
     jlt_system_destroy(system);
 }
 
+/* Orbits backwards that are taken for mirror images are those that are followed, to the cell; of the starts two have no mirror
+ * image among the others and come to poles, and one is on the symmetry line, its own image. */
+static void mirror_images_are_the_orbits_backwards(void **unused)
+{
+    const double starts[] = { 0.43, -0.62, -0.43, -0.62, 0, -0.6, 2, -0.5, 0.9, -0.3 };
+    jlt_separation_options options = { .low = { -3.2, -1 }, .high = { 3.2, 1 }, .cells = { 80, 80 }, .settle = 0, .returns = 100 };
+    jlt_separation followed[48], mirrored[48];
+    jlt_system *system = top_51(1e-12);
+    size_t count;
+
+    (void)unused;
+    assert_ok(jlt_separation_measure(followed, &count, &system->flow, starts, 5, &options));
+    assert_in_range(followed[0].alive_forward, 1, 5);
+    assert_true(followed[7].forward != followed[7].backward && followed[7].mirror_overlap < 1);
+    options.by_mirror = true;
+    assert_ok(jlt_separation_measure(mirrored, &count, &system->flow, starts, 5, &options));
+    assert_int_equal(count, 8);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(mirrored[i].alive_forward, followed[i].alive_forward);
+        assert_int_equal(mirrored[i].alive_backward, followed[i].alive_backward);
+        assert_int_equal(mirrored[i].forward, followed[i].forward);
+        assert_int_equal(mirrored[i].backward, followed[i].backward);
+        assert_int_equal(mirrored[i].common, followed[i].common);
+        assert_near(mirrored[i].mirror_overlap, followed[i].mirror_overlap, 0);
+    }
+    jlt_system_destroy(system);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loss_of_contact_ends_orbits_when_asked),
         cmocka_unit_test(orbits_come_to_rest_on_attracting_equilibria),
         cmocka_unit_test(attractor_and_repeller_are_told_apart),
+        cmocka_unit_test(mirror_images_are_the_orbits_backwards),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
