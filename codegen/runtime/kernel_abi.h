@@ -11,11 +11,11 @@
 
 #include <stddef.h>
 
-/* C++ includes this header as well. It has no restrict, but its compilers have a word of their own for it; and it has not C's
- * complex numbers, which are stored as a real part and an imaginary part after it, just as std::complex<double> is. */
 #ifndef __cplusplus
 #include <complex.h>
+/* C++ includes this header as well. It has no restrict, but its compilers have a word of their own for it. */
 #define JLT_RESTRICT restrict
+/* C++ has not C's complex numbers: they are a real part and an imaginary part after it, just as std::complex<double> is. */
 typedef double complex jlt_complex;
 #else
 #if defined(__GNUC__) || defined(_MSC_VER)
@@ -26,7 +26,9 @@ typedef double complex jlt_complex;
 typedef double jlt_complex[2];
 #endif
 
+/* A kernel at the state x with prepared values p: the field, a matrix, or other values, as the descriptor says. */
 typedef void (*jlt_kernel_function)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, double *JLT_RESTRICT out);
+/* Fills the prepared values from parameters in table order. */
 typedef void (*jlt_kernel_prepare)(const double *JLT_RESTRICT params, double *JLT_RESTRICT prepared);
 
 /* The field written from the terms as they stand, unsimplified, in complex arithmetic, on unprepared parameters: for
@@ -34,10 +36,11 @@ typedef void (*jlt_kernel_prepare)(const double *JLT_RESTRICT params, double *JL
 typedef void (*jlt_kernel_complex)(const jlt_complex *JLT_RESTRICT x, const double *JLT_RESTRICT params,
                                    jlt_complex *JLT_RESTRICT out);
 
+enum { JLT_JET_ORDER_MAX = 40 };
+
 /* Taylor coefficients of the solution through x: coefficients[k*columns + i] = (d/dtau)^k x_i / k!, k = 0 .. order, with
  * columns = states in the model's own time, and states + 1 in a time of its own, where the last column is t (0 in row 0).
  * 1 <= order <= JLT_JET_ORDER_MAX. Cost: O(order^2). */
-enum { JLT_JET_ORDER_MAX = 40 };
 typedef void (*jlt_kernel_jet)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, unsigned order,
                                double *JLT_RESTRICT coefficients);
 
@@ -80,12 +83,13 @@ typedef struct {
     double weight[16];
 } jlt_stage_sum;
 
+enum { JLT_BATCH_VECTORS = 2 };
+
 /* All stages of an explicit one-step method, on JLT_BATCH_VECTORS vectors side by side: a row is JLT_BATCH_VECTORS * lanes
  * long. For i = 1 .. count: z = x + h * sum i - 1, slope i = f(z). x and z have shape (states, row), k has (count + 1,
  * states, row) and holds slope 0, h has (row,), p (JLT_BATCH_VECTORS, prepared, lanes): a vector's behind the other's. z is left
  * at the last one. stages_clock carries t as one more column after the states, in x, k and z alike: its slope is dt/dtau, 1 in the
  * model's own time; z has it for the last stage alone. */
-enum { JLT_BATCH_VECTORS = 2 };
 typedef void (*jlt_kernel_stages)(const double *JLT_RESTRICT x, double *JLT_RESTRICT k, const jlt_stage_sum *JLT_RESTRICT sums,
                                   unsigned count, const double *JLT_RESTRICT h, const double *JLT_RESTRICT p,
                                   double *JLT_RESTRICT z);
