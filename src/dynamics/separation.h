@@ -24,9 +24,9 @@ typedef struct {
     size_t returns;    /* counted at most */
     const jlt_kernel_batch *kernels; /* of the flow's field, for lanes; NULL: each orbit alone, by the flow's method */
     unsigned threads;  /* 0 and 1: the caller's alone */
-    bool by_mirror;    /* the chart's reversor is proved: where a start's mirror image is a start too, the orbit of the one backwards
-                          is taken for the mirror image of that of the other forwards, and not followed. Half the cost on a
-                          symmetric grid. Where orbits end at the edge of a domain, or of the model, all are followed all the same */
+    bool by_mirror;    /* the chart's reversor is proved: where a start and its mirror image are both starts, the orbit of the one
+                          backwards is taken for the mirror image of that of the other forwards, and not followed. Half the cost on
+                          a symmetric grid. Where orbits end at the edge of a domain, or of the model, all are followed */
 } jlt_separation_options;
 
 /** Count the cells visited. Out: a row of `out`, which has room for 48, for each power of two of returns below options->returns,
