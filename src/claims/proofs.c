@@ -2,7 +2,8 @@
 
 #include "kernel/descriptor.h"
 
-#include <stdint.h>
+#include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,12 +14,21 @@ static bool is_file_of(const char *target, const char *name)
     return strncmp(name, target, length) == 0 && strcmp(target + length, ".tt") == 0;
 }
 
-/* The target of a claim is a table that is built in, too, or one of coordinates, which its section holds. */
+/* The target of a claim is a table beside the user's own; of one that is built in, a table that is built in, too, or one of
+ * coordinates, which its section holds. */
 static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
-    const jlt_descriptor *asked = context;
+    const jlt_verify_run *run = context;
+    const jlt_descriptor *asked = run->descriptor;
     (void)model;
 
+    if (run->file != NULL) {
+        const char *slash = strrchr(run->file, '/');
+        const int folder = slash == NULL ? 0 : (int)(slash - run->file) + 1;
+        char path[PATH_MAX];
+        const int used = snprintf(path, sizeof path, "%.*s%s", folder, run->file, target);
+        return used >= 0 && (size_t)used < sizeof path ? ttc_model_read(path, diagnostics) : NULL;
+    }
     for (size_t i = 0; i <= jlt_descriptor_count(); i++) {
         const jlt_descriptor *d = i == 0 ? asked->family[0] : jlt_descriptor_at(i - 1);
         if (is_file_of(target, d->model)) return ttc_model_parse(d->table, strlen(d->table), target, diagnostics);
@@ -36,7 +46,7 @@ jlt_status jlt_verify_prove(jlt_verify_run *run)
     JLT_TRY(jlt_oracle_create(&run->oracle, run->descriptor));
     jlt_random_seed(&run->random, run->seed);
     st = JLT_ERR_NOMEM;
-    if (!ttc_prove(run->oracle->model, resolve, (void *)(uintptr_t)run->descriptor, TTC_PROVE_ALL, &run->proofs)) goto done;
+    if (!ttc_prove(run->oracle->model, resolve, run, TTC_PROVE_ALL, &run->proofs)) goto done;
     run->held += run->proofs->proved;
     run->failed += run->proofs->proof_count - run->proofs->proved;
     st = JLT_OK;

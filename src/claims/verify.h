@@ -52,6 +52,7 @@ typedef struct {
 
 typedef struct {
     const jlt_descriptor *descriptor; /* general field */
+    const char *file;                 /* of the user's own table, beside which lie those that its claims speak of; NULL: built in */
     size_t seed, samples;             /* samples: points on each family */
     jlt_oracle *oracle;
     jlt_random random;

@@ -271,6 +271,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
     if (jlt_swept_done(code, &swept, &o->motion.common)) goto done;
     const bool has_method = o->motion.flow.method != NULL;
     if (!has_method) o->motion.flow.method = jlt_method_find(NULL);
+    o->motion.common.lanes = !has_method && (o->motion.grid != NULL || o->motion.common.at_point);
     if (o->returns == 0) o->returns = o->motion.grid != NULL ? 10 : 1000;
     *code = jlt_motion_system(&self->system, &o->motion);
     if (*code == JLT_EXIT_DONE && o->motion.grid == NULL)

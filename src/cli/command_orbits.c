@@ -272,6 +272,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
+    common->lanes = o.motion.starts[0] == NULL;
     if (!searches_nowhere(&o)) o.motion.grid = o.grid;
     if (!searches_nowhere(&o)) o.motion.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);

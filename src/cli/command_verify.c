@@ -59,6 +59,7 @@ static jlt_exit run(int argc, char **argv)
     bool has_said;
     jlt_exit code = jlt_table_open(&v->descriptor, &has_said, r.model, false);
     if (code != JLT_EXIT_DONE) return code;
+    v->file = jlt_table_is_file(r.model) ? r.model : NULL;
     if (!has_said) jlt_command_warn_unproved(v->descriptor);
     jlt_status st = jlt_verify_prove(v);
     if (st == JLT_OK) st = jlt_verify_measure(v, interrupt = jlt_interrupt_install());
