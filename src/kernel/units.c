@@ -11,19 +11,48 @@ static int exponent_of(const jlt_units *units, const char *name, size_t length)
     return *name == 'm' ? units->length : *name == 's' ? units->time : 0;
 }
 
+/* Of the product that begins here, to its end or to the parenthesis that closes it; *at is moved there. */
+static int exponent_of_product(const jlt_units *units, const char **at)
+{
+    int sum = 0, sign = 1;
+
+    while (**at != '\0' && **at != ')') {
+        int factor = 0;
+        if (strchr("*/ ", **at) != NULL) {
+            sign = **at == '/' ? -1 : **at == '*' ? 1 : sign;
+            ++*at;
+            continue;
+        }
+        if (**at == '(') {
+            ++*at;
+            factor = exponent_of_product(units, at);
+            if (**at == ')') ++*at;
+        }
+        else {
+            const size_t length = strcspn(*at, "*/ ^()");
+            factor = exponent_of(units, *at, length);
+            *at += length;
+        }
+        if (**at == '^') {
+            char *end;
+            const long power = strtol(*at + 1, &end, 10);
+            factor *= labs(power) <= 64 ? (int)power : 0;
+            *at = end;
+        }
+        sum += sign * factor;
+        sign = 1;
+    }
+    return sum;
+}
+
 int jlt_units_exponent(const jlt_units *units, const char *unit)
 {
-    static const char separators[] = "*/ ";
-    int sum = 0;
+    const char *at = unit;
+    int sum = exponent_of_product(units, &at);
 
-    for (const char *at = unit; *at != '\0';) {
-        const int sign = at > unit && at[-1] == '/' ? -1 : 1;
-        const size_t length = strcspn(at, "*/ ^");
-        char *end = NULL;
-        const long power = at[length] == '^' ? strtol(at + length + 1, &end, 10) : 1;
-        sum += sign * (int)power * exponent_of(units, at, length);
-        at = end != NULL ? end : at + length;
-        if (*at != '\0' && strchr(separators, *at) != NULL) at++;
+    while (*at != '\0') { /* past a parenthesis that nothing opens */
+        at++;
+        sum += exponent_of_product(units, &at);
     }
     return sum;
 }

@@ -13,8 +13,8 @@ typedef struct {
     int mass, length, time;
 } jlt_units;
 
-/** Binary exponent of a compound unit, written as in tables: "kg*m^2/s^2", "kg m^2", "rad/s", "1", "". Names other than kg, m
- *  and s are numbers. */
+/** Binary exponent of a compound unit, written as in tables: "kg*m^2/s^2", "kg m^2", "1/(m*s^2)", "rad/s", "1", "". Names
+ *  other than kg, m and s are numbers. */
 int jlt_units_exponent(const jlt_units *units, const char *unit);
 
 /** Convert values, shape (count,), of the quantities `of`, shape (count,): jlt_units_count from the table's units to these,

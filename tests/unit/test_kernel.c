@@ -12,6 +12,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
+#include "kernel/units.h"
 
 #include <float.h>
 #include <math.h>
@@ -223,6 +224,24 @@ static void poles_overflow_and_underflow_are_errors(void **unused)
     assert_int_equal(jlt_instance_create(&instance, NULL, params), JLT_ERR_ARG);
 }
 
+/* kg counts 1, m 100 and s 10000, so that each sum tells its powers. */
+static void compound_units_are_read(void **unused)
+{
+    static const struct {
+        const char *unit;
+        int exponent;
+    } cases[] = {
+        { "", 0 }, { "1", 0 }, { "rad/s", -10000 }, { "kg*m^2/s^2", 1 + 200 - 20000 }, { "kg m^2", 201 }, { "kg m / s", 101 - 10000 },
+        { "1/(m*s^2)", -100 - 20000 }, { "(kg/s)^2/m", 2 - 20000 - 100 }, { "1/(kg*(m/s)^2)", -1 - 200 + 20000 }, { "1/s/s", -20000 },
+        { "m^-2", -200 }, { "m^99999999999", 0 }, { "m)", 100 }, { "(m", 100 }, { "m)/s", 100 - 10000 },
+    };
+    const jlt_units units = { .mass = 1, .length = 100, .time = 10000 };
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_int_equal(jlt_units_exponent(&units, cases[i].unit), cases[i].exponent);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -232,6 +251,7 @@ int main(void)
         cmocka_unit_test(arrays_are_zeroed_and_aligned),
         cmocka_unit_test(the_most_special_variant_is_chosen),
         cmocka_unit_test(nonfinite_arguments_are_refused_everywhere),
+        cmocka_unit_test(compound_units_are_read),
         cmocka_unit_test(poles_overflow_and_underflow_are_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
