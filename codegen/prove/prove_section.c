@@ -34,7 +34,9 @@ static void bind_lift(ttc_task *task, ttc_valuation *map, const ttc_model *model
         if (entry->kind != TTC_PARAM) continue;
         if (ttc_model_find_symbol(task->model, entry->name, &own) && task->model->symbols[own].kind == TTC_PARAM)
             ttc_valuation_bind(map, i, task->model->symbols[own].node);
-        else ttc_task_unsettle(task, "the parameter %s of %s is missing in %s", entry->name, model->name, task->model->name);
+        else
+            ttc_task_unsettle(task, "the parameter %s of %s is missing in %s: write 'param %s' there", entry->name, model->name,
+                              task->model->name, entry->name);
     }
 }
 

@@ -144,7 +144,8 @@ objects() { find cache -name '*.so' | wc -l; }
 printf 'model oval\nstate x\nstate v\neq x = v\neq v = -x - x^3\nintegral E = v^2/2 + x^2/2 + x^4/4\n' > oval.tt
 expect 0 '^3,2,' jellett section ./oval.tt --section v=0 --grid x=0.5:1:4 --returns 2
 before=$(objects)
-for command in "orbits --period 1" "lyapunov --returns 2" "fates --returns 2" "separation --cells x=-2:2:9 --returns 2" "transfer"; do
+for command in "orbits --period 1" "lyapunov --returns 2" "fates --returns 2" "separation --cells x=-2:2:9 --returns 2" \
+    "transfer"; do
     jellett $command ./oval.tt --section v=0 --grid x=0.5:1:4 > out 2>&1
     [ "$(objects)" -eq "$before" ] || fail "$command has other kernels than section"
 done
