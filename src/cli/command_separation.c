@@ -69,20 +69,21 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     double *starts = NULL;
     size_t all;
     jlt_status st = JLT_ERR_NOMEM;
-    jlt_exit code = jlt_motion_axes(axes, system, o->motion.grid, "--grid");
+    jlt_exit code;
 
-    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(cells, system, o->cells, "--cells");
-    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(cells, "--cells");
-    if (code != JLT_EXIT_DONE) return code;
     if (system->flow.chart->dim != 2)
         return jlt_command_fail(JLT_EXIT_INPUT,
-                                "the comparison needs a section of two coordinates, not of %u: --level and --solve leave "
-                                "fewer",
-                                system->flow.chart->dim);
+                                "the comparison needs a section of two coordinates, not of %u%s",
+                                system->flow.chart->dim,
+                                system->flow.chart->dim > 2 ? ": --level and --solve leave fewer" : "");
     if (!system->flow.chart->reversible)
         return jlt_command_fail(JLT_EXIT_INPUT,
                                 "the comparison needs a reversor that takes the section to itself, crossed as it is: "
                                 "write 'reversor STATE -> -STATE' in the table, or --mirror STATE,...");
+    code = jlt_motion_axes(axes, system, o->motion.grid, "--grid");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(cells, system, o->cells, "--cells");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(cells, "--cells");
+    if (code != JLT_EXIT_DONE) return code;
     for (int k = 0; k < 2; k++) {
         wanted.low[k] = cells[k].low;
         wanted.high[k] = cells[k].high;
