@@ -1,6 +1,8 @@
+#define _GNU_SOURCE /* qsort_r */
 #include "dynamics/orbits.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "core/memory.h"
@@ -32,18 +34,22 @@ jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_pe
     return JLT_OK;
 }
 
-static int compare(const void *left, const void *right)
+/* By what is known of them, not by their rounding. */
+static int compare(const void *left, const void *right, void *context)
 {
     const jlt_periodic *a = left, *b = right;
+    const jlt_chart *chart = context;
 
     if (a->period != b->period) return a->period < b->period ? -1 : 1;
     if (fabs(a->T - b->T) > 1e-9 * fmax(fabs(a->T), fabs(b->T))) return a->T < b->T ? -1 : 1;
-    return a->points[0] < b->points[0] ? -1 : a->points[0] > b->points[0];
+    for (unsigned k = 0; k < chart->dim; k++)
+        if (fabs(a->points[k] - b->points[k]) > same_point) return a->points[k] < b->points[k] ? -1 : 1;
+    return 0;
 }
 
-void jlt_orbits_sort(jlt_orbits *self)
+void jlt_orbits_sort(jlt_orbits *self, const jlt_chart *chart)
 {
-    if (self->count > 1) qsort(self->orbits, self->count, sizeof *self->orbits, compare);
+    if (self->count > 1) qsort_r(self->orbits, self->count, sizeof *self->orbits, compare, (void *)(uintptr_t)chart);
 }
 
 size_t jlt_orbits_mirror(const jlt_orbits *self, const jlt_chart *chart, size_t index)

@@ -22,8 +22,9 @@ bool jlt_orbits_is_miss(jlt_status status);
  *  Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit);
 
-/** Sort by period, then by T, the time that the whole orbit takes, then by the first coordinate of its first point. */
-void jlt_orbits_sort(jlt_orbits *self);
+/** Sort by period, then by T, the time that the whole orbit takes, then by the coordinates of its first point; what differs by
+ *  rounding alone counts as equal. */
+void jlt_orbits_sort(jlt_orbits *self, const jlt_chart *chart);
 
 /** Index of the orbit that is the mirror image, under the chart's reversor, of orbit `index`: `index` itself when it is
  *  symmetric; self->count when the image is not in the list. */

@@ -45,6 +45,6 @@ jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_op
     if (options->counts[0] > 0) JLT_TRY(jlt_orbits_grid(self, map, options));
     if (chart->reversible) JLT_TRY(add_mirrors(self, map));
 done:
-    jlt_orbits_sort(self);
+    jlt_orbits_sort(self, chart);
     return st;
 }

@@ -9,20 +9,21 @@ static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
         unsigned colour, mark;
         const char *name;
     } kinds[] = { { 1, 3, "repelling" }, { 0, 7, "trace zero" }, { 4, 0, "attracting" } };
-    unsigned named = 0; /* bit k: kind k has its entry in the key */
 
     fprintf(plot->stream, "set title 'half v_{slip} %c 0'\nplot $ORBITS using 1:(%d*$3>0?$2:NaN) ", side > 0 ? '>' : '<', side);
     jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "lines", .colour = 7, .size = 0.1 });
     fputs(" notitle", plot->stream);
-    for (unsigned k = 0; k < r->fixed_count; k++) {
-        const unsigned kind = r->fixed[k].kind;
-        if (!(side * r->fixed[k].v_slip > 0)) continue;
-        fprintf(plot->stream, ", '+' using (%.17g):(%.17g) every ::0::0 ", r->fixed[k].psi, r->fixed[k].x[JLT_TOP_GAMMA3]);
-        jlt_look_pen(plot->stream, plot->look,
-                     (jlt_pen){ "points", .colour = kinds[kind].colour, .mark = kinds[kind].mark, .size = 1 });
-        if (named >> kind & 1u) fputs(" notitle", plot->stream);
-        else fprintf(plot->stream, " title '%s'", kinds[kind].name);
-        named |= 1u << kind;
+    for (unsigned kind = 0; kind < 3; kind++) {
+        bool is_named = false;
+        for (unsigned k = 0; k < r->fixed_count; k++) {
+            if (r->fixed[k].kind != kind || !(side * r->fixed[k].v_slip > 0)) continue;
+            fprintf(plot->stream, ", '+' using (%.17g):(%.17g) every ::0::0 ", r->fixed[k].psi, r->fixed[k].x[JLT_TOP_GAMMA3]);
+            jlt_look_pen(plot->stream, plot->look,
+                         (jlt_pen){ "points", .colour = kinds[kind].colour, .mark = kinds[kind].mark, .size = 1 });
+            if (is_named) fputs(" notitle", plot->stream);
+            else fprintf(plot->stream, " title '%s'", kinds[kind].name);
+            is_named = true;
+        }
     }
     fputs("\n", plot->stream);
 }
