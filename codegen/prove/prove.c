@@ -240,16 +240,21 @@ void ttc_proof_report_destroy(ttc_proof_report *report)
     free(report);
 }
 
-ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
+ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics *diagnostics)
 {
-    (void)context;
-    const char *slash = strrchr(model->file, '/');
-    size_t folder = slash == NULL ? 0 : (size_t)(slash - model->file) + 1;
+    const char *slash = strrchr(of, '/');
+    size_t folder = slash == NULL ? 0 : (size_t)(slash - of) + 1;
     char *path = malloc(folder + strlen(target) + 1);
     if (path == NULL) return NULL;
-    memcpy(path, model->file, folder);
+    memcpy(path, of, folder);
     memcpy(path + folder, target, strlen(target) + 1);
     ttc_model *result = ttc_model_read(path, diagnostics);
     free(path);
     return result;
+}
+
+ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
+{
+    (void)context;
+    return ttc_model_beside(model->file, target, diagnostics);
 }

@@ -14,6 +14,9 @@
 typedef ttc_model *(*ttc_resolver)(void *context, const ttc_model *model, const char *target,
                                    ttc_diagnostics *diagnostics);
 
+/* The table `target`, FILE.tt, that stands in the folder of the file `of`. NULL: diagnostics say why, or memory is out. */
+ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics *diagnostics);
+
 /* The resolver that reads FILE.tt beside the model's own file; context is ignored. */
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics);
 

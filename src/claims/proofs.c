@@ -2,8 +2,6 @@
 
 #include "kernel/descriptor.h"
 
-#include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,13 +20,7 @@ static ttc_model *resolve(void *context, const ttc_model *model, const char *tar
     const jlt_descriptor *asked = run->descriptor;
     (void)model;
 
-    if (run->file != NULL) {
-        const char *slash = strrchr(run->file, '/');
-        const int folder = slash == NULL ? 0 : (int)(slash - run->file) + 1;
-        char path[PATH_MAX];
-        const int used = snprintf(path, sizeof path, "%.*s%s", folder, run->file, target);
-        return used >= 0 && (size_t)used < sizeof path ? ttc_model_read(path, diagnostics) : NULL;
-    }
+    if (run->file != NULL) return ttc_model_beside(run->file, target, diagnostics);
     for (size_t i = 0; i <= jlt_descriptor_count(); i++) {
         const jlt_descriptor *d = i == 0 ? asked->family[0] : jlt_descriptor_at(i - 1);
         if (is_file_of(target, d->model)) return ttc_model_parse(d->table, strlen(d->table), target, diagnostics);

@@ -50,8 +50,9 @@ static const struct argp parser = {
     "alive_forward and alive_backward are the orbits that had not ended, at a pole for one, after all returns; the others "
     "count up to their ends. overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are "
     "apart; in between lies mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: "
-    "its distance from 1 is the error of finite length. Where the table proves the reversor and it takes the grid to itself, "
-    "orbits backwards are the mirror images of those forwards, and are not followed. Orbits go at once as those of jellett "
+    "its distance from 1 is the error of finite length. Where the table proves the reversor, orbits are ended by poles alone, and "
+    "the mirror images of starts are starts, orbits backwards are taken for mirror images of those forwards and not followed; if "
+    "so are all, mirror_overlap is 1 by that and tells nothing. Orbits go at once as those of jellett "
     "section, by a method that --tol chooses, or by --method one at a time.\n\n"
     "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 \\\n"
     "    --returns 4096",

@@ -112,19 +112,18 @@ static int compare(const void *a, const void *b)
     return first != 0 ? first : (p[1] > q[1]) - (p[1] < q[1]);
 }
 
-/* The starts in order; each that is there once, as its mirror image, is told so. */
+/* Put the starts in order, and mark those whose mirror image is a start too. */
 static void find_mirrored(start *starts, size_t count, const jlt_chart *chart)
 {
     qsort(starts, count, sizeof *starts, compare);
     for (size_t i = 0; i < count; i++) {
         start image;
         jlt_chart_mirror(chart, image.q, starts[i].q);
-        const start *found = bsearch(&image, starts, count, sizeof *starts, compare);
-        starts[i].mirrored = found != NULL;
+        starts[i].mirrored = bsearch(&image, starts, count, sizeof *starts, compare) != NULL;
     }
 }
 
-/* Those without a mirror image come first; returns how many. */
+/* Keep only the starts without a mirror image; returns how many. */
 static size_t keep_lonely(start *starts, size_t count)
 {
     size_t kept = 0;

@@ -53,8 +53,32 @@ static void orbits_do_not_depend_on_lanes_or_threads(void **unused)
     jlt_system_destroy(system);
 }
 
+/* The first coordinates of two orbits that are mirror images differ by rounding alone: the second ones order them. */
+static void rounding_does_not_order_orbits(void **unused)
+{
+    static jlt_periodic orbits[3];
+    static const double points[3][2] = { { 5e-17, -0.25 }, { -7e-18, 0.25 }, { -0.5, 3 } };
+    const jlt_chart chart = { .dim = 2 };
+    jlt_orbits list = { .orbits = orbits, .count = 3 };
+
+    (void)unused;
+    for (int turned = 0; turned < 2; turned++) {
+        for (size_t i = 0; i < 3; i++) {
+            orbits[i] = (jlt_periodic){ .period = 1, .T = 2 + (double)i * 1e-15 };
+            memcpy(orbits[i].points, points[turned ? 2 - i : i], sizeof points[0]);
+        }
+        jlt_orbits_sort(&list, &chart);
+        assert_near(orbits[0].points[1], 3, 0);
+        assert_near(orbits[1].points[1], -0.25, 0);
+        assert_near(orbits[2].points[1], 0.25, 0);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(orbits_do_not_depend_on_lanes_or_threads) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orbits_do_not_depend_on_lanes_or_threads),
+        cmocka_unit_test(rounding_does_not_order_orbits),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -150,6 +150,12 @@ for command in "orbits --period 1" "lyapunov --returns 2" "fates --returns 2" "s
     [ "$(objects)" -eq "$before" ] || fail "$command has other kernels than section"
 done
 
+# A section's own table that lacks a parameter of the model is told which record to write.
+printf 'model ring\nparam c\nstate x\nstate v\nstate y\neq x = v\neq v = -x\neq y = 1 - c*y\n'\
+'section level : by ring_section.tt at y = 0 with x = x, v = v\n' > ring.tt
+printf 'model ring_section\nstate x\nstate v\nlift into ring.tt with x = x, v = v, y = 0\n' > ring_section.tt
+expect 3 "the parameter c of ring is missing in ring_section: write 'param c' there" ttc prove ring.tt
+
 # What is not proved is not gone back to, nor mirrored by; of several reversors the section takes one that has its fixed points on
 # it.
 printf 'model bad\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = x\n - z\nintegral Z = z\nreversor y -> -y\n' > bad.tt
