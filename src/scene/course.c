@@ -29,7 +29,6 @@ struct jlt_course {
     int direction; /* of time so far: 0, +1, -1 */
     double t;
     bool is_rod;
-    jlt_top top; /* where quadratures need it */
 
     jlt_instance *watch; /* the asked model's kernel: integrals */
     double first[INTEGRALS_MAX], drift[INTEGRALS_MAX];
@@ -214,8 +213,7 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     if (self->seen == NULL) goto done;
     st = JLT_OK;
     note_conditions(self, 0, self->start);
-    if (self->is_rod) JLT_TRY(jlt_top_read(&self->top, model, self->params));
-    if (self->is_rod) JLT_TRY(jlt_rod_open(&self->rod, &self->top, self->start));
+    if (self->is_rod) JLT_TRY(jlt_rod_open(&self->rod, model, self->params, self->start));
     else {
         JLT_TRY(open_leg(self, plan->chosen, self->start, 0));
         JLT_TRY(tell_params(self));

@@ -6,7 +6,9 @@
 #include "kernel/descriptor.h"
 #include "kernel/way.h"
 
-static const char surface[] = "spherical_top_balanced", half[] = "spherical_top_plane", family[] = "spin", variant[] = "balanced";
+const char jlt_balanced_table[] = "spherical_top_balanced";
+
+static const char half[] = "spherical_top_plane", family[] = "spin", variant[] = "balanced";
 static const char third[] = "F0";
 
 /* Coordinates of the surface's table, and those of its half. */
@@ -27,8 +29,8 @@ static bool has(const jlt_descriptor *table, const char *const *states, unsigned
 static const jlt_descriptor *surface_field(void)
 {
     static const char *const states[COORDINATES] = { "gamma3", "v_slip", "psi", "s" };
-    const jlt_way *way = jlt_top_way(surface);
-    const jlt_descriptor *table = way == NULL ? NULL : jlt_descriptor_find(surface, NULL, way->time, NULL);
+    const jlt_way *way = jlt_top_way(jlt_balanced_table);
+    const jlt_descriptor *table = way == NULL ? NULL : jlt_descriptor_find(jlt_balanced_table, NULL, way->time, NULL);
 
     return has(table, states, COORDINATES) ? table : NULL;
 }
@@ -59,9 +61,10 @@ bool jlt_balanced_serves(const jlt_claim **broken)
     const jlt_descriptor *field, *table = surface_field();
     const jlt_way *way;
 
-    if (!jlt_top_serves(broken, surface, (const char *const[]){ "E", "G", third, NULL })) return false;
+    if (!jlt_top_serves(broken, jlt_balanced_table, (const char *const[]){ "E", "G", third, NULL })) return false;
     way = half_way(&field);
     if (way == NULL || spin() == NULL || spin()->trace == NULL || spin()->charpoly == NULL) return false;
+    if (!jlt_top_claims(broken, "trace", family) || !jlt_top_claims(broken, "charpoly", family)) return false;
     if (!jlt_way_holds(broken, table, way, field)) return false;
     *broken = NULL;
     return true;
@@ -91,7 +94,7 @@ static double third_integral(const jlt_top *top, const double *x)
 
 void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x)
 {
-    const jlt_way *way = jlt_top_way(surface);
+    const jlt_way *way = jlt_top_way(jlt_balanced_table);
     double y[JLT_WAY_VALUES_MAX] = { NAN, NAN, NAN }, other[JLT_WAY_VALUES_MAX];
 
     if (surface_field() != NULL) jlt_top_look(way, y, other, top, x);
@@ -110,7 +113,7 @@ void jlt_balanced_to_state(const jlt_top *top, const jlt_balanced_levels *levels
     for (int i = 0; i < JLT_TOP_STATES; i++) x[i] = NAN;
     if (table == NULL) return;
     write_levels(params, table, top, levels);
-    jlt_top_return(jlt_top_way(surface), x, y, params);
+    jlt_top_return(jlt_top_way(jlt_balanced_table), x, y, params);
 }
 
 double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi)
@@ -134,7 +137,7 @@ void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const 
 
     *out = (jlt_balanced_levels){ energy(top, x), jlt_top_jellett(top, x), third_integral(top, x), NAN };
     if (table == NULL || !jlt_descriptor_param(table, "M", &M)) return;
-    jlt_top_look(jlt_top_way(surface), y, other, top, x);
+    jlt_top_look(jlt_top_way(jlt_balanced_table), y, other, top, x);
     out->M = other[M];
 }
 

@@ -19,6 +19,9 @@ typedef struct {
     double M; /* >= 0 */
 } jlt_balanced_levels;
 
+/* The table built in whose motion is that on M^2. */
+extern const char jlt_balanced_table[];
+
 /** Whether the tables say, with proof, what is needed here. Out: *broken as for jlt_top_serves. Where they do not, levels are
  *  NaN. */
 bool jlt_balanced_serves(const jlt_claim **broken);

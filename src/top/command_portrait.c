@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cli/grid.h"
+#include "top/command_counterpart.h"
 #include "top/command_portrait.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
@@ -55,7 +56,8 @@ static const struct argp parser = {
     "closed form, their stability by (4.5) of the paper, orbits, and the picture."
     "\vColumns: gamma3, v_nu, omega3, psi, v_slip, trace, determinant, re1, im1, re2, im2 (the two eigenvalues that the "
     "integrals leave), type. psi is the angle of the horizontal angular momentum about the contact point, which is a constant "
-    "vector in space; v_slip the velocity of the contact point along nu, whose sign tells the two halves of M^2.\n\n"
+    "vector in space; v_slip the velocity of the contact point along nu, whose sign tells the two halves of M^2. A table of one's "
+    "own is served where it has a proved `reduction' by spherical_top_balanced.tt.\n\n"
     "  jellett portrait --set I1=2/5,I3=1/4 \\\n"
     "    --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --plot m2.svg\n"
     "  jellett portrait --set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15",
@@ -75,9 +77,12 @@ static jlt_exit read_levels(jlt_portrait_request *r)
     if ((r->level.count > 0) == (r->session.start.count > 0))
         return jlt_command_fail(JLT_EXIT_USAGE, "say which surface: --level E=...,G=...,F0=..., or --start");
     if (r->session.start.count > 0) {
+        double x[JLT_TOP_STATES];
         const jlt_exit code = jlt_session_start(&r->session);
-        if (code == JLT_EXIT_DONE) jlt_balanced_levels_of(&r->levels, &r->top, r->session.x);
-        return code;
+        if (code != JLT_EXIT_DONE) return code;
+        jlt_counterpart_look(&r->counterpart, x, r->session.x);
+        jlt_balanced_levels_of(&r->levels, &r->top, x);
+        return JLT_EXIT_DONE;
     }
     for (size_t i = 0; i < r->level.count; i++) {
         size_t k = 0;
@@ -98,11 +103,8 @@ static jlt_exit open_top(jlt_portrait_request *r)
 {
     const jlt_claim *broken = NULL;
     size_t a3;
-    jlt_exit code;
+    jlt_exit code = jlt_session_open(&r->session);
 
-    if (r->session.common.model != NULL && strcmp(r->session.common.model, JLT_DEFAULT_MODEL) != 0)
-        return jlt_command_fail(JLT_EXIT_INPUT, "M^2 is a surface of " JLT_DEFAULT_MODEL ", not of %s", r->session.common.model);
-    code = jlt_session_open(&r->session);
     if (code != JLT_EXIT_DONE) return code;
     if (jlt_descriptor_param(r->session.descriptor, "a3", &a3)) {
         const char *given = jlt_assign_fraction(&r->session.common.set, "a3");
@@ -110,8 +112,14 @@ static jlt_exit open_top(jlt_portrait_request *r)
             return jlt_command_fail(JLT_EXIT_INPUT, "--set a3=%s: M^2 exists for the balanced sphere alone, a3 = 0", given);
         r->session.params[a3] = 0;
     }
-    if (jlt_top_read(&r->top, r->session.descriptor, r->session.params) == JLT_OK && jlt_balanced_serves(&broken))
+    code = jlt_top_counterpart(&r->counterpart, &r->session, jlt_balanced_table, "M^2");
+    if (code != JLT_EXIT_DONE) return code;
+    if (jlt_balanced_serves(&broken)) {
+        r->top = r->counterpart.top;
+        r->model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
+        jlt_top_write(r->params, r->model, &r->top);
         return JLT_EXIT_DONE;
+    }
     if (broken != NULL)
         return jlt_command_fail(JLT_EXIT_FAILED, "M^2 rests on the claim '%s %s' of the tables, which is not proved", broken->kind,
                                 broken->name);
@@ -148,6 +156,9 @@ static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
     fprintf(file, "# levels E=%.17g G=%.17g F0=%.17g, horizontal momentum %.17g; method %s, tolerance %.3g; nothing is random, so "
                   "there is no seed\n",
             r->levels.E, r->levels.G, r->levels.F0, r->levels.M, r->session.method->name, r->session.tolerance);
+    if (r->counterpart.way != NULL)
+        fprintf(file, "# the motion of %s, as its proved reduction '%s' says; states and levels below are of that table\n",
+                r->model->model, r->counterpart.way->name);
     if (r->fixed_curve) fputs("# the fixed points of this level are not isolated: they fill a curve\n", file);
     fputs("gamma3,v_nu,omega3,psi,v_slip,trace,determinant,re1,im1,re2,im2,type\n", file);
     for (unsigned k = 0; k < r->fixed_count; k++) {
@@ -187,7 +198,7 @@ static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course
 /* One way from a start. A line breaks where psi jumps, or where v_slip passes zero into the other half. */
 static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *start, int direction, size_t number)
 {
-    const jlt_question question = { r->session.descriptor, r->session.params, start, false, false, NULL, NULL };
+    const jlt_question question = { .model = r->model, .params = r->params, .start = start };
     const jlt_course_options options = { .method = r->session.method, .tolerance = r->session.tolerance,
                                          .interrupt = r->session.interrupt };
     jlt_plan plan;
@@ -257,9 +268,8 @@ static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
 /* Of its first orbit. */
 static jlt_exit show_plan(const jlt_portrait_request *r)
 {
-    const jlt_session *s = &r->session;
     double start[JLT_TOP_STATES] = { 0 };
-    const jlt_question question = { .model = s->descriptor, .params = s->params, .start = start };
+    const jlt_question question = { .model = r->model, .params = r->params, .start = start };
     jlt_plan plan;
     size_t tried = 0;
 

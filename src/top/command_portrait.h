@@ -3,6 +3,7 @@
 #define JLT_TOP_COMMAND_PORTRAIT_H
 
 #include "top/balanced.h"
+#include "top/counterpart.h"
 #include "cli/session.h"
 
 typedef enum {
@@ -20,7 +21,10 @@ typedef struct {
     size_t orbits;
     double until;
 
-    jlt_top top;
+    jlt_counterpart counterpart;  /* of the table asked about */
+    jlt_top top;                  /* with the general field and the parameters of JLT_DEFAULT_MODEL */
+    const jlt_descriptor *model;
+    double params[JLT_WAY_VALUES_MAX];
     jlt_balanced_levels levels;
     jlt_fixed_point fixed[4];
     unsigned fixed_count;

@@ -8,6 +8,7 @@
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/decimal.h"
+#include "top/command_counterpart.h"
 #include "top/rod.h"
 
 enum { SWEEP = 2000, CHECK, AXES_MAX = 3 };
@@ -49,8 +50,9 @@ static const struct argp parser = {
     "The limiting case I3 = 0 of the spherical top by quadratures: turning points and period of gamma3, and the rotation "
     "number, the turns of (v_nu, v_tau) a period. On E1 = 0 every orbit is periodic with that period."
     "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
-    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all "
-    "five states, which vanishes on E1 = 0 alone.\n\n"
+    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all five "
+    "states, which vanishes on E1 = 0 alone. A table of one's own is served where it has a proved `reduction' by "
+    "spherical_top_level.tt.\n\n"
     "  jellett rod --set I1=0.7,a3=0.3 \\\n"
     "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
     "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 \\\n"
@@ -91,6 +93,12 @@ static jlt_exit bind_axes(request *r)
     return code;
 }
 
+/* Of the velocity of the centre of mass. */
+static double direction(const jlt_top *top, const double *x)
+{
+    return atan2(jlt_top_v_tau(top, x), x[JLT_TOP_V_NU]);
+}
+
 /* One period of the same orbit by integration. defects: gamma3, turn, all states. */
 static jlt_status integrate(double defects[3], const request *r, const jlt_rod *rod)
 {
@@ -102,13 +110,15 @@ static jlt_status integrate(double defects[3], const request *r, const jlt_rod *
     jlt_course *course = NULL;
     jlt_course_row row;
     jlt_status st = jlt_plan_make(&plan, &question);
-    double turn;
+    double before[JLT_TOP_STATES], after[JLT_TOP_STATES], turn;
 
     if (st != JLT_OK) return st;
     JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
     JLT_TRY(jlt_course_to(course, rod->period, &row));
-    turn = atan2(jlt_top_v_tau(&rod->top, row.x), row.x[JLT_TOP_V_NU]) - atan2(jlt_top_v_tau(&rod->top, x), x[JLT_TOP_V_NU]);
-    defects[0] = fabs(row.x[JLT_TOP_GAMMA3] - x[JLT_TOP_GAMMA3]);
+    jlt_counterpart_look(&rod->counterpart, before, x);
+    jlt_counterpart_look(&rod->counterpart, after, row.x);
+    turn = direction(&rod->top, after) - direction(&rod->top, before);
+    defects[0] = fabs(after[JLT_TOP_GAMMA3] - before[JLT_TOP_GAMMA3]);
     defects[1] = rod->E1 > 1e-24 * fabs(rod->E2) ? fabs(remainder(turn - rod->turn, 2 * pi)) : NAN;
     defects[2] = 0;
     for (int i = 0; i < JLT_TOP_STATES; i++) defects[2] = fmax(defects[2], fabs(row.x[i] - x[i]));
@@ -119,18 +129,18 @@ done:
 
 static jlt_status open_rod(jlt_rod *rod, const request *r)
 {
-    jlt_top top;
-    const jlt_status st = jlt_top_read(&top, r->session.descriptor, r->session.params);
-
-    return st == JLT_OK ? jlt_rod_open(rod, &top, r->session.x) : st;
+    return jlt_rod_open(rod, r->session.descriptor, r->session.params, r->session.x);
 }
 
-/* Without a sweep the one row there is must have a value. */
+/* Its way to the table whose equations the quadratures solve. Without a sweep the one row there is must have a value. */
 static jlt_exit check_start(const request *r)
 {
+    jlt_counterpart found;
     jlt_rod rod;
-    const jlt_status st = r->axis_count > 0 ? JLT_OK : open_rod(&rod, r);
+    const jlt_exit code = jlt_top_counterpart(&found, &r->session, jlt_rod_table, "quadratures");
+    const jlt_status st = r->axis_count > 0 || code != JLT_EXIT_DONE ? JLT_OK : open_rod(&rod, r);
 
+    if (code != JLT_EXIT_DONE) return code;
     if (st == JLT_OK) return JLT_EXIT_DONE;
     if (st != JLT_ERR_DOMAIN) return jlt_session_fail(st, "the quadrature");
     return jlt_command_fail(JLT_EXIT_INPUT, "G = 0: the orbit runs through the poles, and there is no quadrature for it "
@@ -226,10 +236,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_session_begin(&r.session, argc, argv);
     r.session.tolerance = 1e-15;
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    if (r.session.common.model != NULL && strcmp(r.session.common.model, JLT_DEFAULT_MODEL) != 0)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of " JLT_DEFAULT_MODEL ", not of %s",
-                                r.session.common.model);
-    else code = jlt_session_open(&r.session);
+    code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE && jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
         const char *given = jlt_assign_fraction(&r.session.common.set, "I3");
         if (given != NULL && strcmp(given, "0") != 0)

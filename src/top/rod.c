@@ -14,20 +14,22 @@ static const double quadrature_accuracy = 2e-14;
 /* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose
  * equations these quadratures solve. */
 static const char *const integrals[] = { "E1", "E2", "G", NULL };
-static const char level[] = "spherical_top_level", variant[] = "rod";
+static const char variant[] = "rod";
+
+const char jlt_rod_table[] = "spherical_top_level";
 
 enum { LEVEL_STATES = 5 }; /* with s */
 
 /* Whether the table on a level is the one that is known here. */
 static bool has_level(void)
 {
-    const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
+    const jlt_descriptor *table = jlt_descriptor_find(jlt_rod_table, NULL, NULL, NULL);
     static const char *const states[LEVEL_STATES - 1] = { "gamma3", "v_nu", "omega_tau", "v_tau" };
 
-    if (table == NULL || table->state_count != LEVEL_STATES - 1 || jlt_top_way(level) == NULL) return false;
+    if (table == NULL || table->state_count != LEVEL_STATES - 1 || jlt_top_way(jlt_rod_table) == NULL) return false;
     for (unsigned i = 0; i < LEVEL_STATES - 1; i++)
         if (strcmp(table->states[i].name, states[i]) != 0) return false;
-    return jlt_top_way(level)->state_count == LEVEL_STATES && table->param_count <= JLT_WAY_VALUES_MAX;
+    return jlt_top_way(jlt_rod_table)->state_count == LEVEL_STATES && table->param_count <= JLT_WAY_VALUES_MAX;
 }
 
 /* P at the distance d from the pole gamma3 = side. */
@@ -130,15 +132,16 @@ static void take_coefficients(jlt_rod *rod)
     rod->barrier = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_N, 0) * rod->turning * rod->turning;
 }
 
-jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x)
+/* The orbit of rod->top through x. */
+static jlt_status measure(jlt_rod *out, const double *x)
 {
     jlt_status st = JLT_OK;
-    jlt_rod rod = { .top = *top };
+    jlt_rod rod = *out;
+    const jlt_top *top = &rod.top;
     const double gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3), v_tau = jlt_top_v_tau(top, x);
     double s2, u, turned;
 
     if (top->I3 != 0) return JLT_ERR_ARG;
-    if (!has_level()) return JLT_ERR_UNSUPPORTED;
     if (!(s > 0)) return JLT_ERR_DOMAIN;
     rod.G = jlt_top_jellett(top, x);
     if (rod.G == 0) return JLT_ERR_DOMAIN;
@@ -159,6 +162,23 @@ jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x)
     JLT_TRY(over(&rod, &rod.elapsed, time_rate, 0, u));
     JLT_TRY(over(&rod, &turned, turn_rate, 0, u));
     rod.psi -= turned;
+    *out = rod;
+done:
+    return st;
+}
+
+jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, const double *params, const double *x)
+{
+    const jlt_claim *broken;
+    jlt_rod rod = { 0 };
+    double of_top[JLT_TOP_STATES];
+    jlt_status st = JLT_OK;
+
+    if (!has_level()) return JLT_ERR_UNSUPPORTED;
+    JLT_TRY(jlt_counterpart_open(&rod.counterpart, &broken, model, jlt_rod_table, params, x));
+    jlt_counterpart_look(&rod.counterpart, of_top, x);
+    rod.top = rod.counterpart.top;
+    JLT_TRY(measure(&rod, of_top));
     *out = rod;
 done:
     return st;
@@ -201,13 +221,13 @@ done:
 /* The top's states where the table on a level has y, shape (LEVEL_STATES,). */
 static void find_state(const jlt_rod *rod, double *x, const double *y)
 {
-    const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
+    const jlt_descriptor *table = jlt_descriptor_find(jlt_rod_table, NULL, NULL, NULL);
     double params[JLT_WAY_VALUES_MAX];
     size_t index;
 
     jlt_top_write(params, table, &rod->top);
     if (jlt_descriptor_param(table, "G", &index)) params[index] = rod->G;
-    jlt_top_return(jlt_top_way(level), x, y, params);
+    jlt_top_return(jlt_top_way(jlt_rod_table), x, y, params);
 }
 
 jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
@@ -215,7 +235,7 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     jlt_status st = JLT_OK;
     const double since = rod->elapsed + t;
     const double periods = nearbyint(since / rod->period);
-    double u, psi, gamma3, s2, s;
+    double u, psi, gamma3, s2, s, of_top[JLT_TOP_STATES];
 
     if (!isfinite(t)) return JLT_ERR_NONFINITE;
     JLT_TRY(locate(rod, &u, fma(-periods, rod->period, since)));
@@ -223,9 +243,10 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     psi += rod->psi + periods * rod->turn;
     tilt(rod, &gamma3, &s2, u);
     s = sqrt(s2);
-    find_state(rod, x,
+    find_state(rod, of_top,
                (const double[LEVEL_STATES]){ gamma3, rod->speed * cos(psi), rod->half * sin(u) / (pace(rod, gamma3, s2) * s),
                                              rod->speed * sin(psi), s });
+    jlt_counterpart_return(&rod->counterpart, x, of_top);
 done:
     return st;
 }
@@ -234,28 +255,23 @@ const char jlt_rod_meaning[] = "I3 = 0: tilt, turn and time by quadratures, noth
 
 bool jlt_rod_is_known(const jlt_descriptor *model)
 {
-    if (!jlt_top_is_known(model)) return false;
-    for (const char *const *name = integrals; *name != NULL; name++)
-        if (jlt_descriptor_claim(model, "integral", *name) == NULL) return false;
-    return true;
+    const jlt_descriptor *table = jlt_descriptor_find(jlt_rod_table, NULL, NULL, NULL);
+
+    for (unsigned i = 0; table != NULL && i < model->way_count; i++)
+        if (strcmp(model->ways[i].sha256, table->sha256) == 0) return true;
+    return false;
 }
 
 const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x)
 {
     static const char unproved[] = "a claim that it rests on is not proved";
-    const jlt_descriptor *table = jlt_descriptor_find(level, NULL, NULL, NULL);
-    jlt_top top;
+    jlt_counterpart found;
+    double of_top[JLT_TOP_STATES];
 
-    *broken = NULL;
-    if (jlt_top_read(&top, model, params) != JLT_OK) return "the parameters are not those of a top";
-    if (top.I3 != 0) return "I3 is not 0";
-    if (x != NULL && jlt_top_jellett(&top, x) == 0) return "G = 0: the orbit runs through the poles";
-    if (!has_level() || jlt_way_to(broken, model, table, x, params) == NULL)
+    if (!has_level() || jlt_counterpart_open(&found, broken, model, jlt_rod_table, params, x) != JLT_OK)
         return *broken != NULL ? unproved : "no way leads to the table whose equations they solve";
-    for (const char *const *name = integrals; *name != NULL; name++) {
-        *broken = jlt_descriptor_claim(model, "integral", *name);
-        if ((*broken)->verdict != JLT_PROVED) return unproved;
-    }
-    *broken = NULL;
-    return NULL;
+    if (found.top.I3 != 0) return "I3 is not 0";
+    if (x != NULL) jlt_counterpart_look(&found, of_top, x);
+    if (x != NULL && jlt_top_jellett(&found.top, of_top) == 0) return "G = 0: the orbit runs through the poles";
+    return jlt_top_serves(broken, jlt_rod_table, integrals) ? NULL : unproved;
 }

@@ -10,9 +10,10 @@
 #ifndef JLT_TOP_ROD_H
 #define JLT_TOP_ROD_H
 
-#include "top/top.h"
+#include "top/counterpart.h"
 
 typedef struct {
+    jlt_counterpart counterpart;
     jlt_top top;
     double E1, E2, G;
     double weight, barrier; /* m g a3; c */
@@ -27,25 +28,29 @@ typedef struct {
     double elapsed;         /* from there to the start, within half a period */
 } jlt_rod;
 
-/** Turning points, period and turn of the orbit through x, shape (JLT_TOP_STATES,).
- *  Errors: ARG, I3 != 0; UNSUPPORTED, the tables built in are not those that are known here; DOMAIN, G = 0 or x outside the model;
- *  NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
-JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x);
+/* The table built in whose equations the quadratures solve. */
+extern const char jlt_rod_table[];
+
+/** Turning points, period and turn of the orbit of `model` with params, shape (params,), through x, shape (states,): of the top that
+ *  it is by its reduction to spherical_top_level.
+ *  Errors: ARG, I3 != 0; UNSUPPORTED, no proved reduction leads there; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its
+ *  energies overflow; NO_CONVERGENCE. */
+JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, const double *params, const double *x);
 
 /** The rotation number: turns of (v_nu, v_tau) a period of gamma3. */
 double jlt_rod_rotation(const jlt_rod *rod);
 
-/** State at time t since x, any sign. Cost: a few quadratures over the part of the period that was passed.
+/** The model's state at time t since x, any sign. Cost: a few quadratures over the part of the period that was passed.
  *  Errors: NONFINITE, t; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t);
 
-/** Whether quadratures are known of this model: it has the top's states, parameters and integrals by their names. */
+/** Whether quadratures may serve for this model: its table has a record that leads to the table whose equations they solve. */
 bool jlt_rod_is_known(const jlt_descriptor *model);
 
 /* What quadratures are, in a line for lists of tiers. */
 extern const char jlt_rod_meaning[];
 
-/** Why quadratures do not serve for the orbit of such a model from x, shape (JLT_TOP_STATES,), with params, shape (params,), in
+/** Why quadratures do not serve for the orbit of such a model from x, shape (states,), with params, shape (params,), in
  *  words; NULL when they do. x NULL: any start. Out: *broken: the claim that is not proved, where that is the reason, else NULL. */
 const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x);
 

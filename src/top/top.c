@@ -119,6 +119,16 @@ const jlt_way *jlt_top_way(const char *model)
     return NULL;
 }
 
+bool jlt_top_claims(const jlt_claim **broken, const char *kind, const char *name)
+{
+    const jlt_descriptor *field = find_field(NULL);
+
+    *broken = field == NULL ? NULL : jlt_descriptor_claim(field, kind, name);
+    if (*broken == NULL || (*broken)->verdict != JLT_PROVED) return false;
+    *broken = NULL;
+    return true;
+}
+
 bool jlt_top_serves(const jlt_claim **broken, const char *model, const char *const *names)
 {
     const jlt_descriptor *field = find_field(NULL);
@@ -127,10 +137,8 @@ bool jlt_top_serves(const jlt_claim **broken, const char *model, const char *con
     *broken = NULL;
     if (way == NULL || jlt_way_target(way, NULL) == NULL) return false;
     if (!jlt_way_holds(broken, field, way, jlt_way_target(way, NULL))) return false;
-    for (; *names != NULL; names++) {
-        *broken = jlt_descriptor_claim(field, "integral", *names);
-        if (*broken == NULL || (*broken)->verdict != JLT_PROVED) return false;
-    }
+    for (; *names != NULL; names++)
+        if (!jlt_top_claims(broken, "integral", *names)) return false;
     *broken = NULL;
     return true;
 }

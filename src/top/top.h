@@ -43,6 +43,9 @@ double jlt_top_integral(const jlt_top *top, const char *variant, const char *nam
 /** The way from JLT_DEFAULT_MODEL to the table of this name, each in the time of s; NULL without one. */
 const jlt_way *jlt_top_way(const char *model);
 
+/** Whether a claim of JLT_DEFAULT_MODEL is there and proved. Out: *broken: it, where it is there and not proved, else NULL. */
+bool jlt_top_claims(const jlt_claim **broken, const char *kind, const char *name);
+
 /** Whether that way is there and is proved, and so are the integrals `names`, which a NULL ends. Out: *broken: the claim that is
  *  not proved, NULL where a record is missing. */
 bool jlt_top_serves(const jlt_claim **broken, const char *model, const char *const *names);

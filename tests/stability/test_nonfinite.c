@@ -49,6 +49,14 @@ static void orbits_refuse_them(void **unused)
     }
 }
 
+static jlt_status open_rod(jlt_rod *out, const jlt_descriptor *model, const jlt_top *top, const double *x)
+{
+    double params[JLT_WAY_VALUES_MAX];
+
+    jlt_top_write(params, model, top);
+    return jlt_rod_open(out, model, params, x);
+}
+
 static void kernels_and_quadratures_refuse_them(void **unused)
 {
     const jlt_descriptor *d = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
@@ -69,7 +77,7 @@ static void kernels_and_quadratures_refuse_them(void **unused)
             assert_null(changed_instance);
             double *const entries[] = { &top.m, &top.R, &top.g, &top.a3, &top.I1, &top.I3 };
             *entries[i] = *value;
-            assert_refused(jlt_rod_open(&rod, &top, start));
+            assert_refused(open_rod(&rod, d, &top, start));
         }
         for (int i = 0; i < JLT_TOP_STATES; i++) {
             double changed[JLT_TOP_STATES], out[JLT_TOP_STATES * JLT_TOP_STATES];
@@ -78,10 +86,10 @@ static void kernels_and_quadratures_refuse_them(void **unused)
             assert_int_equal(jlt_instance_rhs(instance, out, changed), JLT_ERR_NONFINITE);
             assert_int_equal(jlt_instance_jacobian(instance, out, changed), JLT_ERR_NONFINITE);
             assert_int_equal(jlt_instance_divergence(instance, out, changed), JLT_ERR_NONFINITE);
-            assert_refused(jlt_rod_open(&rod, &rod_top, changed));
+            assert_refused(open_rod(&rod, d, &rod_top, changed));
         }
         double x[JLT_TOP_STATES];
-        assert_ok(jlt_rod_open(&rod, &rod_top, start));
+        assert_ok(open_rod(&rod, d, &rod_top, start));
         assert_refused(jlt_rod_at(&rod, x, *value));
     }
     jlt_instance_destroy(instance);

@@ -16,11 +16,14 @@ static double distance(const char *tier, double I3, const char *method, double *
 {
     jlt_top top = rod_top;
     double worst = 0, x[JLT_TOP_STATES], expected[JLT_TOP_STATES], y[RIDE_COLUMNS];
+    double params[JLT_WAY_VALUES_MAX];
+    const jlt_descriptor *model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
     jlt_rod rod;
     ride r;
 
     top.I3 = I3;
-    assert_ok(jlt_rod_open(&rod, &rod_top, start));
+    jlt_top_write(params, model, &rod_top);
+    assert_ok(jlt_rod_open(&rod, model, params, start));
     ride_open(&r, tier, &top, start, jlt_method_find(method), &(jlt_options){ .tolerance = 1e-14, .max_steps = 100000 }, +1);
     for (size_t i = 0; i < 3; i++) {
         if (jlt_orbit_propagate(r.orbit, times[i], y) != JLT_OK) worst = NAN;

@@ -1,0 +1,22 @@
+#include "top/command_counterpart.h"
+
+jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, const char *shared, const char *what)
+{
+    const jlt_claim *broken;
+    const jlt_status st = jlt_counterpart_open(out, &broken, session->descriptor, shared, session->params, NULL);
+    const char *model = session->common.model;
+    const jlt_way_condition *condition;
+    char record[512];
+
+    if (st == JLT_OK) return JLT_EXIT_DONE;
+    if (broken != NULL)
+        return jlt_command_fail(JLT_EXIT_FAILED, "%s: the claim '%s %s' of %s, on which this would rest, is not proved: %s", what,
+                                broken->kind, broken->name, model, broken->reason);
+    condition = jlt_counterpart_condition(session->descriptor, shared, session->params);
+    if (condition != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the reduction of %s serves where %s: see --set", what, model, condition->text);
+    jlt_counterpart_record(record, sizeof record, shared);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: known of spherical tops, and %s does not say that it is one: write '%s', "
+                                            "which is to be proved, of the table as it is built in",
+                            what, model, record);
+}

@@ -1,0 +1,56 @@
+#include "top/counterpart.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "kernel/descriptor.h"
+
+jlt_status jlt_counterpart_open(jlt_counterpart *out, const jlt_claim **broken, const jlt_descriptor *model, const char *shared,
+                                const double *params, const double *x)
+{
+    const jlt_descriptor *known = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
+    const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
+    jlt_counterpart found = { .way = NULL };
+
+    *broken = NULL;
+    if (known == NULL || table == NULL || jlt_top_way(shared) == NULL || model->state_count != JLT_TOP_STATES)
+        return JLT_ERR_UNSUPPORTED;
+    if (strcmp(model->sha256, known->sha256) != 0) {
+        found.way = jlt_way_to(broken, model, table, x, params);
+        if (found.way == NULL) return JLT_ERR_UNSUPPORTED;
+    }
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++)
+        if (!jlt_descriptor_state(model, known->states[i].name, &found.place[i])) return JLT_ERR_UNSUPPORTED;
+    const jlt_status st = jlt_top_read(&found.top, model, params);
+    if (st == JLT_OK) *out = found;
+    return st;
+}
+
+void jlt_counterpart_look(const jlt_counterpart *self, double *of_top, const double *x)
+{
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++) of_top[i] = x[self->place[i]];
+}
+
+void jlt_counterpart_return(const jlt_counterpart *self, double *x, const double *of_top)
+{
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++) x[self->place[i]] = of_top[i];
+}
+
+const jlt_way_condition *jlt_counterpart_condition(const jlt_descriptor *model, const char *shared, const double *params)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
+    const jlt_way_condition *broken = NULL;
+
+    for (unsigned i = 0; table != NULL && broken == NULL && i < model->way_count; i++)
+        if (strcmp(model->ways[i].sha256, table->sha256) == 0) broken = jlt_way_broken(&model->ways[i], NULL, params);
+    return broken;
+}
+
+void jlt_counterpart_record(char *text, size_t size, const char *shared)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
+    int used = snprintf(text, size, "reduction NAME : by %s.tt with", shared);
+
+    for (unsigned i = 0; table != NULL && i < table->state_count && used > 0 && (size_t)used < size; i++)
+        used += snprintf(text + used, size - (size_t)used, "%s %s = ...", i > 0 ? "," : "", table->states[i].name);
+}

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Closed forms of the spherical top serve for a table of one's own by a proved reduction, in whatever order its states
+# stand; else the record is named that is missing, or the claim that fails.
+set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
+models=$JLT_SOURCE_DIR/codegen/models
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+rows() { grep -v '^#' "$1" | tail -n +2; }
+
+# same A B BOUND: the numbers of the rows, one after another
+same() {
+    [ "$(rows "$1" | wc -l)" -gt 0 ] || fail "$1: no row"
+    paste <(rows "$1" | tr , '\n') <(rows "$2" | tr , '\n') | awk -F'\t' -v bound="$3" '
+        $1 ~ /^[-+0-9.]/ { d = $1 - $2; if (!(d * d <= bound * bound)) { bad++ } }
+        $1 !~ /^[-+0-9.]/ && $1 != $2 { bad++ }
+        END { if (bad) print bad, "fields differ"; exit bad > 0 }' || fail "$1 and $2 differ"
+}
+# run STATUS OUT ARGUMENTS...
+run() {
+    local want=$1 out=$2 got=0
+    shift 2
+    jellett "$@" > "$scratch/$out" 2> "$scratch/err" || got=$?
+    [ "$got" = "$want" ] || fail "$*: status $got, not $want: $(tail -1 "$scratch/err")"
+}
+says() { grep -qF -- "$1" "$scratch/err" || fail "does not say '$1': $(tail -1 "$scratch/err")"; }
+
+# The top with v_nu as its first state.
+sed -e '/^eliminate/d; /^observe/d; /^valid/d; /^# Fixed points/,/^leftnull precession/d; /^# Energy on the section/,/^    when/d' \
+    -e '/^equal/,/^    when/d; /^lift/,$d; s/^model .*/model other/' \
+    -e '/^state gamma3/{h; d}; /^state v_nu/G' \
+    "$models/spherical_top.tt" > "$scratch/other.tt"
+cp "$models/spherical_top_level.tt" "$models/spherical_top_balanced.tt" "$models/spherical_top_plane.tt" "$scratch"
+
+surface=(--set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15)
+run 0 known portrait "${surface[@]}"
+run 0 own portrait "$scratch/other.tt" "${surface[@]}"
+same "$scratch/own" "$scratch/known" 0
+start=gamma3=0.5,v_nu=0.8,omega_n=0.1,omega3=0.9
+run 0 known portrait --set I1=2/5,I3=1/4 --start $start,omega_tau=0.15 --trajectories "$scratch/known_orbits" --orbits 3
+run 0 own portrait "$scratch/other.tt" --set I1=2/5,I3=1/4 --start $start,omega_tau=0.15 --trajectories "$scratch/own_orbits" --orbits 3
+for name in "" _orbits; do same "$scratch/own$name" "$scratch/known$name" 0; done
+
+rod=(--set I1=0.7,a3=0.3 --check)
+start=gamma3=0.2,v_nu=0.6,omega_n=1.3,omega3=-0.8
+run 0 known rod "${rod[@]}" --start $start,omega_tau=0.4
+run 0 own rod "$scratch/other.tt" "${rod[@]}" --start $start,omega_tau=0.4
+same "$scratch/own" "$scratch/known" 1e-14
+orbit=(--set I1=0.7,a3=0.3,I3=0 --until 7 --every 1)
+run 0 known simulate "$scratch/other.tt" "${orbit[@]}" --start $start,omega_tau=0.4 --tier level
+run 0 own simulate "$scratch/other.tt" "${orbit[@]}" --start $start,omega_tau=0.4 --tier quadrature
+for name in known own; do grep -v '^#' "$scratch/$name" | cut -d, -f 1-6 > "$scratch/$name.cut"; done
+same "$scratch/own.cut" "$scratch/known.cut" 1e-11 # ten times the tolerance, as of a return
+
+# What is missing, and what is false.
+run 3 out portrait lorenz
+says "'reduction NAME : by spherical_top_balanced.tt with gamma3 = ..., v_slip = ..., psi = ...'"
+run 3 out rod lorenz --start x=1,y=1,z=1
+says "'reduction NAME : by spherical_top_level.tt with gamma3 = ..., v_nu = ..., omega_tau = ..., v_tau = ...'"
+sed -i 's/^    - m\*R\*I1\*omega_n\*V\/Theta/&\n    - omega_n*I3\/I1/' "$scratch/other.tt"
+run 1 out portrait "$scratch/other.tt" "${surface[@]}"
+says "'reduction momentum'"
+run 1 out rod "$scratch/other.tt" --set I1=0.7,a3=0.3 --start $start,omega_tau=0.4
+says "'reduction level'"
+exit $status
