@@ -253,6 +253,18 @@ ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics 
     return result;
 }
 
+ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file, char *reason,
+                       size_t size)
+{
+    char error[TTC_DIAGNOSTIC_LINE] = "";
+    ttc_diagnostics *diagnostics = resolver == NULL ? NULL : ttc_diagnostics_create();
+    ttc_model *read = diagnostics == NULL ? NULL : resolver(context, model, file, diagnostics);
+    if (diagnostics != NULL) ttc_diagnostics_first_error(diagnostics, error, sizeof error);
+    ttc_diagnostics_destroy(diagnostics);
+    if (read == NULL) snprintf(reason, size, "%s %s could not be read%s%s", what, file, *error == '\0' ? "" : ": ", error);
+    return read;
+}
+
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
     (void)context;

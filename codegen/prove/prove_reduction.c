@@ -269,15 +269,10 @@ void ttc_prove_reduction(ttc_task *task)
         ttc_task_unsettle(task, "a reduction under a condition on states (expected 'modulo' of what the flow keeps)");
         return;
     }
-    char error[TTC_DIAGNOSTIC_LINE] = "";
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *target = NULL;
-    if (diagnostics != NULL && task->resolver != NULL)
-        target = task->resolver(task->resolver_context, task->model, task->claim->target, diagnostics);
-    if (diagnostics != NULL) ttc_diagnostics_first_error(diagnostics, error, sizeof error);
-    if (target == NULL)
-        ttc_task_unsettle(task, "the target %s could not be read%s%s", task->claim->target, *error == '\0' ? "" : ": ", error);
+    char reason[2 * TTC_DIAGNOSTIC_LINE];
+    ttc_model *target = ttc_resolve(task->resolver, task->resolver_context, task->model, "the target", task->claim->target, reason,
+                                    sizeof reason);
+    if (target == NULL) ttc_task_unsettle(task, "%s", reason);
     else prove_onto(task, target);
     ttc_model_destroy(target);
-    ttc_diagnostics_destroy(diagnostics);
 }

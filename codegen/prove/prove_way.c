@@ -303,7 +303,7 @@ static void prove_descended(ttc_task *task, const ttc_model *table, const ttc_cl
 void ttc_prove_descent(ttc_task *task)
 {
     const ttc_way *way = way_of(task);
-    char reason[240];
+    char reason[TTC_DIAGNOSTIC_LINE + 200];
     uint32_t back;
     ttc_model *table = ttc_way_table(task->model, way, task->resolver, task->resolver_context, &back, reason, sizeof reason);
     if (table == NULL) {
@@ -361,7 +361,7 @@ static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)
 
 void ttc_prove_lift(ttc_task *task)
 {
-    char reason[240];
+    char reason[TTC_DIAGNOSTIC_LINE + 200];
     uint32_t back;
     ttc_model *table = ttc_way_table(task->model, way_of(task), task->resolver, task->resolver_context, &back, reason,
                                      sizeof reason);

@@ -110,14 +110,9 @@ ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section,
                              size_t size)
 {
     const char *file = model->claims[section->claim].target;
-    char error[TTC_DIAGNOSTIC_LINE] = "";
-    ttc_diagnostics *diagnostics = resolver == NULL ? NULL : ttc_diagnostics_create();
-    ttc_model *chart = diagnostics == NULL ? NULL : resolver(context, model, file, diagnostics);
-    if (diagnostics != NULL) ttc_diagnostics_first_error(diagnostics, error, sizeof error);
-    ttc_diagnostics_destroy(diagnostics);
-    if (chart == NULL)
-        snprintf(reason, size, "the table of coordinates %s could not be read%s%s", file, *error == '\0' ? "" : ": ", error);
-    else if (ttc_section_fits(model, section, chart, reason, size)) return chart;
+    ttc_model *chart = ttc_resolve(resolver, context, model, "the table of coordinates", file, reason, size);
+    if (chart == NULL) return NULL;
+    if (ttc_section_fits(model, section, chart, reason, size)) return chart;
     ttc_model_destroy(chart);
     return NULL;
 }

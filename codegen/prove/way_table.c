@@ -103,11 +103,9 @@ ttc_model *ttc_way_table(const ttc_model *model, const ttc_way *way, ttc_resolve
                          char *reason, size_t size)
 {
     const char *file = model->claims[way->claim].target;
-    ttc_diagnostics *ignored = resolver == NULL ? NULL : ttc_diagnostics_create();
-    ttc_model *table = ignored == NULL ? NULL : resolver(context, model, file, ignored);
-    ttc_diagnostics_destroy(ignored);
-    if (table == NULL) snprintf(reason, size, "the table %s could not be read", file);
-    else if (ttc_way_fits(model, way, table, back, reason, size)) return table;
+    ttc_model *table = ttc_resolve(resolver, context, model, "the table", file, reason, size);
+    if (table == NULL) return NULL;
+    if (ttc_way_fits(model, way, table, back, reason, size)) return table;
     ttc_model_destroy(table);
     return NULL;
 }

@@ -17,7 +17,8 @@ struct jlt_transfer_section {
     jlt_instance *known; /* in the table's own time and units, in which densities are claimed; NULL: none is */
     double *starts; /* (room, dim): points that are on the section, */
     size_t *index;  /* (room,): and which they are */
-    size_t room, failed;
+    size_t room;
+    jlt_failures failures;
 };
 
 /* The field of the same parameters in the model's own time, whose states come first in every other. */
@@ -61,7 +62,7 @@ const char *jlt_transfer_section_density(const jlt_transfer_section *self)
     return self->known != NULL ? self->known->descriptor->measures[0].name : NULL;
 }
 
-size_t jlt_transfer_section_failed(const jlt_transfer_section *self) { return self->failed; }
+const jlt_failures *jlt_transfer_section_failures(const jlt_transfer_section *self) { return &self->failures; }
 
 /* The state at q, and the field there, in the flow's units; false where there is none, or the section is not crossed in its
  * direction. */
@@ -119,7 +120,7 @@ static jlt_status images(void *context, double *image, unsigned *loss, double *t
         st = jlt_section_batch_last(self->batch, &row, k);
         if (st != JLT_OK || row.interrupted) continue; /* the interrupt's flag is raised, and images are not used */
         loss[i] = (unsigned)row.fate;
-        self->failed += jlt_section_failed(row.fate);
+        jlt_failures_add(&self->failures, row.fate, row.unbounded, row.t);
         time[i] = fabs(row.t);
         memcpy(image + i * chart->dim, row.q, chart->dim * sizeof *row.q);
         if (row.fate == JLT_FATE_ALIVE && self->system->surface == NULL && !jlt_chart_level_follows(chart, row.x))

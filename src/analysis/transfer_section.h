@@ -4,6 +4,7 @@
 #define JLT_ANALYSIS_TRANSFER_SECTION_H
 
 #include "analysis/transfer.h"
+#include "dynamics/failures.h"
 #include "dynamics/section_batch.h"
 #include "dynamics/system.h"
 
@@ -25,8 +26,8 @@ jlt_transfer_map jlt_transfer_section_map(jlt_transfer_section *self);
 /** The density's name in its table; NULL: there is none. */
 const char *jlt_transfer_section_density(const jlt_transfer_section *self);
 
-/** On how many orbits the method has failed. */
-size_t jlt_transfer_section_failed(const jlt_transfer_section *self);
+/** The orbits on which the method has failed; valid as long as self. */
+const jlt_failures *jlt_transfer_section_failures(const jlt_transfer_section *self);
 
 /** Masses in the mirror image, under the reversor, of each box: masses that stay become those of the inverse map. In: v, shape
  *  (transfer->count,). Out: mirrored, the same shape, 0 for a box whose mirror image is none of those kept. False: the section has

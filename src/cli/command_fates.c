@@ -121,8 +121,7 @@ static jlt_exit one_system(options *o, jlt_system *system, jlt_motion_map *map)
         jlt_fates_table_summary(stderr, &o->motion, system, &sum);
         if (map->points != NULL) code = draw_fates(o, system, map, &sum);
     }
-    if (code == JLT_EXIT_DONE && jlt_shares_failed(&sum) > 0) code = jlt_motion_failures(jlt_shares_failed(&sum), sum.all.starts);
-    return code;
+    return code == JLT_EXIT_DONE ? jlt_motion_failures(system, &sum.all.failures, sum.all.starts) : code;
 }
 
 /* The last column of $SHARES is what is left when orbits that turn over in contact are counted; of other sections those alive. */
@@ -167,7 +166,8 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
 typedef struct {
     const options *o;
     const jlt_system *base;
-    size_t axes, starts, failed;
+    size_t axes, starts;
+    jlt_failures failures;
 } share_rows;
 
 static void write_shares(void *context, const jlt_fates_crowd_place *place)
@@ -176,7 +176,7 @@ static void write_shares(void *context, const jlt_fates_crowd_place *place)
     const jlt_common *common = &self->o->motion.common;
 
     self->starts += place->sum.all.starts;
-    self->failed += jlt_shares_failed(&place->sum);
+    jlt_failures_join(&self->failures, &place->sum.all.failures);
     jlt_fates_table_shares(common->table.file, common->points, self->base, place->values, self->axes, &place->sum);
 }
 
@@ -223,7 +223,7 @@ static jlt_exit sweep(options *o, const jlt_system *base)
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", common->table.path);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
-    if (code == JLT_EXIT_DONE && rows.failed > 0) code = jlt_motion_failures(rows.failed, rows.starts);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_failures(base, &rows.failures, rows.starts);
     if (code == JLT_EXIT_DONE && rows.starts == 0 && axes[0].part == 0 && !jlt_motion_interrupted(&o->motion))
         code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
 done:

@@ -4,6 +4,7 @@
 #include "report/json.h"
 
 #include <argp.h>
+#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,10 +34,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "What is built in, or what a table of your own (./my.tt) says: models, their states and parameters, variants, kernels with "
-    "operation counts, and hashes.\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, "
+    "What is built in and which tables of your own lie in this folder, or what one table (./my.tt) says: models, their states and "
+    "parameters, variants, kernels with operation counts, and hashes.\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, "
     "on prepared parameters; a fused multiply-add counts once. "
-    "The hash is that of the table that the kernels were written from.",
+    "The hash is that of the table that the kernels were written from. JSON holds what is built in, or the one table.",
     NULL, NULL, NULL,
 };
 
@@ -228,6 +229,20 @@ static void show_family(FILE *stream, json_t *all, const jlt_descriptor *model)
         else print_descriptor(stream, *d, d == model->family);
 }
 
+/* Tables of the user's own in the working directory; a command that names one compiles it. */
+static void list_folder(FILE *stream)
+{
+    glob_t found;
+
+    fputs("\ntables of your own in this folder: jellett COMMAND ./TABLE compiles one, and jellett models ./TABLE shows it\n", stream);
+    if (glob("./*.tt", 0, NULL, &found) != 0) {
+        fputs("    none\n", stream);
+        return;
+    }
+    for (size_t i = 0; i < found.gl_pathc; i++) fprintf(stream, "    %s\n", found.gl_pathv[i]);
+    globfree(&found);
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { 0 };
@@ -254,6 +269,7 @@ static jlt_exit run(int argc, char **argv)
             if (!o.json && i > 0) fputc('\n', output.stream);
             show_family(output.stream, all, d);
         }
+        if (!o.json) list_folder(output.stream);
     }
     if (o.json && jlt_json_write(output.stream, all) != JLT_OK) {
         jlt_command_discard(&output);
@@ -263,5 +279,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_models = {
-    "models", "[MODEL] [--json]", "What is built in: models, variants, kernels, operation counts, hashes", run, NULL, NULL
+    "models", "[MODEL] [--json]", "What is built in and in this folder: models, variants, kernels, counts, hashes", run, NULL, NULL
 };

@@ -313,8 +313,7 @@ static jlt_exit write_all(study *s, jlt_motion_map *map)
     if (code != JLT_EXIT_DONE) return code;
     jlt_transfer_report_text(stderr, &report);
     if (common->plot != NULL) code = draw(s, map);
-    const size_t failed = jlt_transfer_section_failed(s->section);
-    return code == JLT_EXIT_DONE && failed > 0 ? jlt_motion_failures(failed, s->points) : code;
+    return code == JLT_EXIT_DONE ? jlt_motion_failures(s->system, jlt_transfer_section_failures(s->section), s->points) : code;
 }
 
 /* A picture's grid is that of the boxes' centres. */

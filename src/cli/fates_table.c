@@ -98,7 +98,7 @@ void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, co
     if (turns) fprintf(file, ",%zu", sum->low.starts);
     for (size_t i = 0; i < TOLD; i++)
         if (can_be(base, told[i])) fprintf(file, ",%zu", sum->all.by_fate[told[i]]);
-    fprintf(file, ",%zu", jlt_shares_failed(sum));
+    fprintf(file, ",%zu", sum->all.failures.count);
     jlt_fates_share(&share, &error, turns ? &sum->low : &sum->all, turns ? sum->turned : JLT_FATE_ALIVE, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (turns && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g,%.9g", share, error, kept);

@@ -8,6 +8,7 @@
 #include "cli/grid.h"
 #include "cli/plot.h"
 #include "cli/stream.h"
+#include "dynamics/failures.h"
 #include "dynamics/surface.h"
 
 typedef struct {
@@ -135,8 +136,9 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
 /** Print that Newton's method found no periodic orbit from `start`, and what may help. Returns the exit status for `status`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);
 
-/** Where failed > 0, print on how many of the orbits the method failed. Returns JLT_EXIT_NUMERICAL then, else JLT_EXIT_DONE. */
-jlt_exit jlt_motion_failures(size_t failed, size_t orbits);
+/** Print on how many of the orbits the method failed, and in how many of these a state grows without bound, unless there are none.
+ *  Returns JLT_EXIT_NUMERICAL then, else JLT_EXIT_DONE. */
+jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits);
 
 /** Whether a signal has asked the command to finish. */
 bool jlt_motion_interrupted(const jlt_motion_options *options);

@@ -72,11 +72,7 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
     jlt_section_picture_end(f->picture, at.fate);
     if (at.least <= 0) sum->lost[at.lost]++, sum->invalid++;
     if (isnan(at.least)) sum->unknown++;
-    if (jlt_section_failed(at.fate)) sum->failed++;
-    if (at.unbounded < f->system->flow.chart->states && sum->unbounded++ == 0) {
-        sum->unbounded_state = at.unbounded;
-        sum->unbounded_at = at.t;
-    }
+    jlt_failures_add(&sum->failures, at.fate, at.unbounded, at.t);
     sum->orbits++;
 done:
     return st;
@@ -104,10 +100,8 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
         fprintf(stderr,
                 "jellett: of %zu of %zu orbits it is not known whether the model holds: a condition of it has no value there\n",
                 sum->unknown, sum->orbits);
-    if (sum->unbounded > 0)
-        fprintf(stderr, "jellett: in %zu of %zu orbits a state grows without bound: in the first of them %s, towards t = %.10g\n",
-                sum->unbounded, sum->orbits, f->system->instance->descriptor->states[sum->unbounded_state].name, sum->unbounded_at);
-    if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
+    const jlt_exit code = jlt_motion_failures(f->system, &sum->failures, sum->orbits);
+    if (code != JLT_EXIT_DONE) return code;
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 

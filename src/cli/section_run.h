@@ -19,10 +19,8 @@ typedef struct {
 
 /* Counts for the closing words. */
 typedef struct {
-    size_t orbits, empty, rows, invalid, unknown, failed;
-    size_t unbounded;                         /* of the failed: those in which a state grows without bound */
-    unsigned unbounded_state;                 /* of the first of them, and when */
-    double unbounded_at;
+    size_t orbits, empty, rows, invalid, unknown;
+    jlt_failures failures;
     size_t lost[JLT_OBSERVED_CONDITIONS_MAX]; /* of the invalid: by condition, the one that is lost most */
 } jlt_section_run_totals;
 

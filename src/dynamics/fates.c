@@ -19,6 +19,7 @@ jlt_fates_end jlt_fates_of(const jlt_return *last)
 {
     const bool is_return = last->fate == JLT_FATE_ALIVE && !last->interrupted; /* an end has a number of its own */
     jlt_fates_end end = { .fate = last->fate,
+                          .unbounded = last->unbounded,
                           .lost = last->lost,
                           .t = last->t,
                           .returns = last->number - (!is_return && last->number > 0),
@@ -33,6 +34,7 @@ void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)
 {
     count->starts++;
     count->by_fate[end->fate]++;
+    jlt_failures_add(&count->failures, end->fate, end->unbounded, end->t);
     if (end->least > 0) count->valid[end->fate]++;
     if (isnan(end->least)) count->unknown++;
 }

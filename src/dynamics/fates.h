@@ -3,10 +3,11 @@
 #ifndef JLT_DYNAMICS_FATES_H
 #define JLT_DYNAMICS_FATES_H
 
-#include "dynamics/section.h"
+#include "dynamics/failures.h"
 
 typedef struct {
     jlt_fate fate;      /* ALIVE: all returns were found */
+    unsigned unbounded; /* as of jlt_return */
     unsigned lost;      /* where fate is INVALID: the index of the condition that breaks, as of jlt_observed_condition */
     double t;           /* [time] of the end, or of the last return, since the start */
     size_t returns;     /* that were found before the end */
@@ -29,6 +30,7 @@ typedef struct {
     size_t starts;                /* that were added */
     size_t by_fate[JLT_FATE_COUNT]; /* index: jlt_fate */
     size_t valid[JLT_FATE_COUNT]; /* of these, those on which the model held throughout */
+    jlt_failures failures;
     size_t unknown;               /* those of which that is not known, as a condition had no value */
 } jlt_fates_count;
 

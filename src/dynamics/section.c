@@ -191,7 +191,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->direction = 0;
     row->fate = JLT_FATE_ALIVE;
     row->lost = self->condition;
-    row->unbounded = chart->states;
+    row->unbounded = JLT_CHART_STATES_MAX;
     row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
@@ -264,7 +264,9 @@ static void end(jlt_section *self, jlt_return *row, double t, const double *x, j
     self->t_start = t;
     fill(row, self, t, x, false);
     set_fate(row, self, x, fate);
-    if (jlt_section_failed(fate)) row->unbounded = jlt_field_unbounded(self->flow.field, x, t);
+    if (!jlt_section_failed(fate)) return;
+    const unsigned unbounded = jlt_field_unbounded(self->flow.field, x, t);
+    if (unbounded < self->flow.chart->states) row->unbounded = unbounded;
 }
 
 /* Whether an orbit that stands still does so at a pole, which methods whose steps hold its root relative to itself come as near to

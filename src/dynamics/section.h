@@ -68,7 +68,7 @@ typedef struct {
     int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
     jlt_fate fate;
     unsigned lost;               /* JLT_FATE_INVALID: the index of the condition that broke; else of the one that least is of */
-    unsigned unbounded;          /* of a failure: the state that grows without bound; the count of states: none is known */
+    unsigned unbounded;          /* of a failure: the state that grows without bound; JLT_CHART_STATES_MAX: none is known */
     bool interrupted;            /* flow->interrupt became nonzero before the next return; the row holds the point reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */

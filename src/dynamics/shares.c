@@ -13,15 +13,6 @@ void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, 
     if (jlt_surface_is_low(system, q)) jlt_fates_add(&sum->low, end);
 }
 
-size_t jlt_shares_failed(const jlt_shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++)
-        if (jlt_section_failed((jlt_fate)fate)) count += sum->all.by_fate[fate];
-    return count;
-}
-
 size_t jlt_shares_held(const jlt_shares *sum)
 {
     size_t count = 0;

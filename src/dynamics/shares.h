@@ -19,9 +19,6 @@ bool jlt_shares_turn(const jlt_system *system);
 /** Count the orbit that started at q, shape (dim,), and ended so. */
 void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end);
 
-/** How many orbits the method failed on. */
-size_t jlt_shares_failed(const jlt_shares *sum);
-
 /** On how many orbits the model's conditions held throughout. */
 size_t jlt_shares_held(const jlt_shares *sum);
 

@@ -146,8 +146,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
 
     if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;
-    const bool has_end = field->domain.intervals != NULL || field->domain.conditions > 0;
-    while (has_end && !follows_field(self, stepper, h)) {
+    while (!follows_field(self, stepper, h)) {
         h = stepper->direction * (size /= 2);
         if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
         if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;

@@ -1,0 +1,17 @@
+#include "dynamics/failures.h"
+
+void jlt_failures_add(jlt_failures *sum, jlt_fate fate, unsigned unbounded, double t)
+{
+    if (!jlt_section_failed(fate)) return;
+    jlt_failures_join(sum, &(jlt_failures){ .count = 1, .unbounded = unbounded < JLT_CHART_STATES_MAX, .state = unbounded, .t = t });
+}
+
+void jlt_failures_join(jlt_failures *sum, const jlt_failures *more)
+{
+    if (sum->unbounded == 0) {
+        sum->state = more->state;
+        sum->t = more->t;
+    }
+    sum->count += more->count;
+    sum->unbounded += more->unbounded;
+}
