@@ -253,8 +253,8 @@ ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics 
     return result;
 }
 
-ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file, char *reason,
-                       size_t size)
+ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file,
+                       char *reason, size_t size)
 {
     char error[TTC_DIAGNOSTIC_LINE] = "";
     ttc_diagnostics *diagnostics = resolver == NULL ? NULL : ttc_diagnostics_create();

@@ -21,8 +21,8 @@ ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics 
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics);
 
 /** What the resolver reads, NULL: none. Out: reason, `size` bytes: where nothing is read, "WHAT FILE could not be read: why". */
-ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file, char *reason,
-                       size_t size);
+ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file,
+                       char *reason, size_t size);
 
 typedef enum { TTC_PROVED, TTC_REFUTED, TTC_UNSETTLED } ttc_proof_status;
 

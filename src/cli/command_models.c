@@ -35,8 +35,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "What is built in and which tables of your own lie in this folder, or what one table (./my.tt) says: models, their states and "
-    "parameters, variants, kernels with operation counts, and hashes.\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, "
-    "on prepared parameters; a fused multiply-add counts once. "
+    "parameters, variants, kernels with operation counts, and hashes.\vCounts are operations of one call of the right-hand side, "
+    "of the Jacobian, and of both fused, on prepared parameters; a fused multiply-add counts once. "
     "The hash is that of the table that the kernels were written from. JSON holds what is built in, or the one table.",
     NULL, NULL, NULL,
 };
@@ -234,7 +234,7 @@ static void list_folder(FILE *stream)
 {
     glob_t found;
 
-    fputs("\ntables of your own in this folder: jellett COMMAND ./TABLE compiles one, and jellett models ./TABLE shows it\n", stream);
+    fputs("\ntables of your own in this folder: jellett COMMAND ./TABLE compiles one, jellett models ./TABLE shows it\n", stream);
     if (glob("./*.tt", 0, NULL, &found) != 0) {
         fputs("    none\n", stream);
         return;

@@ -3,7 +3,8 @@
 void jlt_failures_add(jlt_failures *sum, jlt_fate fate, unsigned unbounded, double t)
 {
     if (!jlt_section_failed(fate)) return;
-    jlt_failures_join(sum, &(jlt_failures){ .count = 1, .unbounded = unbounded < JLT_CHART_STATES_MAX, .state = unbounded, .t = t });
+    const bool is_known = unbounded < JLT_CHART_STATES_MAX;
+    jlt_failures_join(sum, &(jlt_failures){ .count = 1, .unbounded = is_known, .state = unbounded, .t = t });
 }
 
 void jlt_failures_join(jlt_failures *sum, const jlt_failures *more)

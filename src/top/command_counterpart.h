@@ -5,8 +5,8 @@
 #include "cli/session.h"
 #include "top/counterpart.h"
 
-/** The top that the session's table is by its reduction to the table built in of the name `shared`, at any state. Says what the table
- *  lacks, or which claim of it is not proved; what: "M^2". */
+/** The top that the session's table is by its reduction to the table built in of the name `shared`, at any state. Says what the
+ *  table lacks, or which claim of it is not proved; what: "M^2". */
 jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, const char *shared, const char *what);
 
 #endif

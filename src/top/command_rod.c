@@ -50,8 +50,8 @@ static const struct argp parser = {
     "The limiting case I3 = 0 of the spherical top by quadratures: turning points and period of gamma3, and the rotation "
     "number, the turns of (v_nu, v_tau) a period. On E1 = 0 every orbit is periodic with that period."
     "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
-    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all five "
-    "states, which vanishes on E1 = 0 alone. A table of one's own is served where it has a proved `reduction' by "
+    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all "
+    "five states, which vanishes on E1 = 0 alone. A table of one's own is served where it has a proved `reduction' by "
     "spherical_top_level.tt.\n\n"
     "  jellett rod --set I1=0.7,a3=0.3 \\\n"
     "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
@@ -132,15 +132,12 @@ static jlt_status open_rod(jlt_rod *rod, const request *r)
     return jlt_rod_open(rod, r->session.descriptor, r->session.params, r->session.x);
 }
 
-/* Its way to the table whose equations the quadratures solve. Without a sweep the one row there is must have a value. */
+/* Without a sweep the one row there is must have a value. */
 static jlt_exit check_start(const request *r)
 {
-    jlt_counterpart found;
     jlt_rod rod;
-    const jlt_exit code = jlt_top_counterpart(&found, &r->session, jlt_rod_table, "quadratures");
-    const jlt_status st = r->axis_count > 0 || code != JLT_EXIT_DONE ? JLT_OK : open_rod(&rod, r);
+    const jlt_status st = r->axis_count > 0 ? JLT_OK : open_rod(&rod, r);
 
-    if (code != JLT_EXIT_DONE) return code;
     if (st == JLT_OK) return JLT_EXIT_DONE;
     if (st != JLT_ERR_DOMAIN) return jlt_session_fail(st, "the quadrature");
     return jlt_command_fail(JLT_EXIT_INPUT, "G = 0: the orbit runs through the poles, and there is no quadrature for it "
@@ -230,6 +227,7 @@ static jlt_exit run(int argc, char **argv)
 {
     request r = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     jlt_common *common = &r.session.common;
+    jlt_counterpart found;
     size_t I3;
     jlt_exit code;
 
@@ -243,6 +241,7 @@ static jlt_exit run(int argc, char **argv)
             code = jlt_command_fail(JLT_EXIT_INPUT, "--set I3=%s: the quadratures are those of I3 = 0", given);
         r.session.params[I3] = 0;
     }
+    if (code == JLT_EXIT_DONE) code = jlt_top_counterpart(&found, &r.session, jlt_rod_table, "quadratures");
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = bind_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)

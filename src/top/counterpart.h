@@ -26,8 +26,8 @@ JLT_CHECKED jlt_status jlt_counterpart_open(jlt_counterpart *out, const jlt_clai
 void jlt_counterpart_look(const jlt_counterpart *self, double *of_top, const double *x);
 void jlt_counterpart_return(const jlt_counterpart *self, double *x, const double *of_top);
 
-/** The first condition that params do not meet of a reduction of `model` to the table built in of the name `shared`; NULL where there
- *  is no such reduction, or all are met. */
+/** The first condition that params do not meet of a reduction of `model` to the table built in of the name `shared`; NULL where
+ *  there is no such reduction, or all are met. */
 const jlt_way_condition *jlt_counterpart_condition(const jlt_descriptor *model, const char *shared, const double *params);
 
 /** Write "reduction NAME : by FILE with STATE = ..., ..." as a table needs it to have a counterpart by the table built in of the

@@ -31,8 +31,8 @@ typedef struct {
 /* The table built in whose equations the quadratures solve. */
 extern const char jlt_rod_table[];
 
-/** Turning points, period and turn of the orbit of `model` with params, shape (params,), through x, shape (states,): of the top that
- *  it is by its reduction to spherical_top_level.
+/** Turning points, period and turn of the orbit of `model` with params, shape (params,), through x, shape (states,): of the top
+ *  that it is by its reduction to spherical_top_level.
  *  Errors: ARG, I3 != 0; UNSUPPORTED, no proved reduction leads there; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its
  *  energies overflow; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, const double *params, const double *x);

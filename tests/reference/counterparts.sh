@@ -39,8 +39,9 @@ run 0 known portrait "${surface[@]}"
 run 0 own portrait "$scratch/other.tt" "${surface[@]}"
 same "$scratch/own" "$scratch/known" 0
 start=gamma3=0.5,v_nu=0.8,omega_n=0.1,omega3=0.9
-run 0 known portrait --set I1=2/5,I3=1/4 --start $start,omega_tau=0.15 --trajectories "$scratch/known_orbits" --orbits 3
-run 0 own portrait "$scratch/other.tt" --set I1=2/5,I3=1/4 --start $start,omega_tau=0.15 --trajectories "$scratch/own_orbits" --orbits 3
+from=(--set I1=2/5,I3=1/4 --start $start,omega_tau=0.15 --orbits 3)
+run 0 known portrait "${from[@]}" --trajectories "$scratch/known_orbits"
+run 0 own portrait "$scratch/other.tt" "${from[@]}" --trajectories "$scratch/own_orbits"
 for name in "" _orbits; do same "$scratch/own$name" "$scratch/known$name" 0; done
 
 rod=(--set I1=0.7,a3=0.3 --check)
