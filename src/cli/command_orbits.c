@@ -26,10 +26,11 @@ static const struct argp_option option_table[] = {
     { "grid", 'g', "COUNTxCOUNT", 0,
       "Starts of Newton's method over the whole section, or NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for none", 1 },
     { "near", NEAR, "DISTANCE", 0,
-      "Try Newton's method where an orbit comes back within this distance, in coordinates; default 0.6", 1 },
+      "Try Newton's method where an orbit comes back within this distance, in coordinates; default 0.6. A strongly unstable orbit "
+      "is found with a larger one, such as 10, or a finer --grid", 1 },
     { "settle", SETTLE, "N|0", 0, "Try once more from the Nth return of every start, which finds what attracts; default 20", 1 },
     { "samples", SAMPLES, "N|0", 0,
-      "Points on each of the lines that the spherical top's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
+      "Points on each of the lines that the section's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
     { "start", 'a', "NAME=VALUE,...", 0, "Begin Newton's method at this point alone, for an orbit of exactly N returns", 1 },
     { "hold", HOLD, "NAME,...", 0, "Coordinates that keep the values of --start, where orbits come in families", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
