@@ -321,7 +321,9 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     if (st == JLT_ERR_UNSUPPORTED)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");
     else if (st == JLT_ERR_EMPTY)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: nothing that could be drawn lies within --xrange and --yrange");
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--plot: nothing that could be drawn %s",
+                                isnan(self->look->low[0]) && isnan(self->look->low[1]) ? "came out: is every point refused?"
+                                                                                       : "lies within --xrange and --yrange");
     else if (st == JLT_ERR_IO)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", common->plot);
     else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));

@@ -100,7 +100,8 @@ static jlt_status failure(FILE *words)
     bool empty = false;
 
     rewind(words);
-    while (fgets(text, sizeof text, words) != NULL) empty = empty || strstr(text, "value undefined") != NULL;
+    while (fgets(text, sizeof text, words) != NULL)
+        empty = empty || strstr(text, "value undefined") != NULL || strstr(text, "range is invalid") != NULL;
     if (empty) return JLT_ERR_EMPTY;
     rewind(words);
     while ((length = fread(text, 1, sizeof text, words)) > 0)

@@ -180,6 +180,13 @@ rm -f ./*
 jellett drift --returns 4 --method dop853 --xrange 1e5:1e6 --plot p.svg -o rows.csv 2> err
 [ $? -eq 3 ] && [ -s rows.csv ] && [ ! -e p.svg ] && grep -qF -- '--xrange' err && ! grep -qF 'plot $' err ||
     fail "an empty range: $(cat err)"
+for what in "eigen --sweep gamma3=-0.9:0.9:3" \
+    "rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=0,omega3=0 --sweep v_nu=0.2:2:5"; do
+    rm -f ./*
+    jellett $what --plot p.svg -o rows.csv 2> err
+    [ $? -eq 3 ] && [ -s rows.csv ] && [ ! -e p.svg ] && grep -qF 'nothing that could be drawn came out' err &&
+        ! grep -qF 'plot $' err || fail "$what, of which nothing comes out: $(cat err)"
+done
 
 # The picture of a grid does not grow with its cells.
 jellett fates lorenz --section z=27 --grid x=-20:20:80,y=-20:20:80 --returns 1 --plot p.svg -o rows.csv 2> err
