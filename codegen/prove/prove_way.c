@@ -281,7 +281,9 @@ static void require_constants(ttc_task *task, const ttc_model *table, const ttc_
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
         bool is_root;
         const ttc_id value = ttc_image_param(task->model, task->claim, &way->image, table, i, &is_root);
-        ttc_prove_constant(task, table->symbols[table->params[i]].name, value);
+        char name[TTC_DIAGNOSTIC_LINE];
+        snprintf(name, sizeof name, is_root ? "(%s^2)" : "%s", table->symbols[table->params[i]].name);
+        ttc_prove_constant(task, name, value);
     }
 }
 

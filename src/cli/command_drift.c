@@ -203,7 +203,6 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 
 static jlt_exit draw(const report *r, const options *o, unsigned drawn)
 {
-    static const char *const dashes[] = { "solid", "dashed", "dotted" };
     const jlt_chart *chart = r->drift.system->flow.chart;
     unsigned series = 0;
     jlt_plot plot;
@@ -238,7 +237,7 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn)
         jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .dash = k });
         fputs(" title '", stream);
         jlt_symbol_write(stream, r->names[k]);
-        fprintf(stream, ", %s'", dashes[k < 2 ? k : 2]);
+        fputc('\'', stream);
     }
     fputc('\n', stream);
     return jlt_plot_draw(&plot);

@@ -51,10 +51,8 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_e
     } else {
         jlt_look_label(label, r->axes[0].name,
                        (axis->is_state ? r->question.descriptor->states : r->question.descriptor->params)[axis->index].unit);
-        fputs("set cblabel ", stream);
-        jlt_look_quote(stream, label);
-        fputc('\n', stream);
-        jlt_look_palette(stream, plot->look);
+        jlt_look_palette(stream, plot->look, label,
+                         (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
         fprintf(stream, "plot $VALUES using 1:2:3 with points pt 7 ps %.3g lc palette notitle", 0.5 * plot->look->size);
     }
     if (zeros) {

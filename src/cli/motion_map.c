@@ -132,12 +132,7 @@ void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot)
 
 void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label)
 {
-    jlt_look_palette(plot->stream, plot->look);
-    fputs("set cblabel ", plot->stream);
-    jlt_look_quote(plot->stream, label);
-    fputc('\n', plot->stream);
-    if (self->values.high > self->values.low)
-        fprintf(plot->stream, "set cbtics %.15g\n", jlt_look_step(self->values, 6));
+    jlt_look_palette(plot->stream, plot->look, label, self->values);
 }
 
 void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot)

@@ -6,6 +6,7 @@
 
 #include "cli/plot.h"
 #include "core/digits.h"
+#include "top/top.h"
 
 enum { COLUMNS_MAX = 256 };
 
@@ -291,7 +292,10 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
         return code;
     }
     jlt_plot_block(&plot, "POINTS", self->common->drawn);
-    jlt_plot_words(&plot, "%s", self->what);
+    const char *model = self->common->model != NULL ? self->common->model : JLT_DEFAULT_MODEL, *slash = strrchr(model, '/');
+    jlt_plot_words(&plot, "%s of %s\n", self->what, slash != NULL ? slash + 1 : model);
+    for (size_t i = 0; i < self->common->set.count; i++)
+        jlt_plot_value(&plot, self->common->set.items[i].name, self->common->set.items[i].value);
     for (unsigned k = 0; k < 2; k++) {
         jlt_look_label(label, names[k], "");
         jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, JLT_EXTENT_OPEN, 0);

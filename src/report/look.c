@@ -220,8 +220,25 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
         fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
 }
 
-void jlt_look_palette(FILE *stream, const jlt_look *self)
+/* Letters of the widest number beside a box of colours. */
+static int widest(jlt_extent values, double step)
 {
+    int most = 0;
+
+    for (double k = floor(values.low / step); k <= ceil(values.high / step); k++)
+        most = (int)fmax(most, snprintf(NULL, 0, "%.6g", k * step));
+    return most;
+}
+
+void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
+{
+    const double step = values.high > values.low ? jlt_look_step(values, 6) : 0;
+
+    fputs("set cblabel ", stream);
+    jlt_look_quote(stream, label);
+    fputc('\n', stream);
+    /* gnuplot leaves the same room for box, numbers and label whatever the numbers are */
+    if (step > 0) fprintf(stream, "set cbtics %.15g\nset rmargin %d\n", step, 10 + widest(values, step));
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#f0f0f0')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
           stream);

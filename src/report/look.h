@@ -76,8 +76,9 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen);
 /** The colour of areas and of clouds of points, #rrggbb. */
 const char *jlt_look_colour(const jlt_look *self, unsigned series);
 
-/** Write the palette for continuous values, whose lightness rises with them. */
-void jlt_look_palette(FILE *stream, const jlt_look *self);
+/** Write the palette for continuous values, whose lightness rises with them, with the box of colours beside the picture, its label
+ *  and ticks for this range of values. */
+void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values);
 
 /** Write the palette for the values 0 .. count - 1, each in its colour of areas (jlt_look_colour). */
 void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);

@@ -4,7 +4,7 @@ jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, c
 {
     const jlt_claim *broken;
     const jlt_status st = jlt_counterpart_open(out, &broken, session->descriptor, shared, session->params, NULL);
-    const char *model = session->common.model;
+    const char *model = session->common.model != NULL ? session->common.model : JLT_DEFAULT_MODEL;
     const jlt_way_condition *condition;
     char record[512];
 

@@ -132,6 +132,17 @@ static jlt_status open_rod(jlt_rod *rod, const request *r)
     return jlt_rod_open(rod, r->session.descriptor, r->session.params, r->session.x);
 }
 
+static jlt_exit check_claims(const request *r)
+{
+    const jlt_claim *broken;
+    const char *refusal = jlt_rod_refuses(&broken, r->session.descriptor, r->session.params, NULL);
+
+    if (refusal == NULL) return JLT_EXIT_DONE;
+    if (broken == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "quadratures do not serve: %s", refusal);
+    return jlt_command_fail(JLT_EXIT_FAILED, "quadratures rest on the claim '%s %s' of the tables, which is not proved: %s",
+                            broken->kind, broken->name, broken->reason);
+}
+
 /* Without a sweep the one row there is must have a value. */
 static jlt_exit check_start(const request *r)
 {
@@ -242,6 +253,7 @@ static jlt_exit run(int argc, char **argv)
         r.session.params[I3] = 0;
     }
     if (code == JLT_EXIT_DONE) code = jlt_top_counterpart(&found, &r.session, jlt_rod_table, "quadratures");
+    if (code == JLT_EXIT_DONE) code = check_claims(&r);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = bind_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)

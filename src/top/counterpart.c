@@ -11,16 +11,20 @@ jlt_status jlt_counterpart_open(jlt_counterpart *out, const jlt_claim **broken, 
     const jlt_descriptor *known = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
     const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
     jlt_counterpart found = { .way = NULL };
+    double other[JLT_WAY_VALUES_MAX];
 
     *broken = NULL;
     if (known == NULL || table == NULL || jlt_top_way(shared) == NULL || model->state_count != JLT_TOP_STATES)
         return JLT_ERR_UNSUPPORTED;
-    if (strcmp(model->sha256, known->sha256) != 0) {
-        found.way = jlt_way_to(broken, model, table, x, params);
-        if (found.way == NULL) return JLT_ERR_UNSUPPORTED;
-    }
     for (unsigned i = 0; i < JLT_TOP_STATES; i++)
         if (!jlt_descriptor_state(model, known->states[i].name, &found.place[i])) return JLT_ERR_UNSUPPORTED;
+    if (strcmp(model->sha256, known->sha256) != 0) {
+        found.way = jlt_way_to(broken, model, table, x, params);
+        if (found.way == NULL || found.way->param_count > JLT_WAY_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
+        jlt_way_params(found.way, other, x, params);
+        model = table;
+        params = other;
+    }
     const jlt_status st = jlt_top_read(&found.top, model, params);
     if (st == JLT_OK) *out = found;
     return st;

@@ -2,7 +2,8 @@
  *
  *  What is known here of the spherical top in closed form is known of the tables built in. It serves for another table where a
  *  proved reduction leads from that one to a table built in which JLT_DEFAULT_MODEL reduces to as well: there the two have the same
- *  motion, and what bears the same name in both is the same, for the records `embedding` of the table between say what it is. */
+ *  motion, and states of the same name are the same, for the records `embedding` of the table between say what they are. Parameters
+ *  are those that the reduction says. */
 #ifndef JLT_TOP_COUNTERPART_H
 #define JLT_TOP_COUNTERPART_H
 
