@@ -236,9 +236,9 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
 
     fputs("set cblabel ", stream);
     jlt_look_quote(stream, label);
-    fputc('\n', stream);
+    fputs(" offset 0.7,0\n", stream);
     /* gnuplot leaves the same room for box, numbers and label whatever the numbers are */
-    if (step > 0) fprintf(stream, "set cbtics %.15g\nset rmargin %d\n", step, 10 + widest(values, step));
+    if (step > 0) fprintf(stream, "set cbtics %.15g\nset rmargin %.1f\n", step, 4.7 + 0.8 * widest(values, step));
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#f0f0f0')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
           stream);
