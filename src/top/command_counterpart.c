@@ -9,9 +9,7 @@ jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, c
     char record[512];
 
     if (st == JLT_OK) return JLT_EXIT_DONE;
-    if (broken != NULL)
-        return jlt_command_fail(JLT_EXIT_FAILED, "%s: the claim '%s %s' of %s, on which this would rest, is not proved: %s", what,
-                                broken->kind, broken->name, model, broken->reason);
+    if (broken != NULL) return jlt_top_unproved(broken, model, what);
     condition = jlt_counterpart_condition(session->descriptor, shared, session->params);
     if (condition != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the reduction of %s serves where %s: see --set", what, model, condition->text);
@@ -19,4 +17,10 @@ jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, c
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: known of spherical tops, and %s does not say that it is one: write '%s', "
                                             "which is to be proved, of the table as it is built in",
                             what, model, record);
+}
+
+jlt_exit jlt_top_unproved(const jlt_claim *broken, const char *of, const char *what)
+{
+    return jlt_command_fail(JLT_EXIT_FAILED, "%s: the claim '%s %s' of %s, on which this would rest, is not proved: %s", what,
+                            broken->kind, broken->name, of, broken->reason);
 }

@@ -120,9 +120,7 @@ static jlt_exit open_top(jlt_portrait_request *r)
         jlt_top_write(r->params, r->model, &r->top);
         return JLT_EXIT_DONE;
     }
-    if (broken != NULL)
-        return jlt_command_fail(JLT_EXIT_FAILED, "M^2 rests on the claim '%s %s' of the tables, which is not proved", broken->kind,
-                                broken->name);
+    if (broken != NULL) return jlt_top_unproved(broken, "the tables built in", "M^2");
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
 }
 

@@ -138,9 +138,8 @@ static jlt_exit check_claims(const request *r)
     const char *refusal = jlt_rod_refuses(&broken, r->session.descriptor, r->session.params, NULL);
 
     if (refusal == NULL) return JLT_EXIT_DONE;
-    if (broken == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "quadratures do not serve: %s", refusal);
-    return jlt_command_fail(JLT_EXIT_FAILED, "quadratures rest on the claim '%s %s' of the tables, which is not proved: %s",
-                            broken->kind, broken->name, broken->reason);
+    if (broken != NULL) return jlt_top_unproved(broken, "the tables built in", "quadratures");
+    return jlt_command_fail(JLT_EXIT_INPUT, "quadratures do not serve: %s", refusal);
 }
 
 /* Without a sweep the one row there is must have a value. */
