@@ -172,13 +172,32 @@ static double condition_rate(void *context, const double *x, const double *f)
     return along(self->stepper->gradients + self->index * domain->states, f, domain->states);
 }
 
+/* The rates of an event's function, in units of the step, at its start and at its end. */
+static void rates(double rate[2], const jlt_stepper *stepper, const jlt_event *event)
+{
+    rate[0] = stepper->h * jlt_locate_slope(event, stepper, stepper->x_start, stepper->f_start);
+    rate[1] = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
+}
+
 /* Whether a cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its terms of second and third
  * order let it be off: what it leaves out is x""h^4/384 at most, a 192th of the former at x"" = x"/h^2. */
-static bool stays_above(double w0, double w1, double d0, double d1)
+static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
-    const double bend = fabs(3 * (w1 - w0) - 2 * d0 - d1) + fabs(d0 + d1 - 2 * (w1 - w0));
-    const double least = jlt_smaller(jlt_smaller(w0, w1), jlt_smaller(w0 + d0 / 3, w1 - d1 / 3));
+    double rate[2];
+
+    rates(rate, stepper, event);
+    const double bend = fabs(3 * (w1 - w0) - 2 * rate[0] - rate[1]) + fabs(rate[0] + rate[1] - 2 * (w1 - w0));
+    const double least = jlt_smaller(jlt_smaller(w0, w1), jlt_smaller(w0 + rate[0] / 3, w1 - rate[1] / 3));
     return least > bend / 32;
+}
+
+static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
+{
+    double rate[2];
+
+    if (w0 < w1 || w0 > w1) return false;
+    rates(rate, stepper, event);
+    return rate[0] == 0 && rate[1] == 0;
 }
 
 static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
@@ -210,11 +229,10 @@ jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_ev
     const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
 
     if (!(w0 > 0) || !(w1 > 0)) return JLT_OK;
-    if (has_polynomial(stepper->method) && stays_far(stepper, event, w0, w1)) return JLT_OK;
-    const double d0 = stepper->h * jlt_locate_slope(event, stepper, stepper->x_start, stepper->f_start);
-    const double d1 = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
-    const bool moves = d0 != 0 || d1 != 0 || w0 < w1 || w0 > w1;
-    if (has_polynomial(stepper->method) ? !moves : stays_above(w0, w1, d0, d1)) return JLT_OK;
+    const bool holds = has_polynomial(stepper->method)
+                           ? stays_far(stepper, event, w0, w1) || stands_still(stepper, event, w0, w1)
+                           : stays_above(stepper, event, w0, w1);
+    if (holds) return JLT_OK;
     return first_zero(theta, stepper, event, 1);
 }
 

@@ -16,7 +16,8 @@
 typedef enum { JLT_FALLING = -1, JLT_BOTH = 0, JLT_RISING = 1 } jlt_direction; /* for growing t */
 
 /** g(x) = x[column] - level when value is NULL. Otherwise g is any smooth function: value(context, x) and, when not NULL,
- *  rate(context, x, f), its derivative along the flow. */
+ *  rate(context, x, f), its derivative along the flow. Such a function is followed as a polynomial of degree 12 over a step: one
+ *  that oscillates more than twice within it needs a `longest_step`. */
 typedef struct {
     unsigned column;
     double level;

@@ -44,5 +44,13 @@ double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta)
 
 void jlt_stepper_values(const jlt_stepper *self, double theta, double *out)
 {
-    for (unsigned i = 0; i < self->columns; i++) out[i] = jlt_stepper_value(self, i, theta);
+    for (unsigned from = 0; from < self->columns; from += JLT_STEPPER_WIDTH) {
+        const unsigned left = self->columns - from;
+        double sum[JLT_STEPPER_WIDTH] = { 0 };
+        for (unsigned k = self->dense_degree + 1; k-- > 0;) {
+            const double *c = self->dense + k * (size_t)self->stride + from;
+            for (unsigned i = 0; i < JLT_STEPPER_WIDTH; i++) sum[i] = sum[i] * theta + c[i];
+        }
+        memcpy(out + from, sum, (left < JLT_STEPPER_WIDTH ? left : JLT_STEPPER_WIDTH) * sizeof *sum);
+    }
 }

@@ -36,24 +36,78 @@ static void column_polynomial(double *b, unsigned *degree, const jlt_event *even
     for (unsigned j = 0; j <= *degree; j++) b[j] -= event->level;
 }
 
-/* A function of the state is interpolated at the Chebyshev-Lobatto points by divided differences. */
-static void value_polynomial(double *b, unsigned *degree, const jlt_event *event, const jlt_stepper *stepper)
+/* Least and largest of the coefficients, between which g lies. */
+static void bounds(double *least, double *most, const double *b, unsigned degree)
 {
-    double x[JLT_FIELD_DIM_MAX + 1], node[NODES], difference[NODES], c[NODES] = { 0 };
-    for (unsigned j = 0; j < NODES; j++) {
-        node[j] = 0.5 * (1 - cos(3.14159265358979323846 * j / (NODES - 1)));
-        jlt_stepper_values(stepper, node[j], x);
-        difference[j] = event->value(event->context, x);
+    *least = *most = b[0];
+    for (unsigned j = 1; j <= degree; j++) {
+        *least = jlt_smaller(b[j], *least);
+        *most = jlt_larger(b[j], *most);
     }
-    for (unsigned round = 1; round < NODES; round++)
-        for (unsigned j = NODES - 1; j >= round; j--)
+}
+
+/* Chebyshev-Lobatto points of the step, (1 - cos(pi j/(NODES - 1)))/2; every other one is such a set too. */
+static const double nodes[NODES] = {
+    0.0, 0.017037086855465844, 0.06698729810778065, 0.1464466094067262, 0.24999999999999994,
+    0.37059047744873963, 0.49999999999999994, 0.6294095225512604, 0.7499999999999999, 0.8535533905932737,
+    0.9330127018922194, 0.9829629131445341, 1.0,
+};
+
+static void sample(double value[NODES], unsigned from, const jlt_event *event, const jlt_stepper *stepper)
+{
+    double x[JLT_FIELD_DIM_MAX + 1];
+
+    for (unsigned j = from; j < NODES; j += 2) {
+        jlt_stepper_values(stepper, nodes[j], x);
+        value[j] = event->value(event->context, x);
+    }
+}
+
+/* The polynomial through every `apart`-th of the values, by divided differences. Returns its degree. */
+static unsigned interpolate(double *b, const double value[NODES], unsigned apart)
+{
+    const unsigned degree = (NODES - 1) / apart;
+    double node[NODES], difference[NODES], c[NODES] = { 0 };
+
+    for (unsigned j = 0; j <= degree; j++) {
+        node[j] = nodes[j * apart];
+        difference[j] = value[j * apart];
+    }
+    for (unsigned round = 1; round <= degree; round++)
+        for (unsigned j = degree; j >= round; j--)
             difference[j] = (difference[j] - difference[j - 1]) / (node[j] - node[j - round]);
-    for (unsigned j = NODES; j-- > 0;) { /* c <- difference_j + (theta - node_j) c */
-        for (unsigned k = NODES - 1; k >= 1; k--) c[k] = c[k - 1] - node[j] * c[k];
+    for (unsigned j = degree + 1; j-- > 0;) { /* c <- difference_j + (theta - node_j) c */
+        for (unsigned k = degree; k >= 1; k--) c[k] = c[k - 1] - node[j] * c[k];
         c[0] = difference[j] - node[j] * c[0];
     }
-    *degree = NODES - 1;
-    jlt_bernstein_of(b, c, 1, *degree);
+    jlt_bernstein_of(b, c, 1, degree);
+    return degree;
+}
+
+/* What a polynomial through every other value may be off by: four times its last two coefficients in Chebyshev's polynomials. That
+ * is no less than twice the sum of all that follow, where each is at most half of the one before. */
+static double left_out(const double value[NODES])
+{
+    static const double half_root = 0.86602540378443865; /* cos(pi/6) */
+    const double *v = value;
+    const double last = 0.5 * (v[0] + v[12]) - (v[2] + v[10]) + (v[4] + v[8]) - v[6];
+    const double but_one = 0.5 * (v[0] - v[12]) - half_root * (v[2] - v[10]) + 0.5 * (v[4] - v[8]);
+    return 4 * (fabs(last) / 6 + fabs(but_one) / 3);
+}
+
+/* A function of the state as the polynomial through its values: through half of them where that is enough to tell that the function
+ * stays on one side of zero. */
+static unsigned value_polynomial(double *b, const jlt_event *event, const jlt_stepper *stepper)
+{
+    double value[NODES], least, most;
+
+    sample(value, 0, event, stepper);
+    const unsigned degree = interpolate(b, value, 2);
+    bounds(&least, &most, b, degree);
+    const double doubt = left_out(value) + stepper->dense_error * jlt_larger(jlt_larger(most, -least), 1);
+    if (least > doubt || most < -doubt) return degree;
+    sample(value, 1, event, stepper);
+    return interpolate(b, value, 1);
 }
 
 /* g on the step as a polynomial in Bernstein form. */
@@ -63,7 +117,7 @@ static jlt_status event_polynomial(double *b, unsigned *degree, const jlt_event 
         const jlt_status st = jlt_stepper_dense(stepper);
         if (st != JLT_OK) return st;
     }
-    if (event->value != NULL) value_polynomial(b, degree, event, stepper);
+    if (event->value != NULL) *degree = value_polynomial(b, event, stepper);
     else column_polynomial(b, degree, event, stepper);
     return JLT_OK;
 }
@@ -152,16 +206,6 @@ static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *s
         if (e.theta > 0 && e.theta < 1) settle_pair(z, &e, noise);
     }
     return JLT_OK;
-}
-
-/* Least and largest of the coefficients, between which g lies. */
-static void bounds(double *least, double *most, const double *b, unsigned degree)
-{
-    *least = *most = b[0];
-    for (unsigned j = 1; j <= degree; j++) {
-        *least = jlt_smaller(b[j], *least);
-        *most = jlt_larger(b[j], *most);
-    }
 }
 
 /* Neighbouring zeros between which g is but noise are none: the orbit does not leave the section there. A zero at the start and

@@ -195,6 +195,56 @@ static void events_of_functions_are_found_with_and_without_their_rate(void **unu
     }
 }
 
+typedef struct {
+    int order;
+    double level;
+} harmonic;
+
+/* T_k(cos t) = cos(k t). */
+static double harmonic_value(void *context, const double *x)
+{
+    const harmonic *self = context;
+    double before = 1, now = x[0];
+
+    for (int k = 1; k < self->order; k++) {
+        const double next = 2 * x[0] * now - before;
+        before = now;
+        now = next;
+    }
+    return now - self->level;
+}
+
+/* Short dips below zero, and such that end a little above it, in a function that is far from zero at the ends of most steps. */
+static void dips_of_a_function_within_steps_are_found_and_none_is_made_up(void **unused)
+{
+    static const double depths[] = { 0.3, 0.1, 1e-2, 1e-3, 1e-4, -1e-4, -1e-3, -1e-2 };
+    const double start = 0.1, end = 60;
+
+    (void)unused;
+    for (unsigned m = 0; m < METHODS; m++)
+        for (double tolerance = 1e-5; tolerance > 1e-12; tolerance *= 1e-2)
+            for (unsigned i = 0; i < sizeof depths / sizeof *depths; i++)
+                for (int order = 1; order <= 5; order++) {
+                    harmonic self = { order, depths[i] - 1 };
+                    const jlt_event event = { .value = harmonic_value, .context = &self };
+                    jlt_orbit *orbit = oscillator_orbit(methods[m], tolerance, start, +1);
+                    jlt_outcome at;
+                    int crossings = 0, expected = 0;
+                    if (depths[i] > 0)
+                        for (int n = 0; n < 200; n++)
+                            for (int side = -1; side <= 1; side += 2) {
+                                const double t = ((2 * n + 1) * pi + side * acos(1 - depths[i])) / order - start;
+                                expected += t > 0 && t <= end;
+                            }
+                    do {
+                        assert_ok(jlt_orbit_next(orbit, end, &event, 1, &at));
+                        crossings += at.end == JLT_END_EVENT;
+                    } while (at.end == JLT_END_EVENT);
+                    assert_int_equal(crossings, expected);
+                    jlt_orbit_destroy(orbit);
+                }
+}
+
 /* Several events at once arrive in the order of time, also within one step, and time ends in between lose nothing. */
 static void several_events_and_times_interleave_in_order(void **unused)
 {
@@ -379,6 +429,7 @@ int main(void)
         cmocka_unit_test(a_touch_is_grazing_and_a_near_miss_is_nothing),
         cmocka_unit_test(near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance),
         cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
+        cmocka_unit_test(dips_of_a_function_within_steps_are_found_and_none_is_made_up),
         cmocka_unit_test(a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end),
         cmocka_unit_test(a_crossing_lies_on_the_section_however_many_steps_are_within_its_noise),
         cmocka_unit_test(steps_shrink_toward_an_edge_and_find_it),
