@@ -1,22 +1,5 @@
 /* Crossings: none missed, doubled or invented, at rounding level. Oracles are closed forms. */
-#include "unit/check.h"
-#include "unit/sample_fields.h"
-
-#include "integrate/orbit.h"
-
-static const double pi = 3.14159265358979323846;
-static const jlt_field oscillator_field = { .dim = 2, .call = oscillator, .root = -1 };
-static const char *const methods[] = { "dop853", "gauss", "rk8pd", "rkf45", "msadams" };
-enum { METHODS = sizeof methods / sizeof *methods };
-
-static jlt_orbit *oscillator_orbit(const char *method, double tolerance, double phase, int direction)
-{
-    const double x[2] = { cos(phase), -sin(phase) };
-    jlt_orbit *orbit = NULL;
-    assert_ok(jlt_orbit_create(&orbit, jlt_method_find(method), &oscillator_field, &(jlt_options){ .tolerance = tolerance }));
-    assert_ok(jlt_orbit_start(orbit, 0, x, direction));
-    return orbit;
-}
+#include "unit/oscillator_orbit.h"
 
 /* cos t = 0 alternately downwards and upwards, at pi/2 + k pi. Phase errors grow by about the tolerance a step. */
 static void crossings_of_the_oscillator_come_once_each_in_order(void **unused)
@@ -165,84 +148,6 @@ static void near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance(void **
                 assert_int_equal(balance, 0);
                 jlt_orbit_destroy(orbit);
             }
-}
-
-static double product(void *context, const double *x)
-{
-    (void)context;
-    return x[0] * x[1];
-}
-
-/* x y = -sin(2t)/2: any smooth function of the state serves, with and without its rate. */
-static double product_rate(void *context, const double *x, const double *f)
-{
-    (void)context;
-    return x[0] * f[1] + f[0] * x[1];
-}
-
-static void events_of_functions_are_found_with_and_without_their_rate(void **unused)
-{
-    (void)unused;
-    for (int with = 0; with < 2; with++) {
-        jlt_orbit *orbit = oscillator_orbit("dop853", 1e-13, 0.1, +1);
-        const jlt_event event = { .value = product, .rate = with ? product_rate : NULL };
-        jlt_outcome at;
-        for (int k = 1; k < 20; k++) {
-            assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
-            assert_near(at.t, k * pi / 2 - 0.1, 1e-11);
-        }
-        jlt_orbit_destroy(orbit);
-    }
-}
-
-typedef struct {
-    int order;
-    double level;
-} harmonic;
-
-/* T_k(cos t) = cos(k t). */
-static double harmonic_value(void *context, const double *x)
-{
-    const harmonic *self = context;
-    double before = 1, now = x[0];
-
-    for (int k = 1; k < self->order; k++) {
-        const double next = 2 * x[0] * now - before;
-        before = now;
-        now = next;
-    }
-    return now - self->level;
-}
-
-/* Short dips below zero, and such that end a little above it, in a function that is far from zero at the ends of most steps. */
-static void dips_of_a_function_within_steps_are_found_and_none_is_made_up(void **unused)
-{
-    static const double depths[] = { 0.3, 0.1, 1e-2, 1e-3, 1e-4, -1e-4, -1e-3, -1e-2 };
-    const double start = 0.1, end = 60;
-
-    (void)unused;
-    for (unsigned m = 0; m < METHODS; m++)
-        for (double tolerance = 1e-5; tolerance > 1e-12; tolerance *= 1e-2)
-            for (unsigned i = 0; i < sizeof depths / sizeof *depths; i++)
-                for (int order = 1; order <= 5; order++) {
-                    harmonic self = { order, depths[i] - 1 };
-                    const jlt_event event = { .value = harmonic_value, .context = &self };
-                    jlt_orbit *orbit = oscillator_orbit(methods[m], tolerance, start, +1);
-                    jlt_outcome at;
-                    int crossings = 0, expected = 0;
-                    if (depths[i] > 0)
-                        for (int n = 0; n < 200; n++)
-                            for (int side = -1; side <= 1; side += 2) {
-                                const double t = ((2 * n + 1) * pi + side * acos(1 - depths[i])) / order - start;
-                                expected += t > 0 && t <= end;
-                            }
-                    do {
-                        assert_ok(jlt_orbit_next(orbit, end, &event, 1, &at));
-                        crossings += at.end == JLT_END_EVENT;
-                    } while (at.end == JLT_END_EVENT);
-                    assert_int_equal(crossings, expected);
-                    jlt_orbit_destroy(orbit);
-                }
 }
 
 /* Several events at once arrive in the order of time, also within one step, and time ends in between lose nothing. */
@@ -428,8 +333,6 @@ int main(void)
         cmocka_unit_test(two_zeros_within_a_step_are_two_crossings),
         cmocka_unit_test(a_touch_is_grazing_and_a_near_miss_is_nothing),
         cmocka_unit_test(near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance),
-        cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
-        cmocka_unit_test(dips_of_a_function_within_steps_are_found_and_none_is_made_up),
         cmocka_unit_test(a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end),
         cmocka_unit_test(a_crossing_lies_on_the_section_however_many_steps_are_within_its_noise),
         cmocka_unit_test(steps_shrink_toward_an_edge_and_find_it),
