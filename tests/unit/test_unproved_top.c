@@ -1,0 +1,121 @@
+/* What src/top knows of the paper's tables rests on claims that they make, all of which are proved: here the library is told that one
+ * of them is not, and must refuse. */
+#include "unit/check.h"
+
+#include "kernel/descriptor.h"
+#include "kernel/way.h"
+#include "top/balanced.h"
+#include "top/rod.h"
+
+typedef struct {
+    const char *kind, *name;
+} claim_name;
+
+static claim_name refuted;
+static const char *led_to; /* the table that no way is proved to lead to */
+
+const jlt_claim *__real_jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
+const jlt_claim *__wrap_jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
+bool __real_jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_way *way, const jlt_descriptor *target);
+bool __wrap_jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_way *way, const jlt_descriptor *target);
+
+const jlt_claim *__wrap_jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name)
+{
+    static jlt_claim altered;
+    const jlt_claim *claim = __real_jlt_descriptor_claim(of, kind, name);
+
+    if (claim == NULL || refuted.kind == NULL || strcmp(kind, refuted.kind) != 0 || strcmp(name, refuted.name) != 0) return claim;
+    altered = *claim;
+    altered.verdict = JLT_REFUTED;
+    return &altered;
+}
+
+bool __wrap_jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_way *way, const jlt_descriptor *target)
+{
+    static const jlt_claim altered = { .kind = "reduction", .name = "sample", .verdict = JLT_REFUTED };
+
+    if (led_to == NULL || strcmp(way->model, led_to) != 0) return __real_jlt_way_holds(broken, from, way, target);
+    *broken = &altered;
+    return false;
+}
+
+/* Why quadratures refuse the paper's rod, I3 = 0; NULL: they serve. */
+static const char *rod_refuses(const jlt_claim **broken)
+{
+    const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    double params[JLT_WAY_VALUES_MAX];
+    size_t axial;
+
+    assert_non_null(model);
+    for (unsigned i = 0; i < model->param_count; i++) params[i] = 1;
+    assert_true(jlt_descriptor_param(model, "I3", &axial));
+    params[axial] = 0;
+    return jlt_rod_refuses(broken, model, params, NULL);
+}
+
+static void all_serve_where_claims_are_proved(void **unused)
+{
+    const jlt_claim *broken;
+
+    (void)unused;
+    refuted = (claim_name){ NULL, NULL };
+    led_to = NULL;
+    assert_null(rod_refuses(&broken));
+    assert_true(jlt_balanced_serves(&broken));
+    assert_null(broken);
+}
+
+static void quadratures_need_their_integrals_and_the_level(void **unused)
+{
+    static const char *const names[] = { "E1", "E2", "G" };
+    const jlt_claim *broken;
+
+    (void)unused;
+    led_to = NULL;
+    for (unsigned i = 0; i < 3; i++) {
+        refuted = (claim_name){ "integral", names[i] };
+        assert_non_null(rod_refuses(&broken));
+        assert_non_null(broken);
+        assert_string_equal(broken->name, names[i]);
+    }
+    refuted = (claim_name){ NULL, NULL };
+    led_to = "spherical_top_level";
+    assert_non_null(rod_refuses(&broken));
+    assert_non_null(broken);
+    assert_string_equal(broken->kind, "reduction");
+}
+
+static void the_surface_needs_integrals_reductions_and_its_fixed_points(void **unused)
+{
+    static const claim_name needed[] = { { "integral", "E" }, { "integral", "G" }, { "integral", "F0" }, { "trace", "spin" },
+                                         { "charpoly", "spin" } };
+    static const char *const tables[] = { "spherical_top_balanced", "spherical_top_plane" };
+    const jlt_claim *broken;
+
+    (void)unused;
+    led_to = NULL;
+    for (unsigned i = 0; i < sizeof needed / sizeof *needed; i++) {
+        refuted = needed[i];
+        assert_false(jlt_balanced_serves(&broken));
+        assert_non_null(broken);
+        assert_string_equal(broken->kind, needed[i].kind);
+        assert_string_equal(broken->name, needed[i].name);
+    }
+    refuted = (claim_name){ NULL, NULL };
+    for (unsigned i = 0; i < 2; i++) {
+        led_to = tables[i];
+        assert_false(jlt_balanced_serves(&broken));
+        assert_non_null(broken);
+        assert_string_equal(broken->kind, "reduction");
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_serve_where_claims_are_proved),
+        cmocka_unit_test(quadratures_need_their_integrals_and_the_level),
+        cmocka_unit_test(the_surface_needs_integrals_reductions_and_its_fixed_points),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
