@@ -205,11 +205,10 @@ double *jlt_common_steady(const jlt_common *self, const jlt_descriptor *descript
 
 jlt_exit jlt_common_proved(const jlt_descriptor *d)
 {
-    for (unsigned i = 0; i < d->integral_count; i++)
-        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table",
-                                    d->integrals[i].name);
-    return JLT_EXIT_DONE;
+    const jlt_claim *doubted = jlt_descriptor_doubted_integral(d);
+
+    if (doubted == NULL) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", doubted->name);
 }
 
 jlt_exit jlt_common_project(const jlt_descriptor *d)

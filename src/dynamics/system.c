@@ -45,7 +45,7 @@ const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor)
     for (const jlt_descriptor *const *d = descriptor->family; *d != NULL; d++)
         if ((*d)->lifted_count == 1 && strcmp((*d)->variant, descriptor->variant) == 0 && (*d)->elimination[0] == '\0'
             && (*d)->integral_count + 1 <= JLT_INVARIANTS_MAX && (*d)->state_count <= JLT_CHART_STATES_MAX
-            && (*d)->unproved == NULL)
+            && jlt_descriptor_doubted_field(*d) == NULL)
             return *d;
     return descriptor;
 }

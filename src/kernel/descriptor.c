@@ -86,6 +86,28 @@ const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind
     return NULL;
 }
 
+const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of)
+{
+    const char *const made_by[][2] = { { "variant", of->variant }, { "time", of->time }, { "eliminate", of->elimination } };
+
+    for (const jlt_claim *claim = of->claims; claim->kind != NULL; claim++) {
+        bool needed = strcmp(claim->kind, "root") == 0;
+        for (unsigned i = 0; i < sizeof made_by / sizeof *made_by; i++)
+            needed |= strcmp(claim->kind, made_by[i][0]) == 0 && strcmp(claim->name, made_by[i][1]) == 0;
+        if (needed && claim->verdict != JLT_PROVED) return claim;
+    }
+    return NULL;
+}
+
+const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of)
+{
+    for (unsigned i = 0; i < of->integral_count; i++) {
+        const jlt_claim *claim = jlt_descriptor_claim(of, "integral", of->integrals[i].name);
+        if (claim->verdict != JLT_PROVED) return claim;
+    }
+    return NULL;
+}
+
 /* Add those of `more` that are not there yet; both are lists joined with ", ". */
 static void join_claims(char *claims, size_t size, const char *more)
 {

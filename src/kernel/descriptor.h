@@ -30,6 +30,13 @@ const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char
 /** A claim of the model, by kind and name; NULL when its table makes none. */
 const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 
+/** The first claim without a proof that the field itself rests on: of a root, or of its variant, time or elimination. NULL: none;
+ *  what is said of the field, as integrals and equilibria are, may lack its proof all the same. */
+const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of);
+
+/** The first of a descriptor's integrals that is not proved to be one; NULL: none. */
+const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
+
 /** The claims that kernels of a model rest on without a proof, all its descriptors taken together: "KIND NAME, ...", cut to
  *  `size` bytes. False, and "", when everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);

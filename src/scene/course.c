@@ -307,7 +307,7 @@ static jlt_status change_tier(jlt_course *self)
     for (unsigned i = self->taken + 1; st == JLT_ERR_DOMAIN && i < self->plan.count; i++) {
         const unsigned from = self->taken;
         if (!jlt_plan_serves(&self->plan.candidates[i].tier, &self->plan.candidates[i], &self->question, here)) continue;
-        if (self->options.project && self->plan.candidates[i].descriptor->unproved != NULL) continue;
+        if (self->options.project && jlt_descriptor_doubted_integral(self->plan.candidates[i].descriptor) != NULL) continue;
         st = jlt_course_units_serve(&serves, &self->plan.candidates[i].tier, self->told_params, here, &self->units);
         if (st == JLT_OK) st = serves ? open_leg(self, i, self->x, self->t) : JLT_ERR_DOMAIN;
         if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* it does not serve in the course's units */

@@ -71,4 +71,9 @@ done
 sed '/^pole/d' mast.tt > bare.tt
 rows bare.csv section ./bare.tt --section h=0 --returns 3 --start x=0,w=0.3,q=1
 grep -q left_domain bare.csv || fail "without the record the orbit does not end at its interval: $(cat bare.csv)"
+# A claim beside, of an integral that is none, takes nothing from the field: orbits end at poles by name all the same.
+{ cat mast.tt; echo 'integral W = w'; } > beside.tt
+ttc prove beside.tt > verdicts 2>&1 && fail "W is no integral: $(cat verdicts)"
+rows beside.csv section ./beside.tt --section h=0 --returns 3 "${starts[@]}"
+tail -n +2 beside.csv | awk -F, "$judge" || fail "beside a claim that is refuted: $(cat beside.csv)"
 exit $status

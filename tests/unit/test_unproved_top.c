@@ -1,5 +1,5 @@
-/* What src/top knows of the paper's tables rests on claims that they make, all of which are proved: here the library is told that one
- * of them is not, and must refuse. */
+/* What src/top knows of the paper's tables rests on claims that they make, all of which are proved: here the library is told that
+ * one of them is not, and must refuse. */
 #include "unit/check.h"
 
 #include "kernel/descriptor.h"
