@@ -18,6 +18,9 @@
 /* The user's own, and nobody else's to write. */
 static bool is_private(const struct stat *found) { return found->st_uid == geteuid() && (found->st_mode & 022) == 0; }
 
+/* In the names of what is not yet an entry. */
+#define UNFINISHED ".part"
+
 static char *joined(const char *folder, const char *name, const char *extension)
 {
     ttc_text text = { 0 };
@@ -82,7 +85,8 @@ static char *read_all(const char *path, size_t *length)
 
 enum { SEAL = 64 }; /* digits of SHA-256, after the last byte that the loader looks at */
 
-bool ttc_cache_seal(const char *path)
+/* Append to an object the digest of what it holds. */
+static bool seal(const char *path)
 {
     char digest[SEAL + 1];
     size_t length = 0;
@@ -139,12 +143,25 @@ static int remove_entry(const char *path, const struct stat *found, int flag, st
 
 static void remove_tree(const char *path) { nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS); }
 
+/* Whoever holds this key's lock holds that of all keys of its first digit: their unfinished work is that of killed runs. */
+static void clear_unfinished(const ttc_cache *cache, const char *key)
+{
+    DIR *open = opendir(cache->folder);
+    for (struct dirent *entry; open != NULL && (entry = readdir(open)) != NULL;) {
+        if (entry->d_name[0] != *key || strstr(entry->d_name, UNFINISHED) == NULL) continue;
+        char *path = joined(cache->folder, entry->d_name, "");
+        if (path != NULL) remove_tree(path);
+        free(path);
+    }
+    if (open != NULL) closedir(open);
+}
+
+/* Its name is new every time: a compiler that outlives the run that started it writes into a folder of nobody. */
 char *ttc_cache_workshop(const ttc_cache *cache, const char *key)
 {
-    char *path = joined(cache->folder, key, ".part");
-    if (path == NULL) return NULL;
-    remove_tree(path);
-    if (mkdir(path, 0700) == 0) return path;
+    clear_unfinished(cache, key);
+    char *path = joined(cache->folder, key, UNFINISHED "-XXXXXX");
+    if (path != NULL && mkdtemp(path) != NULL) return path;
     free(path);
     return NULL;
 }
@@ -153,6 +170,30 @@ void ttc_cache_clear_workshop(char *workshop)
 {
     if (workshop != NULL) remove_tree(workshop);
     free(workshop);
+}
+
+/* On the disk before it has its name: a name never leads to half an object. */
+static bool flush(const char *path)
+{
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+    if (descriptor >= 0) close(descriptor);
+    return flushed;
+}
+
+/* The name comes last, when the workshop is gone: a run that is killed after it leaves nothing to clear. */
+bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop)
+{
+    char *whole = joined(cache->folder, key, UNFINISHED), *path = ttc_cache_path(cache, key);
+    bool good = whole != NULL && path != NULL && seal(object) && chmod(object, 0700) == 0 && flush(object)
+                && rename(object, whole) == 0;
+    const int reason = errno;
+    ttc_cache_clear_workshop(workshop);
+    if (good) good = rename(whole, path) == 0;
+    else errno = reason;
+    free(whole);
+    free(path);
+    return good;
 }
 
 void ttc_cache_prune(const ttc_cache *cache, unsigned days)

@@ -19,20 +19,21 @@ void ttc_cache_close(ttc_cache *cache); /* legal on a zeroed one; releases the l
 /** Path of an entry, KEY.so, for the caller to free; NULL when memory is out. */
 char *ttc_cache_path(const ttc_cache *cache, const char *key);
 
-/** Append to an object the digest of what it holds, by which the next function knows that it is whole. False: errno says why. */
-bool ttc_cache_seal(const char *path);
-
-/** Whether there is such an entry, the user's own, writable by nobody else, and as it was sealed: what a full disk or a crash
+/** Whether there is such an entry, the user's own, writable by nobody else, and whole by its digest: what a full disk or a crash
  *  cut off would end whoever loads it. It is then marked as used. Cost: the file is read. */
 bool ttc_cache_has(const char *path);
 
 /** Wait until no other process makes an entry of this key. False: the lock cannot be had, errno says why. */
 bool ttc_cache_lock(ttc_cache *cache, const char *key);
 
-/** A folder for work on an entry, empty; what a killed run left there is removed. To be called with the lock, removed by the
- *  next function. NULL: errno says why. */
+/** A folder for work on an entry, empty, removed by one of the next two functions; what killed runs left is removed. To be called
+ *  with the lock. NULL: errno says why. */
 char *ttc_cache_workshop(const ttc_cache *cache, const char *key);
 void ttc_cache_clear_workshop(char *workshop); /* frees the name as well; legal on NULL */
+
+/** Make an object from the workshop the entry of this key, with a digest of what it holds, and clear the workshop, also on
+ *  failure. False: errno says why. */
+bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop);
 
 /** Remove entries that nobody has used for so many days. */
 void ttc_cache_prune(const ttc_cache *cache, unsigned days);

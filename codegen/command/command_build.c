@@ -5,11 +5,9 @@
 #include "command/command.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 enum { DAYS_UNUSED = 90 };
 
@@ -46,15 +44,6 @@ static bool make_key(char digest[65], const ttc_model *model, const char *compil
     return good;
 }
 
-/* On the disk before it has its name: a name never leads to half an object. */
-static bool move_into_place(const char *from, const char *to)
-{
-    const int descriptor = open(from, O_RDONLY | O_CLOEXEC);
-    const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
-    if (descriptor >= 0) close(descriptor);
-    return flushed && rename(from, to) == 0;
-}
-
 static int fail(int code, const char *format, const char *what)
 {
     fputs("ttc: ", stderr);
@@ -63,8 +52,8 @@ static int fail(int code, const char *format, const char *what)
     return code;
 }
 
-/* The object is made in a folder of its own and moved into place. */
-static int make(ttc_cache *cache, const char *key, const char *path, const char *compiler, const ttc_options *options)
+/* The object is made in a folder of its own. */
+static int make(ttc_cache *cache, const char *key, const char *compiler, const ttc_options *options)
 {
     ttc_options generate = *options;
     ttc_text object = { 0 };
@@ -77,11 +66,10 @@ static int make(ttc_cache *cache, const char *key, const char *path, const char 
     int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate(&generate);
     if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, options->lanes, object.bytes))
         status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
-    if (status == TTC_EXIT_DONE
-        && (!ttc_cache_seal(object.bytes) || chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
+    if (status != TTC_EXIT_DONE) ttc_cache_clear_workshop(workshop);
+    else if (!ttc_cache_publish(cache, key, object.bytes, workshop))
         status = fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
     ttc_text_clear(&object);
-    ttc_cache_clear_workshop(workshop);
     ttc_cache_prune(cache, DAYS_UNUSED);
     return status;
 }
@@ -96,7 +84,7 @@ static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *co
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE;
     if (!ttc_cache_lock(cache, key)) return fail(TTC_EXIT_IO, "cannot lock the cache: %s", strerror(errno));
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run has made it meanwhile */
-    return make(cache, key, *path, compiler, options);
+    return make(cache, key, compiler, options);
 }
 
 int ttc_command_build(const ttc_options *options)

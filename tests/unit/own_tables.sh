@@ -185,7 +185,17 @@ for i in 1 2 3; do grep -q '^1,-4.40912038921' "said.$i" || fail "of several run
 rm -rf cache
 { for delay in 0.02 0.1 0.2 0.4; do timeout -s KILL $delay ttc build lorenz.tt; done; } > /dev/null 2>&1
 expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
-[ -z "$(find cache -name '*.part')" ] || fail "work of a killed run stays"
+left() { find cache -name '*.part*'; }
+[ -z "$(left)" ] || fail "work of a killed run stays"
+# Killed as soon as the object is there.
+for round in 1 2 3 4 5; do
+    rm -rf cache
+    ttc build lorenz.tt > /dev/null &
+    until [ -n "$(compgen -G 'cache/jellett/*.so')" ]; do :; done
+    kill -KILL $! 2> /dev/null
+    wait $! 2> /dev/null
+    [ -z "$(left)" ] || fail "in round $round work stays beside the object that it made"
+done
 
 # Nothing is loaded from where others may write; without a compiler there is a clear word; as on a full or closed folder.
 chmod g+w cache/jellett
