@@ -19,7 +19,7 @@ enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE =
        OPTION_SEEK = 'S', OPTION_MEMORY = 'M' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
-#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to look for short programs; default quick", 0 }
+#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to look for short programs; quick by default", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };

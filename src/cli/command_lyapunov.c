@@ -53,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Lyapunov exponents of the section's map, per time, with the history of their convergence; or a chart of finite-time "
-    "exponents over the section. The exponents of the flow's direction and across the levels are zero and not shown."
+    "exponents over the section. The exponents of the flow's direction and across the levels are zero and left out."
     "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
     "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: the coordinates, exponent, t; "
     "orbits that end before N returns have an empty exponent. With --sweep a history is its last row. Starts, and histories of a "

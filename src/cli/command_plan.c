@@ -43,7 +43,7 @@ static const struct argp parser = {
     "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel "
     "for the parameters and the operations of one call of its right-hand side; on a section, its levels, what is proved of them, "
     "where orbits start, and what follows them; a start that is refused is told. Nothing more is computed. Without either: the "
-    "tiers there are."
+    "tiers that serve."
     "\v  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
     "  jellett plan tools/scenes/full.scene --set a3=0",
