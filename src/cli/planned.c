@@ -188,7 +188,8 @@ static jlt_exit refuse_all(const jlt_plan *plan, const jlt_descriptor *asked)
     if (own == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "no tier of %s can answer", asked->model);
     jlt_plan_refusal(refusal, sizeof refusal, own);
     return jlt_command_fail(JLT_EXIT_INPUT,
-                            "no tier of %s can answer; its own, %s: %s (use units in which parameters are nearer one)",
+                            "no tier of %s can answer; its own, %s: %s (use units in which parameters are nearer one, and none "
+                            "that divides at zero)",
                             asked->model, own->tier.name, refusal);
 }
 

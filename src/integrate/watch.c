@@ -95,6 +95,17 @@ static double left_out(const double value[NODES])
     return 4 * (fabs(last) / 6 + fabs(but_one) / 3);
 }
 
+/* Whether a polynomial through every other value holds between them as well. Through these T_k, k = 7 to 12, is taken for
+ * T_(12-k); at the place where it is looked at the two differ by 0.84 or more, the most that one place can do. */
+static bool holds_between(const double *b, unsigned degree, double doubt, const jlt_event *event, const jlt_stepper *stepper)
+{
+    static const double between = 0.389;
+    double x[JLT_FIELD_DIM_MAX + 1];
+
+    jlt_stepper_values(stepper, between, x);
+    return fabs(event->value(event->context, x) - jlt_bernstein_value(b, degree, between)) <= doubt;
+}
+
 /* A function of the state as the polynomial through its values: through half of them where that is enough to tell that the function
  * stays on one side of zero. */
 static unsigned value_polynomial(double *b, const jlt_event *event, const jlt_stepper *stepper)
@@ -105,7 +116,7 @@ static unsigned value_polynomial(double *b, const jlt_event *event, const jlt_st
     const unsigned degree = interpolate(b, value, 2);
     bounds(&least, &most, b, degree);
     const double doubt = left_out(value) + stepper->dense_error * jlt_larger(jlt_larger(most, -least), 1);
-    if (least > doubt || most < -doubt) return degree;
+    if ((least > doubt || most < -doubt) && holds_between(b, degree, doubt, event, stepper)) return degree;
     sample(value, 1, event, stepper);
     return interpolate(b, value, 1);
 }

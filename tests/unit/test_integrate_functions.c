@@ -79,11 +79,67 @@ static void dips_of_a_function_within_steps_are_found_and_none_is_made_up(void *
                 }
 }
 
+typedef struct {
+    unsigned order;
+    double step;
+} alias;
+
+/* 1 + T_k - T_(12-k) over the first step: one in each of seven Lobatto points, as polynomials of a lower degree see it. */
+static double alias_at(const alias *self, double time)
+{
+    double before = 1, now = 2 * time / self->step - 1, value = 1;
+    const double slope = 2 * now;
+
+    for (unsigned k = 0; k <= 12; k++) {
+        value += (k == self->order ? before : 0) - (k == 12 - self->order ? before : 0);
+        const double next = slope * now - before;
+        before = now;
+        now = next;
+    }
+    return value;
+}
+
+static double alias_value(void *context, const double *x)
+{
+    return alias_at(context, atan2(-x[1], x[0]));
+}
+
+static double alias_step(void *context, const double *x, const double *f, double direction)
+{
+    (void)x, (void)f, (void)direction;
+    return ((const alias *)context)->step;
+}
+
+static void a_function_that_looks_constant_in_seven_points_is_seen(void **unused)
+{
+    const unsigned grid = 100000;
+
+    (void)unused;
+    for (unsigned m = 0; m < METHODS; m++)
+        for (unsigned order = 7; order <= 12; order++) {
+            alias self = { order, 0.02 };
+            const jlt_event event = { .value = alias_value, .longest_step = alias_step, .context = &self };
+            jlt_orbit *orbit = oscillator_orbit(methods[m], 1e-6, 0, +1);
+            jlt_outcome at;
+            int crossings = 0, expected = 0;
+            for (unsigned i = 0; i < grid; i++)
+                expected += alias_at(&self, self.step * i / grid) * alias_at(&self, self.step * (i + 1) / grid) < 0;
+            assert_true(expected >= 4);
+            do {
+                assert_ok(jlt_orbit_next(orbit, self.step, &event, 1, &at));
+                crossings += at.end == JLT_END_EVENT;
+            } while (at.end == JLT_END_EVENT);
+            assert_int_equal(crossings, expected);
+            jlt_orbit_destroy(orbit);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
         cmocka_unit_test(dips_of_a_function_within_steps_are_found_and_none_is_made_up),
+        cmocka_unit_test(a_function_that_looks_constant_in_seven_points_is_seen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
