@@ -96,7 +96,7 @@ static double left_out(const double value[NODES])
 }
 
 /* Whether a polynomial through every other value holds between them as well. Through these T_k, k = 7 to 12, is taken for
- * T_(12-k); at the place where it is looked at the two differ by 0.84 or more, the most that one place can do. */
+ * T_(12-k); at the place where it is looked at the two differ by 0.84 or more, of 0.85 that one place can have at most. */
 static bool holds_between(const double *b, unsigned degree, double doubt, const jlt_event *event, const jlt_stepper *stepper)
 {
     static const double between = 0.389;

@@ -7,11 +7,17 @@ awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 status=0
 fail() { echo "$*"; status=1; }
+# Where a line just fits, argp decides by memory that it never wrote.
+comes_out_once() {
+    [ "$(MALLOC_PERTURB_=33 "$@" --help)" = "$(MALLOC_PERTURB_=223 "$@" --help)" ] ||
+        fail "$* --help: a line that is as wide as the page comes out in two ways (word it otherwise)"
+}
 
 for program in ttc jellett; do
     # A command stands first on its line, indented by two: alone, or followed by its arguments or its description.
     commands=$($program --help | awk -v name=$program '/^  [a-z][a-z-]*( |$)/ && $1 != name { print $1 }' | sort -u)
     [ -n "$commands" ] || fail "$program --help: no line '  COMMAND ...' found"
+    comes_out_once $program
     for command in $commands; do
         page=$JLT_BINARY_DIR/man/$program-$command.1
         grep -qx "\.It Xr $program-$command 1" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
@@ -21,9 +27,7 @@ for program in ttc jellett; do
         ! grep -nE '^ +(jellett|ttc) ' "$page" > /dev/null || grep -qx '\.Sh EXAMPLES' "$page" || fail "$page: no examples"
         grep -qE "\b$program $command\b" tools/docs/commands.md ||
             fail "tools/docs/commands.md: '$program $command' is not mentioned"
-        # Where a line just fits, argp decides by memory that it never wrote.
-        [ "$(MALLOC_PERTURB_=33 $program "$command" --help)" = "$(MALLOC_PERTURB_=223 $program "$command" --help)" ] ||
-            fail "$program $command --help: a line that is as wide as the page comes out in two ways (word it otherwise)"
+        comes_out_once $program "$command"
         # An indented example that argp has wrapped goes on at the left edge.
         $program "$command" --help | awk -v what="$program $command --help" '
             example && /^[^ ]/ { print what ": wrapped example: " last; wrapped = 1 }

@@ -191,7 +191,7 @@ left() { find cache -name '*.part*'; }
 for round in 1 2 3 4 5; do
     rm -rf cache
     ttc build lorenz.tt > /dev/null &
-    until [ -n "$(compgen -G 'cache/jellett/*.so')" ]; do :; done
+    until [ -n "$(compgen -G 'cache/jellett/*.so')" ] || ! kill -0 $! 2> /dev/null; do :; done
     kill -KILL $! 2> /dev/null
     wait $! 2> /dev/null
     [ -z "$(left)" ] || fail "in round $round work stays beside the object that it made"
