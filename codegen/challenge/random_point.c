@@ -2,15 +2,31 @@
 
 #include <stdlib.h>
 
+/* NULL when memory is out. */
+static unsigned char *used_definitions(const ttc_situation *situation)
+{
+    const ttc_model *model = situation->model;
+    unsigned char *used = ttc_model_uses(model);
+    if (used == NULL) return NULL;
+    for (size_t i = 0; i < model->use_count; i++)
+        if (model->uses[i].role == TTC_DIVIDES_CLAIM && model->uses[i].owner == situation->claim) used[model->uses[i].symbol] = 1;
+    for (size_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG) used[i] = 1;
+    ttc_model_close_uses(model, used);
+    return used;
+}
+
 bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation)
 {
     size_t count = situation->model->symbol_count;
     *point = (ttc_random_point){ 0 };
     point->numbers = malloc((count + 1) * sizeof *point->numbers);
     point->bound = calloc(count + 1, 1);
-    if (point->numbers == NULL || point->bound == NULL) {
+    point->used = used_definitions(situation);
+    if (point->numbers == NULL || point->bound == NULL || point->used == NULL) {
         free(point->numbers);
         free(point->bound);
+        free(point->used);
         *point = (ttc_random_point){ 0 };
         return false;
     }
@@ -26,6 +42,7 @@ void ttc_random_point_clear(ttc_random_point *point)
     for (size_t i = 0; i < point->symbol_count; i++) fmpq_clear(&point->numbers[i]);
     free(point->numbers);
     free(point->bound);
+    free(point->used);
     *point = (ttc_random_point){ 0 };
 }
 

@@ -26,6 +26,7 @@ typedef struct {
 typedef struct {
     fmpq *numbers;         /* by symbol: the value of a free parameter, or where a state lies in its interval */
     unsigned char *bound;  /* by symbol: not free */
+    unsigned char *used;   /* by symbol: a definition that belongs to the domain, or is used by the field or the claim */
     size_t symbol_count;
     uint32_t pivots[TTC_PROBE_SPARE]; /* symbols that are solved for, one a level */
 } ttc_random_point;

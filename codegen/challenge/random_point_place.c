@@ -1,13 +1,21 @@
 /* Where a random point lies: its numbers are set, its levels met, and the domain looked at. */
 #include "challenge/random_point.h"
 
-/* What the claim, the field and definitions divide by, as written. */
-static bool divisors_are_not_zero(ttc_probe *probe, const ttc_situation *situation)
+/* Divisors in the definition of an angle are kept with one name of the pair. */
+static bool is_used(const ttc_random_point *point, const ttc_model *model, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    return point->used[symbol] || ((entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && point->used[entry->partner]);
+}
+
+/* What the claim, the field and the definitions that they use divide by, as written. */
+static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;
     for (size_t i = 0; i < model->divisor_count; i++) {
         const ttc_divisor *divisor = &model->divisors[i];
-        bool used = divisor->role == TTC_DIVIDES_FIELD || divisor->role == TTC_DIVIDES_SYMBOL
+        bool used = divisor->role == TTC_DIVIDES_FIELD
+                    || (divisor->role == TTC_DIVIDES_SYMBOL && is_used(point, model, divisor->owner))
                     || (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == situation->claim);
         if (!used) continue;
         arb_srcptr value = ttc_probe_at(probe, divisor->divisor);
@@ -27,6 +35,6 @@ ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_po
     ttc_probe_seed_states(probe);
     ttc_place_in_domain place = ttc_domain_locate(probe, situation->model, &situation->family, situation->own_root, fault,
                                                   fault_size);
-    if (place == TTC_INSIDE && !divisors_are_not_zero(probe, situation)) return TTC_OUTSIDE;
+    if (place == TTC_INSIDE && !divisors_are_not_zero(probe, point, situation)) return TTC_OUTSIDE;
     return place;
 }

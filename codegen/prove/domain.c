@@ -39,10 +39,10 @@ static void add_claim(id_list *list, const ttc_model *model, const ttc_claim *cl
     for (size_t i = 0; i < claim->modulo_count; i++) add_id(list, model->claims[claim->modulo[i]].expression);
 }
 
-static bool owner_counts(const ttc_task *task, const ttc_divisor *d)
+static bool owner_counts(const ttc_task *task, const ttc_divisor *d, ttc_domain_extent extent)
 {
     const ttc_claim *claim = task->claim, *family = ttc_task_family(task);
-    if (d->role == task->role && d->owner == task->owner) return true;
+    if (d->role == task->role && d->owner == task->owner) return extent == TTC_DOMAIN_WHOLE;
     if (d->role != TTC_DIVIDES_CLAIM) return false;
     if (family != NULL && family != claim && d->owner == claim->family) return true;
     for (size_t i = 0; i < claim->member_count; i++)
@@ -52,13 +52,21 @@ static bool owner_counts(const ttc_task *task, const ttc_divisor *d)
     return false;
 }
 
-unsigned char *ttc_domain_support(const ttc_task *task)
+/* A root or logarithm belongs to the domain whether or not it is used; those that are in question, or come after one, do not. */
+static bool is_in_domain(const ttc_task *task, uint32_t symbol)
+{
+    const ttc_symbol_kind kind = task->model->symbols[symbol].kind;
+    return (kind == TTC_ROOT || kind == TTC_LOG) && (task->tested_root == 0 || symbol <= task->tested_root);
+}
+
+unsigned char *ttc_domain_support(const ttc_task *task, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
     const ttc_claim *family = ttc_task_family(task);
     id_list list = { NULL, 0, false };
     for (size_t i = 0; i < model->equation_count; i++) add_id(&list, model->equations[i].sum);
-    for (size_t i = 0; i < model->symbol_count; i++) {
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        if (is_in_domain(task, i)) add_id(&list, model->symbols[i].node);
         if (model->symbols[i].kind != TTC_STATE) continue;
         add_id(&list, model->symbols[i].low);
         add_id(&list, model->symbols[i].high);
@@ -66,16 +74,16 @@ unsigned char *ttc_domain_support(const ttc_task *task)
     for (size_t i = 0; i < model->region_count; i++) add_id(&list, model->regions[i].expression);
     for (size_t i = 0; i < model->divisor_count; i++)
         if (model->divisors[i].role == TTC_DIVIDES_FIELD
-            || (model->divisors[i].role == task->role && model->divisors[i].owner == task->owner))
+            || (extent == TTC_DOMAIN_WHOLE && model->divisors[i].role == task->role && model->divisors[i].owner == task->owner))
             add_id(&list, model->divisors[i].divisor);
-    add_claim(&list, model, task->claim);
+    if (extent == TTC_DOMAIN_WHOLE) add_claim(&list, model, task->claim);
     if (family != NULL && family != task->claim) add_claim(&list, model, family);
     unsigned char *support = list.failed ? NULL : ttc_model_support(model, list.ids, list.count);
     free(list.ids);
     for (size_t i = 0; support != NULL && i < model->use_count; i++) {
         const ttc_use *use = &model->uses[i];
         const ttc_divisor as_divisor = { TTC_NONE, use->role, use->owner };
-        if (use->role == TTC_DIVIDES_FIELD || owner_counts(task, &as_divisor)) support[use->symbol] = 1;
+        if (use->role == TTC_DIVIDES_FIELD || owner_counts(task, &as_divisor, extent)) support[use->symbol] = 1;
     }
     if (support != NULL) ttc_model_close_uses(model, support);
     return support;
@@ -150,13 +158,26 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
-    if (task->role == TTC_DIVIDES_VARIANT) return owner_counts(task, d);
+    if (task->role == TTC_DIVIDES_VARIANT) return owner_counts(task, d, extent);
     if (task->role == TTC_DIVIDES_LIFT) return false; /* that they are not zero is what is to be shown */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
     case TTC_DIVIDES_SYMBOL: return symbol_counts(task->model, support, d->owner);
-    default: return extent == TTC_DOMAIN_WHOLE && owner_counts(task, d);
+    default: return owner_counts(task, d, extent);
     }
+}
+
+unsigned char *ttc_domain_divisors_of_claim(const ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    unsigned char *whole = ttc_domain_support(task, TTC_DOMAIN_WHOLE), *rest = ttc_domain_support(task, TTC_DOMAIN_WITHOUT_CLAIM);
+    unsigned char *of_claim = whole != NULL && rest != NULL ? calloc(model->divisor_count + 1, 1) : NULL;
+    for (size_t i = 0; of_claim != NULL && i < model->divisor_count; i++)
+        of_claim[i] = divisor_counts(task, &model->divisors[i], whole, TTC_DOMAIN_WHOLE)
+                      && !divisor_counts(task, &model->divisors[i], rest, TTC_DOMAIN_WITHOUT_CLAIM);
+    free(rest);
+    free(whole);
+    return of_claim;
 }
 
 /* A root is positive, so a division by one excludes nothing more; but it does exclude a radicand of zero from the question
@@ -244,7 +265,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     const ttc_model *model = task->model;
     /* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. */
     const bool parameters_alone = task->role == TTC_DIVIDES_VARIANT;
-    unsigned char *support = ttc_domain_support(task);
+    unsigned char *support = ttc_domain_support(task, extent);
     ttc_ratio value, end;
     if (support == NULL) {
         ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);

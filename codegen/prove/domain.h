@@ -6,8 +6,8 @@
 #include "prove/prove_task.h"
 
 typedef enum {
-    TTC_DOMAIN_WHOLE,      /* with the divisors of the claim */
-    TTC_DOMAIN_OF_THE_FIELD /* without them */
+    TTC_DOMAIN_WHOLE,
+    TTC_DOMAIN_WITHOUT_CLAIM /* without what the claim alone divides by, itself and by the definitions that it uses */
 } ttc_domain_extent;
 
 /* Adds the conditions of the domain to task->domain. Symbols under test (task->tested, task->tested_root) and the roots that
@@ -33,7 +33,10 @@ void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_m
 /* Requires of the symbols under test what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task, const char *where);
 
-/* The symbols that the claim and the domain use, as the table is written. */
-unsigned char *ttc_domain_support(const ttc_task *task); /* by symbol, for free(); NULL when memory is out */
+/* The symbols that the claim and the domain use, as the table is written: by symbol, for free(); NULL when memory is out. */
+unsigned char *ttc_domain_support(const ttc_task *task, ttc_domain_extent extent);
+
+/* Which divisors of the table the claim alone brings in, by their number, for free(); NULL when memory is out. */
+unsigned char *ttc_domain_divisors_of_claim(const ttc_task *task);
 
 #endif

@@ -18,6 +18,9 @@ typedef struct {
     size_t leaves, with_point, undecided;
     size_t skipped; /* leaves without a known point */
     const char *why_empty; /* of the last leaf without points */
+    char *none, *none_at;  /* of a claim that something exists: what was found against it on the first leaf that has it not */
+    bool is_partial;       /* on a part of the domain the claim divides by zero everywhere: */
+    char *undefined_at;    /* a point of that part, or NULL where none was found */
 } cover;
 
 static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
@@ -143,6 +146,36 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
     return true;
 }
 
+static bool divides(ttc_task *task)
+{
+    unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
+    bool result = of_claim == NULL;
+    for (size_t i = 0; !result && i < task->model->divisor_count; i++) result = of_claim[i] != 0;
+    free(of_claim);
+    return result;
+}
+
+/* Where a claim divides by zero on a whole part of the domain, it says nothing there; but what uses it takes it with everything
+ * cancelled. This leaf, on which the claim has no value, is such a part where it has points without it. A family may exist on a
+ * part alone. */
+static void check_defined(cover *c, const ttc_subcase *b, unsigned choices)
+{
+    ttc_task *task = c->task;
+
+    if (task->role != TTC_DIVIDES_CLAIM || task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->relation_count > 0 || c->is_partial)
+        return;
+    if (!divides(task)) return;
+    close_field(task);
+    if (!open_field(task, b, choices)) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
+    if (task->ring->status != TTC_RING_OK || task->domain.contradictory) return;
+    const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &c->undefined_at);
+    c->is_partial = result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED;
+}
+
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
     task->is_thin = is_invariant(task) && b->is_degenerate;
@@ -155,6 +188,22 @@ static void place_leaf(ttc_task *task, const ttc_subcase *b)
 static bool is_no_component(const ttc_task *task, const ttc_subcase *b)
 {
     return is_invariant(task) && !b->is_orphan && b->relation_count > task->claim->modulo_count + 1;
+}
+
+/* That something exists is refuted only where no leaf has it. */
+static void put_off(cover *c)
+{
+    ttc_task *task = c->task;
+    if (task->claim->kind != TTC_CLAIM_OBSTRUCTS || task->status != TTC_REFUTED) return;
+    if (c->none == NULL) {
+        c->none = task->remainder;
+        c->none_at = task->point;
+    } else {
+        free(task->remainder);
+        free(task->point);
+    }
+    task->status = TTC_PROVED;
+    task->remainder = task->point = NULL;
 }
 
 /* The claim on one leaf; every sign of roots that became rational is a leaf of its own. A verdict that is not final does not
@@ -185,11 +234,13 @@ static void visit(cover *c, const ttc_subcase *b)
             place_leaf(task, b);
             check_foundations(task);
             if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
+            put_off(c);
             if (says_empty(task->ring->status))
                 ttc_task_unsettle(task, "%s", ttc_ring_status_text(task->ring->status));
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
         }
+        if (is_here && !has_points) check_defined(c, b, choices);
         if (before == TTC_UNSETTLED && task->status != TTC_REFUTED) {
             free(task->remainder);
             task->status = before;
@@ -335,6 +386,16 @@ static void draw_verdict(cover *c)
         task->status = TTC_PROVED;
         free(task->remainder);
         task->remainder = NULL;
+    } else if (task->status == TTC_PROVED && c->none != NULL) {
+        task->status = TTC_REFUTED;
+        free(task->point);
+        task->remainder = c->none;
+        task->point = c->none_at;
+        c->none = c->none_at = NULL;
+    } else if (task->status == TTC_PROVED && c->with_point > 0 && c->is_partial) {
+        ttc_task_unsettle(task, "it divides by zero on a whole part of the domain%s%s",
+                          c->undefined_at != NULL ? ", as at " : ", or that was not excluded",
+                          c->undefined_at != NULL ? c->undefined_at : "");
     } else if (task->status == TTC_PROVED && c->with_point == 0 && c->undecided > 0) {
         ttc_task_unsettle(task, "no point of the domain was found that meets its conditions, nor was it shown that there is none");
     } else if (task->status == TTC_PROVED && c->with_point == 0) {
@@ -346,6 +407,9 @@ static void draw_verdict(cover *c)
         free(task->note);
         task->point = task->note = NULL;
     }
+    free(c->none);
+    free(c->none_at);
+    free(c->undefined_at);
 }
 
 void ttc_task_run(ttc_task *task, ttc_prover prover)

@@ -28,24 +28,29 @@ static void describe(ttc_task *task, description *d, const ttc_ratio *value, ttc
     ttc_ratio_clear(task->ring, &opposite);
 }
 
-/* Poles are looked for on the domain of the field, which does not leave out where the density divides by zero. */
+/* Poles are looked for where the field is defined, and the density, or a definition that it alone uses, divides by zero. */
 static void describe_poles(ttc_task *task, description *d)
 {
     const ttc_model *model = task->model;
+    unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
     ttc_conditions whole = task->domain;
     ttc_ratio value;
+    if (of_claim == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
     ttc_ratio_init(task->ring, &value);
     ttc_conditions_init(&task->domain, task->field);
-    ttc_domain_add(task, &task->domain, TTC_DOMAIN_OF_THE_FIELD);
+    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
     for (size_t i = 0; i < model->divisor_count; i++) {
-        const ttc_divisor *divisor = &model->divisors[i];
-        if (divisor->role != TTC_DIVIDES_CLAIM || divisor->owner != task->owner) continue;
-        ttc_evaluate(task->field, &value, divisor->divisor);
+        if (!of_claim[i]) continue;
+        ttc_evaluate(task->field, &value, model->divisors[i].divisor);
         if (ttc_task_open(task)) describe(task, d, &value, TTC_IS_ZERO, false, "a pole");
     }
     ttc_conditions_clear(&task->domain);
     task->domain = whole;
     ttc_ratio_clear(task->ring, &value);
+    free(of_claim);
 }
 
 static void describe_density(ttc_task *task, const ttc_ratio *density)

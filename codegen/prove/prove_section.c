@@ -47,7 +47,8 @@ static void prove_lift(ttc_task *task)
     const ttc_claim *claim = task->outer->claim;
     const ttc_section *section = section_of(task->outer);
     ttc_valuation *map = ttc_valuation_map(model, task->field);
-    unsigned char *used = ttc_domain_support(task), *back = ttc_model_support(model, claim->entries, claim->entry_count);
+    unsigned char *used = ttc_domain_support(task, TTC_DOMAIN_WHOLE);
+    unsigned char *back = ttc_model_support(model, claim->entries, claim->entry_count);
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
     if (map == NULL || used == NULL || back == NULL) {

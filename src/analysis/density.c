@@ -122,6 +122,7 @@ jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const j
             JLT_TRY(jlt_quadrature_integrate(&integral, &error, slope, &l, points[from].at, points[i].at, 1e-15, 1e-13));
             points[i].density = points[from].density * exp(integral);
             points[i].error = points[from].error + error;
+            if (!(points[i].density > 0) || isinf(points[i].density)) return JLT_ERR_NONFINITE;
         }
     }
 done:

@@ -94,12 +94,29 @@ static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *pa
     return best;
 }
 
-/* How far from x_j an equilibrium may lie that x_j stands for. */
-static double reach_of(const jlt_quantity *state, double x)
+/* The least move of x_j that shows in a component of the field above what rounding the states does there: of a state that is 0, or
+ * all but 0, where others are rounded. */
+static double visible_move(const jlt_linearization *r, const double *x, size_t j)
 {
-    const double room = fmin(x - state->low, state->high - x), size = fmin(fabs(x), room);
+    double least = INFINITY;
 
-    return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, 4 * roundoff * fabs(x)), 1e-3 * room);
+    for (size_t i = 0; i < r->n; i++) {
+        const double slope = fabs(r->jacobian[i * r->n + j]);
+        double noise = 0.0;
+        for (size_t k = 0; k < r->n; k++) noise += fabs(r->jacobian[i * r->n + k] * x[k]);
+        if (slope > 0.0) least = fmin(least, roundoff * noise / slope);
+    }
+    return isfinite(least) ? least : 0.0;
+}
+
+/* How far from x_j an equilibrium may lie that x_j stands for. */
+static double reach_of(const jlt_linearization *r, const double *x, size_t j)
+{
+    const jlt_quantity *state = &r->descriptor->states[j];
+    const double room = fmin(x[j] - state->low, state->high - x[j]), size = fmin(fabs(x[j]), room);
+    const double rounding = 4 * fmax(roundoff * fabs(x[j]), visible_move(r, x, j));
+
+    return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, rounding), 1e-3 * room);
 }
 
 static bool is_proved(const jlt_descriptor *d, const jlt_named *integral)
@@ -140,7 +157,7 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
     JLT_TRY(measure_gradients(r, instance, x));
     r->residual = r->residual_ratio = 0.0;
-    for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(&r->descriptor->states[j], x[j]);
+    for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(r, x, j);
     for (size_t i = 0; i < n; i++) {
         double size = 0.0;
         for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j]) * (r->reach[j] / JLT_LINEARIZATION_TOLERANCE);

@@ -143,20 +143,50 @@ static jlt_status tabulate(jlt_measure_attempt *a, const jlt_instance *instance,
     return st;
 }
 
-/* Whether d ln rho/dq = -div f/f_q grows beyond bounds about one of the points where the density was asked for, as c/(q - q0) does
- * by more than c over their distance. Elsewhere what is missing is missing by numbers that are too small. */
-static bool is_singular(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
+/* |f_q| at q = at, with the other states of x; NaN where there is no field. */
+static double rate_at(const jlt_instance *instance, size_t along, double *x, double at)
 {
-    const double apart = a->count > 1 ? fabs(a->points[1].at - a->points[0].at) : INFINITY;
-    double y[STATES_MAX], f[STATES_MAX], divergence;
+    double f[STATES_MAX];
+
+    x[along] = at;
+    return jlt_instance_rhs(instance, f, x) == JLT_OK ? f[along] : NAN;
+}
+
+/* The least |f_q| between two values, by thirds of which the larger end goes. */
+static double least_rate(const jlt_instance *instance, size_t along, double *x, double low, double high)
+{
+    enum { THIRDS = 80 };
+    double least = INFINITY;
+
+    for (int k = 0; k < THIRDS; k++) {
+        const double third = (high - low) / 3;
+        const double left = fabs(rate_at(instance, along, x, low + third)), right = fabs(rate_at(instance, along, x, high - third));
+        least = fmin(least, fmin(left, right));
+        if (left > right) low += third;
+        else high -= third;
+    }
+    return least;
+}
+
+/* Whether f_q comes to zero in the range of the table, where the slope -div f/f_q has a pole: it changes sign, or touches zero as
+ * far as doubles tell. */
+static bool rate_vanishes(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
+{
+    enum { CELLS = 1024 };
+    const double from = a->points[0].at, cell = (a->points[a->count - 1].at - from) / CELLS;
+    double y[STATES_MAX], before = NAN, most = 0, least = INFINITY, nearest = from;
 
     memcpy(y, x, instance->descriptor->state_count * sizeof *y);
-    for (size_t i = 0; i < a->count; i++) {
-        y[a->along] = a->points[i].at;
-        if (jlt_instance_rhs(instance, f, y) != JLT_OK || jlt_instance_divergence(instance, &divergence, y) != JLT_OK) continue;
-        if (divergence != 0 && fabs(divergence) * apart >= 0.1 * fabs(f[a->along])) return true;
+    for (int k = 0; k <= CELLS; k++) {
+        const double at = from + k * cell, rate = rate_at(instance, a->along, y, at);
+        if (rate == 0 || (before < 0 && rate > 0) || (before > 0 && rate < 0)) return true;
+        before = rate;
+        most = fmax(most, fabs(rate));
+        if (!(fabs(rate) < least)) continue;
+        least = fabs(rate);
+        nearest = at;
     }
-    return false;
+    return least_rate(instance, a->along, y, nearest - cell, nearest + cell) <= 1e-12 * most;
 }
 
 jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
@@ -185,10 +215,10 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
     if (attempt->points == NULL) return JLT_ERR_NOMEM;
     st = tabulate(attempt, instance, random, x);
     if (st == JLT_ERR_NO_PROGRESS) return JLT_ERR_NO_CONVERGENCE;
-    if (st == JLT_ERR_NONFINITE && !is_singular(attempt, instance, x)) return st;
-    /* The slope has a pole in between, whatever the other states are. */
-    attempt->singular = st != JLT_OK && st != JLT_ERR_NOMEM;
-    if (attempt->singular || attempt->turn != 1.0) {
+    if (st == JLT_ERR_NOMEM) return st;
+    attempt->singular = st != JLT_OK && rate_vanishes(attempt, instance, x);
+    if (st == JLT_ERR_NONFINITE && !attempt->singular) return st;
+    if (st != JLT_OK || attempt->turn != 1.0) {
         free(attempt->points);
         attempt->points = NULL;
         return JLT_OK;

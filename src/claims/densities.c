@@ -36,7 +36,7 @@ static bool holds(const jlt_verify_run *run, const jlt_verify_density *d)
         obstructed = obstructed || run->descriptor->equilibria[i].obstructs;
     if (d->descriptor->measure_count > 0)
         return d->residual <= JLT_DENSITY_TOLERANCE && (a->closed_form == NULL || a->difference <= a->difference_bound);
-    return !a->found || a->singular || a->turn != 1.0 || !obstructed || d->descriptor->impose != NULL;
+    return !a->found || a->points == NULL || !obstructed || d->descriptor->impose != NULL;
 }
 
 static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, unsigned kind)

@@ -84,6 +84,10 @@ static void write_attempt(FILE *stream, const jlt_measure_finding *f)
                 along_name(f));
         return;
     }
+    if (a->points == NULL) {
+        fputs("it is not tabulated: its slope -div f/f_q changes too fast, or grows beyond bounds, for the quadrature\n", stream);
+        return;
+    }
     if (a->closed_form != NULL)
         fprintf(stream, "against the closed form %s: largest relative difference %.2g (bound %.2g)\n", a->closed_form,
                 a->difference, a->difference_bound);
@@ -97,6 +101,32 @@ static void write_attempt(FILE *stream, const jlt_measure_finding *f)
     }
 }
 
+/* Some field of the table has a kernel of this density. */
+static bool has_kernel(const jlt_descriptor *of, const char *density)
+{
+    for (const jlt_descriptor *const *d = of->family; *d != NULL; d++)
+        for (unsigned i = 0; i < (*d)->measure_count; i++)
+            if (strcmp((*d)->measures[i].name, density) == 0) return true;
+    return false;
+}
+
+static void write_claims(FILE *stream, const jlt_measure_finding *f)
+{
+    const jlt_descriptor *d = f->instance->descriptor;
+    bool is_any = d->measure_count > 0;
+
+    for (unsigned i = 0; i < d->measure_count; i++)
+        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states\n",
+                d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES);
+    for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++) {
+        if (strcmp(claim->kind, "measure") != 0 || claim->verdict != JLT_PROVED || has_kernel(d, claim->name)) continue;
+        fprintf(stream, "table        density %s, claimed where %s, is not compared: no variant of the table sets this\n",
+                claim->name, claim->condition);
+        is_any = true;
+    }
+    if (!is_any) fputs("table        claims no invariant density at these parameters\n", stream);
+}
+
 static void write_text(FILE *stream, const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;
@@ -105,10 +135,7 @@ static void write_text(FILE *stream, const jlt_measure_finding *f)
             d->variant[0] == '\0' ? "general" : d->variant, d->sha256);
     jlt_decimal_write_named(stream, d->params, f->instance->params, d->param_count);
     fputc('\n', stream);
-    if (d->measure_count == 0) fputs("table        claims no invariant density at these parameters\n", stream);
-    for (unsigned i = 0; i < d->measure_count; i++)
-        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states\n",
-                d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES);
+    write_claims(stream, f);
     write_attempt(stream, f);
     if (!f->obstructed) return;
     fprintf(stream, "\nobstruction: at the equilibrium");

@@ -249,8 +249,8 @@ static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "at t = %.10g %s%s", row->t, row->edge,
                                 r->plans[0].forced && r->plans[0].count > 1 ? ": leave out --tier" : "");
     if (row->unbounded != NULL)
-        return jlt_command_fail(jlt_command_exit(st), "%s grows without bound towards t = %.10g: %s", row->unbounded, row->t,
-                                jlt_status_text(st));
+        return jlt_command_fail(jlt_command_exit(st), "%s seems to grow without bound towards t = %.10g: %s", row->unbounded,
+                                row->t, jlt_status_text(st));
     return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
                             jlt_status_text(st));
 }

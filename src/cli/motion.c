@@ -158,8 +158,9 @@ jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failu
 {
     if (failures->count == 0) return JLT_EXIT_DONE;
     if (failures->unbounded > 0)
-        fprintf(stderr, "jellett: in %zu of %zu orbits a state grows without bound: in the first of them %s, towards t = %.10g\n",
-                failures->unbounded, orbits, system->instance->descriptor->states[failures->state].name, failures->t);
+        fprintf(stderr, "jellett: in %zu of %zu orbits a state seems to grow without bound: in the first of them %s, towards "
+                        "t = %.10g\n", failures->unbounded, orbits, system->instance->descriptor->states[failures->state].name,
+                failures->t);
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "the method failed on %zu of %zu orbits; the rows tell on which, or on how many",
                             failures->count, orbits);
 }

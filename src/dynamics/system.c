@@ -29,19 +29,10 @@ done:
     return st;
 }
 
-static bool is_proved(const jlt_descriptor *of, const char *kind, const char *name)
-{
-    const jlt_claim *claim = jlt_descriptor_claim(of, kind, name);
-    return claim != NULL && claim->verdict == JLT_PROVED;
-}
-
 const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor)
 {
-    const jlt_descriptor *general = descriptor->family[0];
-
-    if (descriptor->time[0] != '\0' || descriptor->elimination[0] != '\0' || general->pole_count == 0) return descriptor;
-    for (unsigned i = 0; i < general->pole_count; i++)
-        if (!is_proved(general, "pole", general->states[general->poles[i].state].name)) return descriptor;
+    if (descriptor->time[0] != '\0' || descriptor->elimination[0] != '\0') return descriptor;
+    if (!jlt_descriptor_has_poles(descriptor)) return descriptor;
     for (const jlt_descriptor *const *d = descriptor->family; *d != NULL; d++)
         if ((*d)->lifted_count == 1 && strcmp((*d)->variant, descriptor->variant) == 0 && (*d)->elimination[0] == '\0'
             && (*d)->integral_count + 1 <= JLT_INVARIANTS_MAX && (*d)->state_count <= JLT_CHART_STATES_MAX

@@ -159,14 +159,32 @@ static bool near(const system_of *s, arb_srcptr x, arb_srcptr start)
     return good;
 }
 
+/* The largest of the system's states, as numbers: what rounding leaves of one that is 0 is of the others' size. */
+static void size_of(mag_t size, arb_srcptr x, const system_of *s)
+{
+    mag_t one;
+
+    mag_init(one);
+    mag_zero(size);
+    for (unsigned i = 0; i < s->rank; i++) {
+        arb_get_mag(one, x + s->columns[i]);
+        mag_max(size, size, one);
+    }
+    mag_clear(one);
+}
+
 /* Newton's method from x, whose digits double a step; then x with its errors. */
 static bool refine(arb_ptr x, const system_of *s)
 {
     arb_mat_t step;
+    mag_t size;
     bool good = true;
 
     arb_mat_init(step, s->rank, 1);
     for (slong digits = 16; good && digits < 8 * s->precision; digits *= 2) good = advance(x, step, s);
+    mag_init(size);
+    size_of(size, x, s);
+    mag_mul_2exp_si(size, size, 4 - s->precision);
     for (unsigned i = 0; good && i < s->rank; i++) {
         arb_ptr state = x + s->columns[i];
         mag_t error;
@@ -174,11 +192,10 @@ static bool refine(arb_ptr x, const system_of *s)
         arb_get_mag(error, arb_mat_entry(step, i, 0));
         mag_mul_2exp_si(error, error, 1);
         arb_add_error_mag(state, error);
-        arb_get_mag(error, state);
-        mag_mul_2exp_si(error, error, 4 - s->precision);
-        arb_add_error_mag(state, error);
+        arb_add_error_mag(state, size);
         mag_clear(error);
     }
+    mag_clear(size);
     arb_mat_clear(step);
     return good;
 }
@@ -234,17 +251,15 @@ static bool contract(arb_ptr x, const system_of *s)
 static bool contains_solution(arb_ptr x, const system_of *s)
 {
     arb_ptr wide = _arb_vec_init(s->n);
+    mag_t room;
     bool proved;
 
     _arb_vec_set(wide, x, s->n);
-    for (unsigned i = 0; i < s->rank; i++) {
-        mag_t room;
-        mag_init(room);
-        arb_get_mag(room, x + s->columns[i]);
-        mag_mul_2exp_si(room, room, -s->precision / 2);
-        arb_add_error_mag(wide + s->columns[i], room);
-        mag_clear(room);
-    }
+    mag_init(room);
+    size_of(room, x, s);
+    mag_mul_2exp_si(room, room, -s->precision / 2);
+    for (unsigned i = 0; i < s->rank; i++) arb_add_error_mag(wide + s->columns[i], room);
+    mag_clear(room);
     proved = contract(wide, s);
     for (int k = 1; proved && k < THINNINGS; k++) (void)contract(wide, s);
     if (proved) _arb_vec_set(x, wide, s->n);

@@ -24,7 +24,7 @@ unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t)
     if (field->time_rate != NULL) field->time_rate(x, field->p, &rate);
     for (unsigned i = 0; i < field->dim; i++) {
         const double doubles = fabs(x[i] * rate / f[i]);
-        if (!(x[i] * (f[i] / rate) * t > 0) || !(doubles < first)) continue;
+        if (!(fabs(x[i]) > 1) || !(x[i] * (f[i] / rate) * t > 0) || !(doubles < first)) continue;
         first = doubles;
         found = i;
     }

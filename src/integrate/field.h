@@ -48,9 +48,10 @@ typedef struct {
 /** Whether anything of the field's domain is to be watched: a finite interval, or a condition. */
 bool jlt_field_watches(const jlt_field *field);
 
-/** Which state grows without bound at x, shape (dim,), where no step from time t on is long enough any more: it would be twice
- *  as large after 10^5 roundings of t. Of several the one that would be so first; field->dim: none. Steps before a pole of the
- *  solution are at least a thousandth of the time to it. Not so is a state with a limit there at which its rate has none. */
+/** Which state seems to grow without bound at x, shape (dim,), where no step from time t on is long enough any more: it is above 1,
+ *  and at its present rate it would be twice as large after 10^5 roundings of t. Of several the one that would be so first;
+ *  field->dim: none. Steps before a pole of the solution are at least a thousandth of the time to it. Not so is a state with a
+ *  limit there at which its rate has none. */
 unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t);
 
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the

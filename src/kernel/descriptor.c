@@ -86,6 +86,17 @@ const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind
     return NULL;
 }
 
+bool jlt_descriptor_has_poles(const jlt_descriptor *of)
+{
+    const jlt_descriptor *general = of->family[0];
+
+    for (unsigned i = 0; i < general->pole_count; i++) {
+        const jlt_claim *claim = jlt_descriptor_claim(general, "pole", general->states[general->poles[i].state].name);
+        if (claim == NULL || claim->verdict != JLT_PROVED) return false;
+    }
+    return general->pole_count > 0;
+}
+
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of)
 {
     const char *const made_by[][2] = { { "variant", of->variant }, { "time", of->time }, { "eliminate", of->elimination } };

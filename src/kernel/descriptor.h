@@ -34,6 +34,9 @@ const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind
  *  what is said of the field, as integrals and equilibria are, may lack its proof all the same. */
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of);
 
+/** Whether the table has poles and all are proved: a lifted root then keeps its digits, as orbits come to rest where it is zero. */
+bool jlt_descriptor_has_poles(const jlt_descriptor *of);
+
 /** The first of a descriptor's integrals that is not proved to be one; NULL: none. */
 const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
 

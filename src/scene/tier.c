@@ -32,24 +32,38 @@ static const char *name_of(const jlt_tier *tier, const char *time)
     return tier->way_count == 0 && time == NULL ? "model" : tier->table->model;
 }
 
-/* A table in the time in which its roots are states, and in t. */
+static void name_tier(jlt_tier *tier, const jlt_tier *of, const char *time, const char *suffix)
+{
+    const char *name = name_of(of, time);
+
+    if (suffix == NULL) snprintf(tier->name, sizeof tier->name, "%s", name);
+    else snprintf(tier->name, sizeof tier->name, "%s_%s", name, suffix);
+}
+
+/* A table in the time in which its roots are states, and in t. A root that comes to zero at poles alone keeps its digits in the
+ * former. Another one, which equations take together with what it is the root of, drifts away from that by rounding errors, which
+ * are large beside it where it is small. */
 static void add_forms(list *l, const jlt_tier *of)
 {
     const jlt_descriptor *table = of->table;
     const char *time = lifting_time(table);
+    const bool lifts = time != NULL && jlt_descriptor_has_poles(table);
     jlt_tier *tier = add(l, of);
 
     if (tier == NULL) return;
-    tier->time = time != NULL ? time : "";
-    snprintf(tier->name, sizeof tier->name, "%s", name_of(of, time));
+    tier->time = lifts ? time : "";
+    name_tier(tier, of, time, NULL);
     snprintf(tier->meaning, sizeof tier->meaning, "%s",
              table->tier != NULL ? table->tier_meaning : of->way_count == 0 ? "the model's own field" : table->title);
     if (time == NULL || of->is_larger) return;
     tier = add(l, of);
     if (tier == NULL) return;
     tier->by_name = true;
-    snprintf(tier->name, sizeof tier->name, "%s_plain", name_of(of, time));
-    snprintf(tier->meaning, sizeof tier->meaning, "the same in t%s", table->pole_count > 0 ? ": steps collapse at the poles" : "");
+    tier->time = lifts ? "" : time;
+    name_tier(tier, of, time, lifts ? "plain" : time);
+    snprintf(tier->meaning, sizeof tier->meaning, "%s",
+             lifts ? "the same in t: steps collapse at the poles"
+                   : "the same in another time: loses digits where its root is small");
 }
 
 static void add_eliminations(list *l, const jlt_tier *of)

@@ -93,6 +93,7 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
         arb_add(y + i, x + i, f, bits);
         mag_mul_2exp_si(size, arb_radref(y + i), -20);
         mag_add(arb_radref(y + i), arb_radref(y + i), size);
+        if (mag_is_zero(arb_radref(y + i))) mag_set_ui_2exp_si(arb_radref(y + i), 1, -bits); /* a state that stays 0 lies inside */
     }
     for (unsigned attempt = 0; attempt < 4 && !inside; attempt++) {
         jlt_step_evaluate(step, y);

@@ -60,7 +60,7 @@ static void require(search *s, ttc_id expression, ttc_sign sign)
     if (sign != TTC_ANY_SIGN) s->conditions[s->condition_count++] = (condition){ expression, sign };
 }
 
-/* Signs, intervals, records `domain`, radicands of roots, and what the field and the family divide by. */
+/* Signs, intervals, records `domain`, radicands of all roots, and what the field, they and the family divide by. */
 static jlt_status gather_conditions(search *s)
 {
     const ttc_model *m = s->q->model;
@@ -79,9 +79,12 @@ static jlt_status gather_conditions(search *s)
         if (x->high != TTC_NONE) require(s, ttc_subtract(m->graph, x->high, x->node), TTC_POSITIVE);
     }
     for (size_t i = 0; i < m->region_count; i++) require(s, m->regions[i].expression, TTC_POSITIVE);
-    for (size_t i = 0; i < m->symbol_count; i++)
-        if (used[i] && (m->symbols[i].kind == TTC_ROOT || m->symbols[i].kind == TTC_LOG))
-            require(s, m->symbols[i].definition, TTC_POSITIVE);
+    for (size_t i = 0; i < m->symbol_count; i++) {
+        if (m->symbols[i].kind != TTC_ROOT && m->symbols[i].kind != TTC_LOG) continue;
+        require(s, m->symbols[i].definition, TTC_POSITIVE);
+        used[i] = 1;
+    }
+    ttc_model_close_uses(m, used);
     for (size_t i = 0; i < m->divisor_count; i++) {
         const ttc_divisor *d = &m->divisors[i];
         if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner])

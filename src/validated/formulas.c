@@ -22,7 +22,8 @@ static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
     return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
 }
 
-/* Returns how many there are; they are made where ids is not NULL. */
+/* What is positive in the domain: its records, the states' intervals, radicands of all roots, arguments of all logarithms.
+ * Returns how many there are; they are made where ids is not NULL. */
 static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
@@ -34,6 +35,11 @@ static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *i
         const ttc_id inside = ttc_model_inside(model, model->states[i / 2], i % 2 == 1);
         if (inside == TTC_NONE) continue;
         if (ids != NULL) ids[count] = ttc_field_specialise(field, inside);
+        count++;
+    }
+    for (size_t i = 0; i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_ROOT && model->symbols[i].kind != TTC_LOG) continue;
+        if (ids != NULL) ids[count] = ttc_field_specialise(field, model->symbols[i].definition);
         count++;
     }
     return count;

@@ -23,7 +23,7 @@ typedef struct {
     unsigned valid_count, domain_count, level_count;
     ttc_program *motion;    /* f, (states,) */
     ttc_program *variation; /* f, (states,); df/d(x, free), (states, dim); div f, (1,); valids, (valid_count,);
-                               what is positive in the domain, by its records and the states' intervals, (domain_count,) */
+                               what is positive in the domain, (domain_count,) */
     ttc_program *levels;    /* integrals, (level_count,); their gradients, (level_count, dim) */
 } jlt_formulas;
 

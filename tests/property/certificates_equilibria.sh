@@ -136,6 +136,38 @@ certify 0 '"high"' "$table" --family still --box c=1/2,x=0.3:0.7
 certify 3 'does not allow' "$table" --family rest --box x=-2:1
 certify 3 'say which family of ledge: --family, one of rest, still' "$table" --box x=0
 
+# A formula of the trace that has no value for w > 0, where the field is zero, though what is left of it when cancelled has one.
+part=$scratch/part.tt
+cat > "$part" << 'END'
+model part
+param w
+default w = 2
+domain apart : w^2 - 1 > 0
+root r = sqrt(w^2)
+state y
+eq y = (r - w)*y
+equilibria rest : y = 0
+trace rest = 2*r*(r - w)/(r - w)
+END
+certify 1 'the trace is 0 at w = 1.5' "$part" --family rest --box w=-2:2
+certify 0 '"low": "2"' "$part" --family rest --box w=-2:-1
+# Roots that the field does not use belong to the domain: where q has none, y' = 3 at y = 0.
+unused=$scratch/unused.tt
+cat > "$unused" << 'END'
+model unused
+param w
+default w = 1
+domain apart : w^2 > 0
+root r = sqrt(w^2)
+root q = sqrt(w)
+state y
+eq y = (r - w) + 3*y
+equilibria rest : y = 0
+trace rest = 3
+END
+certify 1 'no point of the box is shown to be in the table' "$unused" --family rest --box w=-2:-1
+certify 0 '"low": "3"' "$unused" --family rest --box w=1:2
+
 spin=(--family spin --box I1=0.2:1,I3=0.2:1)
 certify 0 'it is positive' "${spin[@]},gamma3=-0.9:-0.1,v_nu=0.1:2,omega3=-3:3"
 certify 1 'the trace is 0 at I1 = 0.2, I3 = 0.2, gamma3 = 0, v_nu = 0.1, omega3 = -3' \

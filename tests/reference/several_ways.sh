@@ -27,6 +27,7 @@ eq a = b
 eq b = - a
 eq c = s*a/8
 time regular : s lifting s
+pole c
 tier $long "all three"
 reduction right : by polar.tt with phi = atan2(b, a), r = sqrt(a^2 + b^2), c = c where a > 0
 reduction left : by polar.tt with phi = atan2(b, a), r = sqrt(a^2 + b^2), c = c where - a > 0
@@ -43,6 +44,7 @@ angle C S = cos(phi) sin(phi)
 eq phi = - 1
 eq c = s*r*C/8
 time regular : s lifting s
+pole c
 embedding out : into wide.tt with a = r*C, b = r*S, c = c, s = s
 periodic phi = 2*pi
 tier circle "an angle, on a circle"
@@ -73,7 +75,7 @@ for tier in $long ${long}_plain; do
 done
 sed "s/^tier $long/tier x$long/" wide.tt > longer.tt
 ttc check longer.tt > out 2> err && fail "a name of 64 letters is read"
-grep -q 'longer.tt:10:6: error: .*63' err || fail "a name of 64 letters: $(cat err)"
+grep -q 'longer.tt:11:6: error: .*63' err || fail "a name of 64 letters: $(cat err)"
 
 # With --track a larger table tells of its own states and quantities. Where another takes its place, which begins at the asked
 # states alone, telling ends: a phase, or a quantity of the same name, would go on from another value.
