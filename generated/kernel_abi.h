@@ -198,6 +198,7 @@ typedef struct {
 typedef struct {
     const char *name;   /* of the record */
     const char *chart;  /* model name of the coordinates' table, */
+    const char *file;   /* its file beside the model's table, */
     const char *sha256; /* its digest, */
     const char *table;  /* and its text */
     unsigned claim;     /* which of the model's `claims` says that lift and back are inverse to each other, and on the levels */

@@ -34,8 +34,9 @@ static bool make_key(char digest[65], const ttc_model *model, const char *compil
         if (model->claims[i].target == NULL) continue;
         ttc_diagnostics *diagnostics = ttc_diagnostics_create();
         ttc_model *target = diagnostics == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, diagnostics);
-        ttc_text_format(&key, "%s\n", target == NULL ? "none" : target->sha256);
-        if (diagnostics != NULL) good &= ttc_error_count(diagnostics) == ttc_io_error_count(diagnostics);
+        const bool is_broken = diagnostics == NULL || ttc_error_count(diagnostics) > ttc_io_error_count(diagnostics);
+        ttc_text_format(&key, "%s\n", target != NULL ? target->sha256 : is_broken ? "broken" : "none");
+        good &= !is_broken;
         ttc_model_destroy(target);
         ttc_diagnostics_destroy(diagnostics);
     }

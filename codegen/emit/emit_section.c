@@ -173,10 +173,12 @@ static void add_entry(ttc_text *table, const section_emitter *e)
     const ttc_field *field = e->kernels->field;
     const size_t k = e->number;
     ttc_text_format(table,
-                    "    { .name = \"%s\", .chart = \"%s\",\n      .sha256 = \"%s\",\n      .table = jlt_chart_%s_%s,\n"
-                    "      .claim = %u, .column = %u, .level = ",
-                    e->claim->name, chart->name, chart->sha256, e->kernels->field->model->name, e->claim->name,
-                    (unsigned)e->section->claim, (unsigned)field->symbols[e->claim->when.items[0].symbol].position);
+                    "    { .name = \"%s\", .chart = \"%s\", .file = \"", e->claim->name, chart->name);
+    ttc_text_add_escaped(table, e->claim->target);
+    ttc_text_format(table,
+                    "\",\n      .sha256 = \"%s\",\n      .table = jlt_chart_%s_%s,\n      .claim = %u, .column = %u, .level = ",
+                    chart->sha256, e->kernels->field->model->name, e->claim->name, (unsigned)e->section->claim,
+                    (unsigned)field->symbols[e->claim->when.items[0].symbol].position);
     ttc_emit_constant(table, ttc_coefficient(field->graph, e->claim->when.items[0].expression));
     ttc_text_format(table,
                     ",\n      .coordinate_count = %zu, .coordinates = section%zu_coordinates, .is_angle = section%zu_is_angle,\n",

@@ -23,37 +23,6 @@ typedef struct {
     char *undefined_at;    /* a point of that part, or NULL where none was found */
 } cover;
 
-static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
-{
-    for (size_t i = 0; i < bindings->count; i++)
-        ttc_valuation_bind(field, bindings->items[i].symbol, bindings->items[i].expression);
-}
-
-static bool open_field(ttc_task *task, const ttc_subcase *b, unsigned choices)
-{
-    const ttc_claim *family = ttc_task_family(task);
-    task->field = ttc_valuation_create(task->model, choices);
-    if (task->field == NULL) return false;
-    task->ring = ttc_valuation_ring(task->field);
-    bind_all(task->field, &task->claim->when);
-    if (family != NULL && family != task->claim) bind_all(task->field, &family->when);
-    if (family != NULL) bind_all(task->field, &family->bindings);
-    for (size_t i = 0; i < b->solution_count; i++)
-        if (b->solutions[i].square)
-            ttc_valuation_bind_square(task->field, b->solutions[i].symbol, b->solutions[i].expression);
-        else ttc_valuation_bind(task->field, b->solutions[i].symbol, b->solutions[i].expression);
-    ttc_conditions_init(&task->domain, task->field);
-    return true;
-}
-
-static void close_field(ttc_task *task)
-{
-    ttc_conditions_clear(&task->domain);
-    ttc_valuation_destroy(task->field);
-    task->field = NULL;
-    task->ring = NULL;
-}
-
 static bool is_invariant(const ttc_task *task) { return task->claim->kind == TTC_CLAIM_INVARIANT; }
 
 /* A failure that says that no point of the domain is here, rather than that something could not be computed. */
@@ -76,36 +45,6 @@ static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
     }
     ttc_ratio_clear(task->ring, &value);
     return zero;
-}
-
-/* What a claim rests on through `modulo` must be proved, under conditions that hold here. */
-static void check_foundations(ttc_task *task)
-{
-    const ttc_model *model = task->model;
-    ttc_ratio value, bound;
-    ttc_ratio_init(task->ring, &value);
-    ttc_ratio_init(task->ring, &bound);
-    for (size_t i = 0; i < task->claim->modulo_count && ttc_task_open(task); i++) {
-        const ttc_claim *level = &model->claims[task->claim->modulo[i]];
-        if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->modulo[i]) != TTC_PROVED)
-            ttc_task_unsettle(task, "it rests on %s, which is not proved", level->name);
-        for (size_t k = 0; k < level->when.count && ttc_task_open(task); k++) {
-            ttc_evaluate(task->field, &value, model->symbols[level->when.items[k].symbol].node);
-            ttc_evaluate(task->field, &bound, level->when.items[k].expression);
-            ttc_ratio_subtract(task->ring, &value, &value, &bound);
-            if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
-                ttc_task_unsettle(task, "it rests on %s, which holds under a condition on %s that this claim does not make",
-                                  level->name, model->symbols[level->when.items[k].symbol].name);
-        }
-        for (size_t k = 0; k < level->modulo_count && ttc_task_open(task); k++) {
-            ttc_evaluate(task->field, &value, model->claims[level->modulo[k]].expression);
-            if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
-                ttc_task_unsettle(task, "it rests on %s, which holds on a zero level of %s that this claim does not take",
-                                  level->name, model->claims[level->modulo[k]].name);
-        }
-    }
-    ttc_ratio_clear(task->ring, &bound);
-    ttc_ratio_clear(task->ring, &value);
 }
 
 static void add_leads(ttc_task *task, const ttc_subcase *b)
@@ -165,8 +104,8 @@ static void check_defined(cover *c, const ttc_subcase *b, unsigned choices)
     if (task->role != TTC_DIVIDES_CLAIM || task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->relation_count > 0 || c->is_partial)
         return;
     if (!divides(task)) return;
-    close_field(task);
-    if (!open_field(task, b, choices)) {
+    ttc_subcase_close(task);
+    if (!ttc_subcase_open(task, b, choices)) {
         ttc_task_unsettle(task, "out of memory");
         return;
     }
@@ -220,7 +159,7 @@ static void visit(cover *c, const ttc_subcase *b)
             ttc_task_unsettle(task, "its conditions fall into more than %d cases", (int)LEAF_LIMIT);
             return;
         }
-        if (!open_field(task, b, choices)) {
+        if (!ttc_subcase_open(task, b, choices)) {
             ttc_task_unsettle(task, "out of memory");
             return;
         }
@@ -232,7 +171,7 @@ static void visit(cover *c, const ttc_subcase *b)
         c->skipped += is_here && !(has_points && task->has_point);
         if (has_points) {
             place_leaf(task, b);
-            check_foundations(task);
+            ttc_subcase_check_foundations(task);
             if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
             put_off(c);
             if (says_empty(task->ring->status))
@@ -250,7 +189,7 @@ static void visit(cover *c, const ttc_subcase *b)
         }
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;
-        close_field(task);
+        ttc_subcase_close(task);
     }
 }
 
@@ -368,14 +307,14 @@ static void descend(cover *c, const ttc_subcase *b)
         return;
     }
     for (unsigned choices = 0; again && task->status != TTC_REFUTED; choices++) {
-        if (++c->leaves > LEAF_LIMIT || !open_field(task, b, choices)) {
+        if (++c->leaves > LEAF_LIMIT || !ttc_subcase_open(task, b, choices)) {
             ttc_task_unsettle(task, "its conditions fall into more than %d cases, or memory is out", (int)LEAF_LIMIT);
             return;
         }
         if (is_in_subcase(task, b)) meet(c, b);
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;
-        close_field(task);
+        ttc_subcase_close(task);
     }
 }
 

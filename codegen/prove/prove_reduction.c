@@ -71,6 +71,12 @@ static void require_alike(ttc_task *task, ttc_valuation *map, ttc_id own, ttc_id
     ttc_ratio_clear(task->ring, &left);
 }
 
+/* One without conditions. */
+static bool is_plain_integral(const ttc_claim *claim)
+{
+    return claim->kind == TTC_CLAIM_INTEGRAL && claim->when.count == 0 && claim->modulo_count == 0;
+}
+
 void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map)
 {
     const ttc_model *model = task->model;
@@ -84,6 +90,12 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
             const ttc_validity *own = model->validities + i, *theirs = target->validities + k;
             if (strcmp(own->name, theirs->name) == 0)
                 require_alike(task, map, own->expression, theirs->expression, "valid", own->name);
+        }
+    for (size_t i = 0; i < model->claim_count; i++)
+        for (size_t k = 0; k < target->claim_count && ttc_task_open(task); k++) {
+            const ttc_claim *own = model->claims + i, *theirs = target->claims + k;
+            if (is_plain_integral(own) && is_plain_integral(theirs) && strcmp(own->name, theirs->name) == 0)
+                require_alike(task, map, own->expression, theirs->expression, "integral", own->name);
         }
 }
 

@@ -104,8 +104,8 @@ void ttc_task_require_kept(ttc_task *task, const char *hint);
 
 /* A parameter of another table, of that name, given as an expression is a quantity that our flow keeps. */
 void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression);
-/* What `claim` gives for states of `target`, bound in `map`, moves as the target says; and what both models observe, or
- * hold valid, under one name is one quantity. */
+/* What `claim` gives for states of `target`, bound in `map`, moves as the target says; and what both models observe,
+ * hold valid, or claim as an integral under one name is one quantity. */
 void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map);
 void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map);
 

@@ -41,4 +41,12 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
  *  False when there is none, or no room; the subcase is then of no use. */
 bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const fmpz_mpoly_t factor);
 
+/** Make the field of a subcase, with these signs of the roots that become rational, and no conditions yet: the task's field and
+ *  ring until it is closed. False when memory is out. */
+bool ttc_subcase_open(ttc_task *task, const ttc_subcase *subcase, unsigned choices);
+void ttc_subcase_close(ttc_task *task);
+
+/* What a claim rests on through `modulo` must be proved, under conditions that hold in the field at hand. */
+void ttc_subcase_check_foundations(ttc_task *task);
+
 #endif

@@ -1203,7 +1203,7 @@ static const jlt_section_point section0_starts[] = {
 };
 
 static const jlt_section_chart sections[] = {
-    { .name = "turning", .chart = "spherical_top_section",
+    { .name = "turning", .chart = "spherical_top_section", .file = "spherical_top_section.tt",
       .sha256 = "bf5c565b976fefec01b0b9870e38f40c17511a13ec5354ac25e436f814722bac",
       .table = jlt_chart_spherical_top_level_turning,
       .claim = 5, .column = 2, .level = 0.0,

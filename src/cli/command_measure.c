@@ -191,6 +191,23 @@ static void write_csv(FILE *stream, const jlt_measure_finding *f, const request 
     }
 }
 
+/* What the table claims, held against what was computed. */
+static jlt_exit judge(const jlt_measure_finding *f)
+{
+    const jlt_descriptor *d = f->instance->descriptor;
+    const jlt_measure_attempt *a = &f->attempt;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (unsigned i = 0; i < d->measure_count; i++)
+        if (!(f->residual[i] <= JLT_DENSITY_TOLERANCE))
+            code = jlt_command_fail(JLT_EXIT_FAILED, "the density %s is not invariant: |div(rho f)| is %.2g of its terms, %.0e is "
+                                                     "allowed", d->measures[i].name, f->residual[i], JLT_DENSITY_TOLERANCE);
+    if (a->closed_form != NULL && !(a->difference <= a->difference_bound))
+        code = jlt_command_fail(JLT_EXIT_FAILED, "the density %s differs from the quadrature by %.2g, %.2g is allowed",
+                                a->closed_form, a->difference, a->difference_bound);
+    return code;
+}
+
 static jlt_exit draw(const jlt_measure_finding *f, const request *r)
 {
     const jlt_descriptor *d = f->instance->descriptor;
@@ -275,6 +292,7 @@ static jlt_exit run(int argc, char **argv)
                                 why_not(st));
     if (code == JLT_EXIT_DONE) code = deliver(f, &r);
     if (code == JLT_EXIT_DONE && r.common.plot != NULL) code = draw(f, &r);
+    if (code == JLT_EXIT_DONE) code = judge(f);
 done:
     if (f != NULL) jlt_measure_forget(f);
     free(f);

@@ -217,7 +217,10 @@ static void write_fate(FILE *file, const jlt_course_row *row, jlt_status st)
     jlt_fate failure;
 
     if (st != JLT_OK) fprintf(file, ",%s\n", jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown");
-    else if (row->end == JLT_END_POLE) fputs(row->side > 0 ? ",pole+\n" : ",pole-\n", file);
+    else if (row->end == JLT_END_POLE) /* of a tier: the table asked for may name none */
+        fprintf(file, ",%s\n", jlt_section_fate_name(row->side > 0   ? JLT_FATE_POLE_PLUS
+                                                     : row->side < 0 ? JLT_FATE_POLE_MINUS
+                                                                     : JLT_FATE_LEFT_DOMAIN));
     else if (!isnan(row->lost_at)) fprintf(file, ",lost_%s\n", row->lost);
     else if (row->unknown != NULL) fprintf(file, ",unknown_%s\n", row->unknown);
     else fputs(",alive\n", file);
@@ -341,7 +344,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
-    code = jlt_session_open(&r.session);
+    code = jlt_session_open(&r.session, r.track || r.tier != NULL || r.compare != NULL || common->plan);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);

@@ -129,7 +129,36 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
                             table->states[surface->section->column].name, surface->section->level);
 }
 
-/* Orbits on the section are followed in its own table, which must know where the model asked for ends to hold. */
+/* Tell the claims of a table that would lead to a section, and are not proved. Returns whether there are any. */
+static bool tell_lost(const jlt_descriptor *table, const char *of)
+{
+    bool is_lost = false;
+
+    for (const jlt_claim *claim = table->claims; claim->kind != NULL; claim++) {
+        const bool leads = strcmp(claim->kind, "reduction") == 0 || strcmp(claim->kind, "section") == 0;
+        if (!leads || claim->verdict == JLT_PROVED) continue;
+        jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", claim->kind, claim->name, of, claim->reason);
+        is_lost = true;
+    }
+    return is_lost;
+}
+
+/* Where a section of this table, or of one beside it, would serve if a claim were proved. */
+static jlt_exit refuse_lost(const jlt_descriptor *asked, const jlt_way_tables *others)
+{
+    bool is_lost = tell_lost(asked, "this table");
+
+    for (unsigned i = 0; i < others->count; i++) is_lost |= tell_lost(others->tables[i], others->tables[i]->model);
+    if (!is_lost) return JLT_EXIT_DONE;
+    for (const jlt_claim *claim = asked->claims; claim->kind != NULL; claim++)
+        if (claim->verdict != JLT_PROVED && strcmp(claim->kind, "integral") == 0 && claim->condition[0] == '\0')
+            jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table: %s", claim->name, claim->reason);
+    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section that a table describes, then: ask for one of the table itself, "
+                                            "--section STATE=VALUE, with all other states as coordinates");
+}
+
+/* Orbits on the section are followed in its own table, which must know where the model asked for ends to hold, and nothing more of
+ * that. */
 static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
@@ -143,6 +172,16 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
                                     "'valid %s : ...' in its coordinates there, or ask for a section of the table itself, "
                                     "--section %s=%.10g",
                                     surface->section->name, table->model, asked->valids[i].name, asked->valids[i].name,
+                                    table->states[surface->section->column].name, surface->section->level);
+    }
+    for (k = 0; asked->valid_count > 0 && k < table->valid_count; k++) {
+        unsigned i = 0;
+        while (i < asked->valid_count && strcmp(table->valids[k].name, asked->valids[i].name) != 0) i++;
+        if (i == asked->valid_count)
+            return jlt_command_fail(JLT_EXIT_INPUT,
+                                    "the section %s is one of %s, which has a condition %s that this table has not: write it here, "
+                                    "remove it there, or ask for a section of the table itself, --section %s=%.10g",
+                                    surface->section->name, table->model, table->valids[k].name,
                                     table->states[surface->section->column].name, surface->section->level);
     }
     return JLT_EXIT_DONE;
@@ -200,17 +239,18 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     const bool is_plane = options->section != NULL && strchr(options->section, '=') != NULL;
     const jlt_common *common = &options->common;
     const jlt_claim *broken = NULL;
-    jlt_way_tables others;
+    jlt_way_tables others = { .count = 0 };
+    jlt_status st = JLT_ERR_UNSUPPORTED;
 
-    jlt_status st = is_plane ? JLT_ERR_UNSUPPORTED : jlt_surface_find(surface, &broken, asked, NULL, options->section);
-    if (!is_plane && st != JLT_OK && surface->table == NULL && common->model != NULL) { /* smaller tables beside it may have one */
+    if (!is_plane && common->model != NULL) { /* smaller tables beside it may have one */
         const jlt_exit code = jlt_table_others(&others, asked, common->model, "reduction", common->lanes);
         if (code != JLT_EXIT_DONE) return code;
-        st = jlt_surface_find(surface, &broken, asked, &others, options->section);
     }
+    if (!is_plane) st = jlt_surface_find(surface, &broken, asked, &others, options->section);
     *has = st == JLT_OK;
     if (!is_plane && !*has && surface->table != NULL) return refuse_large(surface);
-    if (!is_plane && !*has && options->section != NULL)
+    if (!is_plane && !*has && options->section == NULL) return refuse_lost(asked, &others);
+    if (!is_plane && !*has)
         return jlt_command_fail(JLT_EXIT_USAGE,
                                 "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
                                 options->section, asked->model);

@@ -51,13 +51,12 @@ bool jlt_session_interrupted(const jlt_session *self)
     return *self->interrupt != 0;
 }
 
-jlt_exit jlt_session_open(jlt_session *self)
+jlt_exit jlt_session_open(jlt_session *self, bool looks_at_larger)
 {
     const jlt_exit code = jlt_common_open(&self->common, &self->descriptor, &self->params);
 
-    return code == JLT_EXIT_DONE && self->common.model != NULL
-               ? jlt_table_others(&self->others, self->descriptor, self->common.model, NULL, false)
-               : code;
+    if (code != JLT_EXIT_DONE || self->common.model == NULL) return code;
+    return jlt_table_others(&self->others, self->descriptor, self->common.model, looks_at_larger ? NULL : "reduction", false);
 }
 
 jlt_exit jlt_session_start(jlt_session *self)

@@ -1,5 +1,7 @@
 #include "cli/table.h"
 
+#include "base/sha256.h"
+#include "base/source.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
 #include "kernel/batch_isa.h"
@@ -145,6 +147,41 @@ static bool beside(char *path, size_t size, const char *table, const char *file)
     return used > 0 && (size_t)used < size;
 }
 
+/* Whether a file beside the table is there with this digest. */
+static bool is_beside(const char *model, const char *file, const char *sha256)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    char path[PATH_MAX], digest[65] = "", *text = NULL;
+    size_t length;
+
+    if (diagnostics != NULL && beside(path, sizeof path, model, file)) text = ttc_source_read(path, &length, diagnostics);
+    if (text != NULL) ttc_sha256(digest, text, length);
+    free(text);
+    ttc_diagnostics_destroy(diagnostics);
+    return strcmp(digest, sha256) == 0;
+}
+
+/* Whether a table that is built in may stand for the same one beside the model: what it claims of other tables was proved of those
+ * that are beside it here. */
+static bool stands_for(const jlt_descriptor *built_in, const char *model)
+{
+    for (unsigned i = 0; i < built_in->way_count; i++)
+        if (!is_beside(model, built_in->ways[i].file, built_in->ways[i].sha256)) return false;
+    for (unsigned i = 0; i < built_in->section_count; i++)
+        if (!is_beside(model, built_in->sections[i].file, built_in->sections[i].sha256)) return false;
+    return true;
+}
+
+/* Whether the table that a way leads to is built in, and what it claims is so here as well; of a larger one, that it reduces to the
+ * very table where the way begins. */
+static bool may_stay(const jlt_descriptor *from, const jlt_way *way, const char *model)
+{
+    const jlt_descriptor *built_in = jlt_way_target(way, NULL);
+    const jlt_claim *broken;
+
+    return built_in != NULL && jlt_way_holds(&broken, from, way, built_in) && stands_for(built_in, model);
+}
+
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes)
 {
     const jlt_descriptor *next = of;
@@ -155,7 +192,8 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
             const jlt_way *way = &next->ways[i];
             char path[PATH_MAX];
             if (kind != NULL && strcmp(way->kind, kind) != 0) continue;
-            if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_target(way, others) != NULL) continue;
+            if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_among(others, way->sha256) != NULL) continue;
+            if (may_stay(next, way, model)) continue;
             if (!beside(path, sizeof path, model, way->file))
                 return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
             const jlt_exit code = load(&others->tables[others->count], &(bool){ false }, path, lanes);

@@ -71,21 +71,30 @@ static bool serves(const jlt_claim **claim, const jlt_descriptor *asked, const j
     return true;
 }
 
+/* The asked table itself, those beside it, then those built in, but for what is one of the former. NULL: this number is none. */
+static const jlt_descriptor *candidate(size_t number, const jlt_descriptor *asked, const jlt_way_tables *others)
+{
+    const size_t beside = others != NULL ? others->count : 0;
+
+    if (number == 0) return asked->family[0];
+    if (number <= beside) return others->tables[number - 1]->family[0];
+    const jlt_descriptor *built_in = jlt_descriptor_at(number - 1 - beside)->family[0];
+    if (strcmp(built_in->sha256, asked->sha256) == 0 || jlt_way_among(others, built_in->sha256) != NULL) return NULL;
+    return built_in;
+}
+
 jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked, const jlt_way_tables *others,
                             const char *name)
 {
-    const size_t own = 1 + (others != NULL ? others->count : 0);
+    const size_t count = 1 + (others != NULL ? others->count : 0) + jlt_descriptor_count();
     const jlt_claim *claim = NULL;
     bool found = false;
 
     *out = (jlt_surface){ .asked = asked };
     *broken = NULL;
-    for (size_t i = 0; i < own + jlt_descriptor_count() && !found; i++) { /* the asked table itself, others, and those built in */
-        const jlt_descriptor *table = widest((i == 0    ? asked
-                                              : i < own ? others->tables[i - 1]
-                                                        : jlt_descriptor_at(i - own))
-                                                 ->family[0]);
-        for (unsigned k = 0; k < table->section_count && !found; k++) {
+    for (size_t i = 0; i < count && !found; i++) {
+        const jlt_descriptor *general = candidate(i, asked, others), *table = general != NULL ? widest(general) : NULL;
+        for (unsigned k = 0; table != NULL && k < table->section_count && !found; k++) {
             const jlt_section_chart *section = &table->sections[k];
             if (name != NULL && strcmp(section->name, name) != 0) continue;
             found = serves(&claim, asked, others, table, section);
@@ -194,6 +203,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     self->flow = self->rows;
     count_values(self->flow.values, &self->surface, values, &units);
     self->base.flow.chart = &self->flow.base;
+    if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever this table says */
     st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_crossing_met(&self->base) ? JLT_OK : JLT_ERR_ARG;
 done:
     return st;

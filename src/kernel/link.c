@@ -33,7 +33,8 @@ static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_de
     for (unsigned i = 0; others != NULL && i < others->count; i++) tables[count++] = others->tables[i];
     for (size_t i = 0; i < jlt_descriptor_count() && count < TABLES_MAX; i++) {
         const jlt_descriptor *d = jlt_descriptor_at(i);
-        if (d == d->family[0] && strcmp(d->sha256, first->sha256) != 0) tables[count++] = d;
+        if (d == d->family[0] && strcmp(d->sha256, first->sha256) != 0 && jlt_way_among(others, d->sha256) == NULL)
+            tables[count++] = d;
     }
     return count;
 }

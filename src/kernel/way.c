@@ -5,10 +5,18 @@
 
 #include "kernel/descriptor.h"
 
-const jlt_descriptor *jlt_way_target(const jlt_way *way, const jlt_way_tables *others)
+const jlt_descriptor *jlt_way_among(const jlt_way_tables *others, const char *sha256)
 {
     for (unsigned i = 0; others != NULL && i < others->count; i++)
-        if (strcmp(others->tables[i]->sha256, way->sha256) == 0) return others->tables[i];
+        if (strcmp(others->tables[i]->sha256, sha256) == 0) return others->tables[i];
+    return NULL;
+}
+
+const jlt_descriptor *jlt_way_target(const jlt_way *way, const jlt_way_tables *others)
+{
+    const jlt_descriptor *loaded = jlt_way_among(others, way->sha256);
+
+    if (loaded != NULL) return loaded;
     for (size_t i = 0; i < jlt_descriptor_count(); i++) {
         const jlt_descriptor *d = jlt_descriptor_at(i);
         if (d == d->family[0] && strcmp(d->sha256, way->sha256) == 0) return d;

@@ -18,6 +18,10 @@ typedef struct {
     const jlt_descriptor *tables[JLT_WAY_TABLES_MAX];
 } jlt_way_tables;
 
+/** The table of this digest among others, NULL for none; NULL where it is not there. Where one is, what it claims of further tables
+ *  was proved of those beside it: a table of the same digest that is built in does not stand for it. */
+const jlt_descriptor *jlt_way_among(const jlt_way_tables *others, const char *sha256);
+
 /** The general field of the table that a way leads to, known by its digest; NULL where no such table is among `others`, NULL for
  *  none, or built in. */
 const jlt_descriptor *jlt_way_target(const jlt_way *way, const jlt_way_tables *others);

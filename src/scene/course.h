@@ -35,7 +35,7 @@ typedef struct {
     const char *unknown;      /* that condition; NULL: none */
     const double *more;       /* shape (jlt_course_tells_more,): what the question wants beside this, as attitude and track; NULL:
                                  nothing; the course's own */
-    int side;                 /* POLE: which one, +1 or -1 */
+    int side;                 /* POLE: which one, +1 or -1; 0: the model names none */
     unsigned pole;            /* POLE: the state that has come to an end of its interval */
     const char *unbounded;    /* NO_PROGRESS, NONFINITE: the tier's state that grows without bound; NULL: none is known */
     const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message; the course's own */

@@ -1,5 +1,7 @@
 #include "top/command_counterpart.h"
 
+#include <string.h>
+
 jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, const char *shared, const char *what)
 {
     const jlt_claim *broken;
@@ -13,6 +15,13 @@ jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, c
     condition = jlt_counterpart_condition(session->descriptor, shared, session->params);
     if (condition != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the reduction of %s serves where %s: see --set", what, model, condition->text);
+    for (unsigned i = 0; i < session->descriptor->way_count; i++) {
+        const jlt_way *way = &session->descriptor->ways[i];
+        if (strcmp(way->model, shared) == 0)
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: known of the table %s that is built in alone, and the reduction %s of %s "
+                                                    "leads to another one, %s beside it: put that one there, to the letter",
+                                    what, shared, way->name, model, way->file);
+    }
     jlt_counterpart_record(record, sizeof record, shared);
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: known of spherical tops, and %s does not say that it is one: write '%s', "
                                             "which is to be proved, of the table as it is built in",

@@ -1,0 +1,62 @@
+/* The field of a subcase: what conditions, a family and solutions bind is bound in it. */
+#include "prove/subcase.h"
+
+static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
+{
+    for (size_t i = 0; i < bindings->count; i++)
+        ttc_valuation_bind(field, bindings->items[i].symbol, bindings->items[i].expression);
+}
+
+bool ttc_subcase_open(ttc_task *task, const ttc_subcase *b, unsigned choices)
+{
+    const ttc_claim *family = ttc_task_family(task);
+    task->field = ttc_valuation_create(task->model, choices);
+    if (task->field == NULL) return false;
+    task->ring = ttc_valuation_ring(task->field);
+    bind_all(task->field, &task->claim->when);
+    if (family != NULL && family != task->claim) bind_all(task->field, &family->when);
+    if (family != NULL) bind_all(task->field, &family->bindings);
+    for (size_t i = 0; i < b->solution_count; i++)
+        if (b->solutions[i].square)
+            ttc_valuation_bind_square(task->field, b->solutions[i].symbol, b->solutions[i].expression);
+        else ttc_valuation_bind(task->field, b->solutions[i].symbol, b->solutions[i].expression);
+    ttc_conditions_init(&task->domain, task->field);
+    return true;
+}
+
+void ttc_subcase_close(ttc_task *task)
+{
+    ttc_conditions_clear(&task->domain);
+    ttc_valuation_destroy(task->field);
+    task->field = NULL;
+    task->ring = NULL;
+}
+
+void ttc_subcase_check_foundations(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio value, bound;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &bound);
+    for (size_t i = 0; i < task->claim->modulo_count && ttc_task_open(task); i++) {
+        const ttc_claim *level = &model->claims[task->claim->modulo[i]];
+        if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->modulo[i]) != TTC_PROVED)
+            ttc_task_unsettle(task, "it rests on %s, which is not proved", level->name);
+        for (size_t k = 0; k < level->when.count && ttc_task_open(task); k++) {
+            ttc_evaluate(task->field, &value, model->symbols[level->when.items[k].symbol].node);
+            ttc_evaluate(task->field, &bound, level->when.items[k].expression);
+            ttc_ratio_subtract(task->ring, &value, &value, &bound);
+            if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
+                ttc_task_unsettle(task, "it rests on %s, which holds under a condition on %s that this claim does not make",
+                                  level->name, model->symbols[level->when.items[k].symbol].name);
+        }
+        for (size_t k = 0; k < level->modulo_count && ttc_task_open(task); k++) {
+            ttc_evaluate(task->field, &value, model->claims[level->modulo[k]].expression);
+            if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
+                ttc_task_unsettle(task, "it rests on %s, which holds on a zero level of %s that this claim does not take",
+                                  level->name, model->claims[level->modulo[k]].name);
+        }
+    }
+    ttc_ratio_clear(task->ring, &bound);
+    ttc_ratio_clear(task->ring, &value);
+}

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# Tables of a family are those that lie beside each other: where one is edited, broken or gone, what the others claim of it is
+# proved anew, or the claim is named; also of tables that are to the letter what is built in. Levels, conditions and poles are those
+# of the table that is asked.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS TEXT COMMAND...: the text is in what it says
+    local want=$1 text=$2 got=0
+    shift 2
+    "$@" > out 2> err || got=$?
+    [ $got -eq "$want" ] && cat out err | grep -q -- "$text" ||
+        fail "$*: status $got, wanted $want and '$text' in '$(tail -3 out)' or '$(cat err)'"
+}
+anew() { cp "$JLT_SOURCE_DIR"/codegen/models/*.tt .; }
+last() { tail -1 out | cut -d, -f"$1"; }
+section=(--start eta=0.1,gamma3=-0.6 --returns 1)
+start=gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8
+
+# The table of coordinates: a lift that is none, another level, gone, no table.
+anew
+expect 0 'levels E=2.15' jellett section ./spherical_top.tt "${section[@]}"
+built_in=$(last 1-9)
+sed -i 's/v_tau = W\*stretch\*cos_eta/v_tau = -W*stretch*cos_eta/' spherical_top_section.tt
+for model in ./spherical_top.tt ./spherical_top_level.tt; do
+    expect 3 'the way back does not lead to eta' jellett section $model "${section[@]}"
+    expect 3 'ask for one of the table itself' jellett fates $model --grid 2x2
+done
+anew
+sed -i 's/E = 2.15/E = 2/' spherical_top_section.tt
+for model in ./spherical_top.tt ./spherical_top_level.tt; do
+    expect 0 'levels E=2\( \|$\)' jellett section $model "${section[@]}"
+    [ "$(last 1-9)" != "$built_in" ] || fail "$model on another level answers as on the one built in"
+done
+rm spherical_top_section.tt
+expect 3 'section turning .* could not be read' jellett section ./spherical_top.tt "${section[@]}"
+
+# Larger tables are asked whether they reduce to the edited one.
+anew
+echo '# a comment' >> spherical_top.tt
+expect 0 'tier track' jellett simulate ./spherical_top.tt --start $start --times 1 --track
+expect 0 alive jellett simulate ./spherical_top.tt --start $start --times 1
+anew
+rm spherical_top_plane.tt
+expect 0 'tier balanced' jellett simulate ./spherical_top.tt --set a3=0,I1=2/5,I3=1/4 --start $start --times 1
+
+# One name of an integral is one quantity, also on levels; what is refuted is named though nothing of it is left.
+anew
+sed -i 's/^integral E = energy/integral E = 2*energy/' spherical_top.tt
+expect 3 'reduction level is not proved of this table: integral E here - there' \
+    jellett section ./spherical_top.tt "${section[@]}"
+anew
+sed -i 's/^param a3/param mu >= 0\n&/; s/^default /&mu = 0, /; s/^eq omega_tau =/&\n    - mu*omega_tau/' spherical_top.tt
+echo '# a comment' >> spherical_top_level.tt
+for time in first second; do
+    expect 3 'E is no integral of this table: d(E)/dt' jellett section ./spherical_top.tt "${section[@]}"
+    grep -q 'reduction level is not proved' err || fail "the $time run does not name the reduction: $(cat err)"
+done
+
+# A file that is broken is told of while it is there.
+anew
+echo 'garbage here' >> spherical_top_level.tt
+expect 3 "spherical_top_level.tt:[0-9]*:1: 'garbage' opens no record" \
+    jellett simulate ./spherical_top.tt --start $start --times 1 --tier level
+rm spherical_top_level.tt
+expect 3 'No such file' jellett simulate ./spherical_top.tt --start $start --times 1 --tier level
+grep -q garbage out err && fail "a file that is gone is told of: $(cat out err)"
+
+# Poles and conditions are those of the table asked for; what is known of one table alone names that one.
+anew
+sed -i '/^pole/d' routh_sphere.tt
+expect 4 left_domain jellett simulate ./routh_sphere.tt --start gamma3=0.6,omega_tau=3,omega_n=0,omega3=0 --times 0.1,3
+anew
+sed -i '/^valid/d' spherical_top.tt
+expect 0 ' 0 lost_contact' jellett fates ./spherical_top.tt --grid 3x3 --contact end
+anew
+for table in spherical_top spherical_top_balanced; do echo '# a comment' >> $table.tt; done
+expect 3 'the reduction momentum of ./spherical_top.tt leads to another one, spherical_top_balanced.tt beside it' \
+    jellett portrait ./spherical_top.tt --set a3=0,I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0.1,omega3=0.9
+
+# A density that is none is a check that failed.
+anew
+sed -i 's/^measure rho = s\*(I1 + m/measure rho = s*(I1 + 2*m/' spherical_top.tt
+expect 1 'the density rho is not invariant' jellett measure ./spherical_top.tt --set I3=0
+exit $status
