@@ -30,6 +30,9 @@ static bool make_key(char digest[65], const ttc_model *model, const char *compil
     ttc_compiler_add_flags(&key, lanes);
     add_identity(&key, "/proc/self/exe");
     add_identity(&key, compiler);
+    /* Arb's headers, where Debian has them: without them there are no kernels on balls. */
+    add_identity(&key, "/usr/include/arb.h");
+    add_identity(&key, "/usr/include/flint/arb.h");
     for (size_t i = 0; i < model->claim_count; i++) {
         if (model->claims[i].target == NULL) continue;
         ttc_diagnostics *diagnostics = ttc_diagnostics_create();

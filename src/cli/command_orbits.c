@@ -94,7 +94,8 @@ static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *
         obstructions++;
         if (jlt_orbits_mirror(list, chart, i) == list->count) without_mirror++;
     }
-    fprintf(file, "# %zu orbits; det DP against flux and divergence: worst relative defect %.2g\n", list->count, defect);
+    fprintf(file, "# %zu orbit%s; det DP against flux and divergence: worst relative defect %.2g\n", list->count,
+            list->count == 1 ? "" : "s", defect);
     if (!chart->reversible) return;
     if (obstructions == 0)
         fputs("# no asymmetric orbit with det != 1 among them: nothing here excludes an invariant measure\n", file);
@@ -176,6 +177,23 @@ static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *sys
     return 0;
 }
 
+/* The same of two coordinates of which one has no interval, or is no angle: it runs over its range of the grid. */
+static size_t symmetric_lines_of_grid(jlt_symmetric_line lines[2], const jlt_chart *chart, const jlt_grid_axis *axes,
+                                       size_t samples)
+{
+    const unsigned mirrored = chart->mirror[0] < 0 ? 0 : 1, free = 1 - mirrored;
+
+    if (!chart->reversible || chart->dim != 2 || !(chart->mirror[mirrored] < 0 && chart->mirror[free] > 0)) return 0;
+    if (!(axes[free].low < axes[free].high)) return 0;
+    lines[0].free = free;
+    lines[0].low = axes[free].low;
+    lines[0].high = axes[free].high;
+    lines[0].samples = samples;
+    lines[1] = lines[0];
+    lines[1].base[mirrored] = chart->period[mirrored] / 2;
+    return chart->period[mirrored] != 0 ? 2 : 1;
+}
+
 static const char default_grid[] = "40x40";
 
 /* Of no point of a grid, but of symmetric orbits alone. */
@@ -205,7 +223,9 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
         search.high[k] = axes[k].high;
         search.counts[k] = no_grid ? 0 : axes[k].count;
     }
-    if (system->surface != NULL && o->samples >= 2) search.line_count = symmetric_lines(lines, system, o->samples);
+    if (o->samples >= 2 && system->surface != NULL) search.line_count = symmetric_lines(lines, system, o->samples);
+    if (o->samples >= 2 && o->grid != NULL && !no_grid && search.line_count == 0)
+        search.line_count = symmetric_lines_of_grid(lines, chart, axes, o->samples);
     jlt_progress_start(&progress, "starts");
     search.progress = show;
     search.context = &progress;

@@ -352,7 +352,8 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
         jlt_planned_show(&r.plans[0], NULL);
         for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
-        printf("  one orbit, %zu times; method %s, tolerance %.3g\n", r.time_count, r.session.method->name, r.session.tolerance);
+        printf("  one orbit, at %zu time%s; method %s, tolerance %.3g\n", r.time_count, r.time_count == 1 ? "" : "s",
+               r.session.method->name, r.session.tolerance);
         code = JLT_EXIT_PLANNED;
     }
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);

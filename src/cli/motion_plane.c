@@ -130,6 +130,11 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
     if (claim->verdict != JLT_PROVED)
         return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s is %s integral of this table: %s", name,
                                 claim->verdict == JLT_REFUTED ? "no" : "not proved to be an", claim->reason);
+    if (*index == d->integral_count && claim->condition[0] == '\0')
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--level: %s is an integral of %s on zero levels of other claims alone ('modulo'), and sections "
+                                "fix levels of integrals that are kept everywhere",
+                                name, d->model);
     if (*index == d->integral_count)
         return jlt_command_fail(JLT_EXIT_INPUT,
                                 "--level: %s is an integral of %s when %s alone: --set that, with a variant of it in the table",

@@ -79,7 +79,8 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
     if (status == JLT_ERR_ARG)
         return jlt_command_fail(
             JLT_EXIT_INPUT,
-            "%sthe section %s is one half of %s = %.10g, and somewhere it is the other half that is crossed in this --direction",
+            "%sthe section %s covers the half of %s = %.10g that is crossed the other way; crossings in this --direction lie on "
+            "the other half",
             where, surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
     if (status == JLT_ERR_DOMAIN)
         return jlt_command_fail(JLT_EXIT_INPUT,

@@ -192,6 +192,15 @@ static double limit_ahead(const runner *self, const place *next, const place *he
     return (next->u[self->d] > here->u[self->d] ? self->options.high : self->options.low) / self->options.scale;
 }
 
+/* The end of the range is nearer than the shortest step: beyond it there may be no orbits to step to. */
+static bool is_at_limit(const runner *self, const place *here)
+{
+    const unsigned d = self->d;
+    const double limit = (here->tangent[d] > 0 ? self->options.high : self->options.low) / self->options.scale;
+
+    return here->tangent[d] != 0 && (limit - here->u[d]) / here->tangent[d] <= 4 * self->options.step_min;
+}
+
 /* Where the branch leaves the range between `here` and *next, which is outside: *next becomes that place, found by the
  * secant method. */
 static jlt_status clip(const runner *self, place *next, double *step, const place *here)
@@ -242,7 +251,10 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
     for (size_t count = 1; count < self.options.points_max; count++) {
         unsigned iterations = 0;
         double value;
-        if (!next_place(&self, &next, &step, &iterations, &here, &st, end)) break;
+        if (!next_place(&self, &next, &step, &iterations, &here, &st, end)) {
+            if (st == JLT_OK && *end == JLT_CONTINUATION_STUCK && is_at_limit(&self, &here)) *end = JLT_CONTINUATION_RANGE;
+            break;
+        }
         value = next.u[self.d] * self.options.scale;
         leaves = value < self.options.low || value > self.options.high;
         if (leaves && fabs(here.u[self.d] - limit_ahead(&self, &next, &here)) <= 1e-14 * fmax(1, fabs(here.u[self.d]))) {

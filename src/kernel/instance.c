@@ -129,10 +129,11 @@ done:
 static jlt_status evaluate(const jlt_instance *instance, const jlt_kernel *kernel, double *out, const double *x)
 {
     const jlt_descriptor *d = instance->descriptor;
-    size_t index;
-    const jlt_status st = jlt_descriptor_check_state(d, x, &index);
 
-    if (st != JLT_OK) return st;
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (x[i] <= instance->states[i].low || x[i] >= instance->states[i].high) return JLT_ERR_DOMAIN;
     if (!jlt_region_holds(d->domain_count, d->domain_values.call, instance->prepared, x)) return JLT_ERR_DOMAIN;
     return jlt_kernel_eval(out, kernel, x, d->state_count, instance->prepared);
 }

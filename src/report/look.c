@@ -180,6 +180,7 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
      * lines */
     const double room = axis == 'x' ? 0.75 * self->width * letters / (6 * 0.55) : 0.65 * self->height * letters / 1.8;
     const int k = axis == 'y';
+    char ends[2][JLT_DIGITS_SIZE];
 
     fprintf(stream, "set %clabel ", axis);
     jlt_look_quote(stream, label);
@@ -187,7 +188,9 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
     if (!isnan(self->low[k])) range = (jlt_extent){ self->low[k], self->high[k] };
     if (range.high <= range.low) range = jlt_extent_wider(range);
     if (!(range.high > range.low)) return range;
-    fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
+    jlt_digits_shortest(ends[0], range.low); /* in full: points lie at the ends of angles */
+    jlt_digits_shortest(ends[1], range.high);
+    fprintf(stream, "set %crange [%s:%s]\n", axis, ends[0], ends[1]);
     if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)
         angle_ticks(stream, axis, range.low, range.high, room);
     else fprintf(stream, "set %ctics %.15g\n", axis, jlt_look_step(range, room));

@@ -50,7 +50,8 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
 {
     const json_t *section = json_object_get(given, "section"), *levels = json_object_get(given, "levels");
 
-    fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s)", d->model, d->title, d->sha256);
+    fprintf(out, "Take the equations of the table %s (%s%sSHA-256 %s)", d->model, d->title, d->title[0] != '\0' ? "; " : "",
+            d->sha256);
     if (d->param_count > 0) fputs(" with ", out);
     write_named(out, json_object_get(given, "parameters"), ", ");
     fputc('.', out);

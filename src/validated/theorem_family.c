@@ -36,8 +36,8 @@ void jlt_theorem_family_setting(FILE *out, const jlt_descriptor *d, const json_t
     const char *name, *between = "";
     json_t *value;
 
-    fprintf(out, "Take the equations of the table %s (%s; SHA-256 %s) and its family of equilibria %s", d->model, d->title,
-            d->sha256, text_of(given, "family"));
+    fprintf(out, "Take the equations of the table %s (%s%sSHA-256 %s) and its family of equilibria %s", d->model, d->title,
+            d->title[0] != '\0' ? "; " : "", d->sha256, text_of(given, "family"));
     if (claim != NULL && claim->condition[0] != '\0') fprintf(out, ", where %s", claim->condition);
     fputs(", with all values ", out);
     write_box(out, json_object_get(given, "box"));

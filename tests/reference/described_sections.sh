@@ -67,7 +67,7 @@ section cut : by folded_cut.tt at x = 0 with q = u^2, z = z
 T
 printf 'model folded_cut\nstate q in (0, inf)\nstate z\nroot u = sqrt(q)\nlift into folded.tt with x = 0, u = u, z = z\n' > \
     folded_cut.tt
-expect 3 'it is the other half that is crossed' jellett orbits ./folded.tt --grid q=1:2:3,z=-0.1:0.1:3 --period 1
+expect 3 'crossings in this --direction lie on the other half' jellett orbits ./folded.tt --grid q=1:2:3,z=-0.1:0.1:3 --period 1
 # Downwards it is met once a turn, 2 pi, on which z decays by exp(-2 pi) = 0.0018674427.
 expect 0 '^0,1,6\.28318530717[0-9]*,(1|0\.99999999999|1\.00000000000)[0-9]*,0\.000186744273[0-9]*,alive$' \
     jellett section ./folded.tt --direction down --start q=1,z=0.1 --returns 1
@@ -77,7 +77,7 @@ expect 3 'q must lie above 0' jellett section ./folded.tt --direction down --sta
 sed -e 's/folded/mixed/; s/^eq x = - u/eq x = - u*z/; s/folded_cut/mixed_cut/' folded.tt > mixed.tt
 sed -e 's/folded/mixed/g' folded_cut.tt > mixed_cut.tt
 for direction in up down both; do
-    expect 3 'it is the other half that is crossed' \
+    expect 3 'crossings in this --direction lie on the other half' \
         jellett section ./mixed.tt --direction $direction --start q=1,z=0.1 --returns 1
 done
 

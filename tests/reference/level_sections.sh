@@ -41,7 +41,7 @@ paste -d , on_level described | awk -F, '
     NR == 1 { half = NF/2; next }
     { rows++; for (i = 3; i <= 6; i++) bad += ($i - $(half + i))^2 > 1e-22 }
     END { exit !(rows == 5 && !bad) }' || fail "the described section has other rows: $(paste on_level described)"
-expect 3 'it is the other half that is crossed in this --direction' jellett section ./henon.tt --start y=0.1,py=0.05 \
+expect 3 'crossings in this --direction lie on the other half' jellett section ./henon.tt --start y=0.1,py=0.05 \
     --direction both
 expect 3 'no state has the levels asked for' jellett section ./henon.tt --level H=-1 --start y=0.1,py=0.05
 expect 3 'no state has the levels asked for' jellett section ./henon.tt --start y=0.9,py=0
@@ -57,7 +57,7 @@ expect 3 'where py runs is not known' jellett section ./henon.tt --grid y=-0.3:0
 expect 0 'crossing +x = 0 in y, py on levels H = 0.125$' jellett models ./henon.tt
 sed -i 's/px = px/px = -px/' henon_section.tt # the lift goes to the other half
 expect 0 ',-0.48[0-9]*,alive$' jellett section ./henon.tt --start y=0.1,py=0.05 --direction down --returns 1
-expect 3 'it is the other half that is crossed in this --direction' jellett section ./henon.tt --start y=0.1,py=0.05
+expect 3 'crossings in this --direction lie on the other half' jellett section ./henon.tt --start y=0.1,py=0.05
 sed -i 's/py = py$/py = 2*py/' henon_section.tt # and is on other levels
 expect 3 'section crossing is not proved of this table: ' jellett section ./henon.tt --start y=0.1,py=0.05 --direction down
 

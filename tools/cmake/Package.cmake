@@ -20,7 +20,13 @@ set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "ttc proves what a table of terms claims o
 it to C. jellett follows orbits of such systems, their Poincare maps, periodic
 orbits, separatrices and bifurcations.")
 # `ttc build` runs a C compiler, with Arb's headers where they are there; pictures are drawn by gnuplot.
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gcc, libc6-dev, libflint-dev, gnuplot-nox")
+# Where Arb is not a part of FLINT (before its version 3) it has headers of its own.
+if(Arb_LIBRARY)
+  set(flint "libflint-dev, libflint-arb-dev")
+else()
+  set(flint "libflint-dev")
+endif()
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gcc, libc6-dev, ${flint}, gnuplot-nox")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libjellett0)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
@@ -33,7 +39,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libjellett-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libjellett0 (= ${PROJECT_VERSION})")
 # What the static library is linked with.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "pkg-config, libgsl-dev, libarpack2-dev, libflint-dev, libjansson-dev, libconfig-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "pkg-config, g++, libgsl-dev, libarpack2-dev, ${flint}, libjansson-dev, libconfig-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers of libjellett0, the static library, kernels in C, examples, and what
 pkg-config and CMake need to find them.")
 include(CPack)
