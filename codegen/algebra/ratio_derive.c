@@ -1,3 +1,4 @@
+/* The derivative of a ratio along slopes of the variables, through roots and other generators of the field. */
 #include "algebra/ratio.h"
 
 /* sum += d(polynomial)/d(variable) * slope */

@@ -1,3 +1,4 @@
+/* Cuts the text of a table into tokens, and marks where records begin. */
 #include "read/token.h"
 
 #include "base/array.h"

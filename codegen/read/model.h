@@ -328,8 +328,8 @@ void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
  *  themselves stay as they are in the factors. */
 ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
 
-/** Rate of an expression along the flow of the table's equations, which must be complete; each term of an equation is multiplied
- *  by itself, so that factors cancel in it. TTC_NONE, with the graph's error set, when that fails. */
+/** Rate of an expression along the flow of the table's equations, which must be complete. Each term of an equation is multiplied
+ *  out separately, so that common factors cancel. TTC_NONE, with the graph's error set, when that fails. */
 ttc_id ttc_model_rate(const ttc_model *model, ttc_id id);
 
 /* What is positive where a state stands on the inner side of this end of its interval; TTC_NONE: it has no such end. */

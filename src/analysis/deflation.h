@@ -26,7 +26,8 @@ typedef struct {
 } jlt_eigenvalue;
 
 typedef struct {
-    size_t n, kept; /* size of A; n less the zeros attributed to integrals */
+    size_t n, /* size of A */
+        kept; /* n less the zeros attributed to integrals */
     jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the zeros attributed, then the rest, ascending */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for true integrals */
     double gsl_difference;    /* largest distance from an eigenvalue of B to the nearest of GSL's for B, over A's Frobenius norm */

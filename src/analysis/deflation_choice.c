@@ -1,3 +1,4 @@
+/* Chooses the pivots by which eigenvalues that integrals make zero are taken out with the smallest bound on rounding errors. */
 #include "analysis/deflation_problem.h"
 
 #include "analysis/charpoly.h"

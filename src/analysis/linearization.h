@@ -52,7 +52,8 @@ typedef struct {
     double trace_formula;             /* the table's; NaN when it has none */
     jlt_deflation eigen;
     long precision;                   /* bits of the arithmetic behind the eigenvalues */
-    bool proved;                      /* the verdict is, at an equilibrium that is: else it is to within first-order bounds */
+    bool proved;                      /* equilibrium and verdict are proved in balls; false: the verdict is that of doubles to first
+                                         order, or UNDECIDED */
     bool sure;                        /* every number is the nearest one */
     jlt_ball_texts *texts;            /* all numbers as decimals, for jlt_ball_texts_destroy; NULL where none were asked for */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
@@ -66,7 +67,7 @@ const char *jlt_linearization_motion(jlt_motion motion);    /* "asymptotically s
 
 /** Fill states that were not given, from the first family of equilibria whose condition the parameters satisfy; zero where no
  *  family says otherwise.
- *  In/out: x, shape (states,). In: given, shape (states,), 1 where x is kept; descriptor, a general field. */
+ *  In/out: x, shape (state_count,). In: given, shape (state_count,), 1 where x is kept; descriptor, a general field. */
 void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
                                 const double *params);
 
@@ -78,8 +79,8 @@ JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, con
 
 /** Compute the whole report.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
- *  In:  descriptor, the general field of a model; params, shape (params,); x, shape (states,); jacobian_error, shape (n, n),
- *       bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff;
+ *  In:  descriptor, the general field of a model; params, shape (param_count,); x, shape (state_count,); jacobian_error, shape
+ *       (n, n), bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff;
  *       gradient_error, shape (integrals, n), the same for the gradients, or NULL: eight.
  *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or lost
  *          underflow anywhere), UNSUPPORTED (more than JLT_LINEARIZATION_SIZE_MAX states), NOMEM. Where rounding spoils
@@ -92,9 +93,9 @@ JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, cons
 /** The same in ball arithmetic, from exact values: Jacobian, polynomial, trace, eigenvalues and verdict of a report that
  *  jlt_linearization_compute has filled, each number the nearest double. What belongs to doubles alone (differences from other
  *  routes) stays. The verdict is proved, or JLT_UNDECIDED.
- *  In/out: *result, untouched on failure. In: params, shape (params,); x, shape (states,); the table's descriptor; exact, the
- *  equilibrium in exact numbers, without which multiple eigenvalues, and zeros that no integral and no reversor explains, are not
- *  settled; or NULL; digits, of texts, or 0 for none.
+ *  In/out: *result, untouched on failure. In: params, shape (param_count,); x, shape (state_count,); the table's descriptor;
+ *  exact, the equilibrium in exact numbers, or NULL: multiple eigenvalues, and zeros that no integral and no reversor explains, are
+ *  then not settled; digits, of texts, or 0 for none.
  *  Errors: as jlt_ball_spectrum_compute. Source: as there. */
 JLT_CHECKED jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
                                                  const jlt_ball_value *params, const jlt_ball_value *x,
@@ -102,8 +103,8 @@ JLT_CHECKED jlt_status jlt_linearization_enclose(jlt_linearization *result, cons
 
 /** Newton's method (shortest steps in the least-squares sense, since equilibria come in families) from x to a nearby
  *  equilibrium. States that the caller gave are held as far as possible: first all of them, then all but the last, and so on.
- *  In/out: x, shape (states,), untouched on failure. In: params, shape (params,); order, shape (held,), indices of the states
- *  to hold, the most important first. Errors: NO_CONVERGENCE, DOMAIN, NONFINITE, UNSUPPORTED, NOMEM. */
+ *  In/out: x, shape (state_count,), untouched on failure. In: params, shape (param_count,); order, shape (held,), indices of the
+ *  states to hold, the most important first. Errors: NO_CONVERGENCE, DOMAIN, NONFINITE, UNSUPPORTED, NOMEM. */
 JLT_CHECKED jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params,
                                               const size_t *order, size_t held);
 

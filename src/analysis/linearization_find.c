@@ -1,3 +1,4 @@
+/* Newton's method from a guess to a nearby equilibrium, within the domain, with given states held. */
 #include "analysis/linearization.h"
 #include "core/random.h"
 #include "ext/eigen.h"

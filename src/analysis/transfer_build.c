@@ -1,3 +1,4 @@
+/* Builds the matrix of a transfer operator: maps stratified points of boxes, and adds boxes that images reach. */
 #include "analysis/transfer.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* Certificates: points of a family of equilibria at which the field is exactly zero and the trace, known exactly, is not. */
 #include "claims/verify.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Compares what is found of an invariant measure through the kernels with what the table claims. */
 #include "claims/verify.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* Compares what kernels compute at samples of a family of equilibria with enclosures, formulas and second methods. */
 #include "claims/sample.h"
 
 #include "analysis/charpoly.h"

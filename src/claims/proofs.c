@@ -1,3 +1,4 @@
+/* Proves the claims of a table exactly; finds the other tables that these claims name. */
 #include "claims/verify.h"
 
 #include "kernel/descriptor.h"

@@ -1,3 +1,4 @@
+/* Draws the eigenvalues of one equilibrium, or of a sweep, for `jellett eigen`. */
 #include "cli/eigen.h"
 #include "cli/plot.h"
 

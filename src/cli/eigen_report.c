@@ -1,3 +1,4 @@
+/* Writes the results of `jellett eigen` as text, JSON and CSV. */
 #include "cli/eigen.h"
 
 #include "report/csv.h"

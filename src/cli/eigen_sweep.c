@@ -1,3 +1,4 @@
+/* Computes the rows of a sweep of `jellett eigen` by several processes. */
 #include "cli/eigen.h"
 #include "cli/interrupt.h"
 

@@ -1,3 +1,4 @@
+/* The program `jellett`: runs the command that is named. */
 #include "cli/program.h"
 #include "top/top.h"
 

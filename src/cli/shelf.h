@@ -27,7 +27,7 @@ typedef struct {
     void *run;   /* NULL: it had something to say before its turn, and is begun again */
 } jlt_shelf_place;
 
-/* Zeroed is empty. */
+/* All zero: empty. */
 typedef struct {
     jlt_shelf_place places[JLT_SHELF_RUNS];
     size_t count, taken; /* pieces are asked for in the order of places */

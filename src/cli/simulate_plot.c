@@ -1,3 +1,4 @@
+/* Draws the orbit of `jellett simulate`: columns against time, track and attitude, or two columns against each other. */
 #include "cli/simulate.h"
 
 #include <math.h>

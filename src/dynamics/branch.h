@@ -2,7 +2,9 @@
  *
  *  With F = P^(period), squared where the multiplier is negative, lambda > 1 the multiplier of F (of its inverse for the stable
  *  manifold) and v its unit eigenvector,
+ *
  *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = ceil(sigma),   sigma >= 0:
+ *
  *  one unit of sigma is one fundamental domain. No start is farther from the saddle than the seed, however large lambda is: its
  *  distance from the manifold is O(seed^2), and every F contracts it by the other multiplier; along the manifold it only shifts
  *  sigma by O(seed). */
@@ -14,22 +16,24 @@
 
 typedef struct {
     jlt_map *map;
-    double q[2], v[2];  /* the saddle's point; the eigenvector, side included */
+    double q[2],        /* the saddle's point */
+        v[2];           /* the unit eigenvector, times side */
     double lambda;      /* > 1: by what F, or its inverse, multiplies the distance from the saddle */
     size_t returns;     /* how many P make one F */
     int time_direction; /* +1 unstable, -1 stable */
-    double seed;
+    double seed;        /* distance of gamma(0) from the saddle's point */
 } jlt_branch;
 
 /** Take the stable or the unstable branch at one point of the orbit. In: point, its index, 0 .. period-1; side, +1 along the
  *  eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, 1e-8 .. 1e-2.
- *  Errors: ARG, the orbit is no saddle of a two-dimensional map, or side or seed; those of jlt_periodic_rotate. */
+ *  Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of range; those of jlt_periodic_rotate. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point,
                                        bool stable, int side, double seed);
 
 /** The point q = gamma(sigma), sigma >= 0, and, unless NULL, tangent, shape (2,), its derivative by the variational equations,
  *  which costs five times as much.
- *  Errors: ARG, sigma; as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: ceil(sigma)*returns returns. */
+ *  Errors: ARG, sigma < 0 or not finite; as jlt_map_apply; DOMAIN where the branch ends at a pole.
+ *  Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 
 /** Many points and tangents at once, by another map of the same section, of several branches: branches, sigma, status, shape

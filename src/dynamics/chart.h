@@ -12,11 +12,15 @@
 #include "integrate/event.h"
 #include "integrate/invariant.h"
 
-enum { JLT_CHART_DIM_MAX = 127, JLT_CHART_STATES_MAX = 128 }; /* 128 states are what a table may have */
+enum {
+    JLT_CHART_DIM_MAX = 127,   /* one coordinate less than states */
+    JLT_CHART_STATES_MAX = 128 /* as in a table */
+};
 
 typedef struct jlt_chart jlt_chart;
 struct jlt_chart {
-    unsigned dim, states;                /* of q and of x */
+    unsigned dim,                        /* of q */
+        states;                          /* of x */
     unsigned column;                     /* the section is x[column] = level */
     double level;
     const char *names[JLT_CHART_DIM_MAX]; /* of the coordinates; a single one is followed by "", since pictures show two */
@@ -57,8 +61,9 @@ JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned
  *  (-period/2, period/2], and points whose coordinates differ by periods are the same point. For plane sections. */
 void jlt_chart_set_periods(jlt_chart *self, const double *periods);
 
-/** What `side` says by the poles of a table, whose general field has `plain` states: +1 where x, shape (states,), is nearest to the
- *  upper end of a pole's interval, -1 to a lower one. In x that state is set to the end, and lifted roots to 0. */
+/** Implements `side` from the table's `pole` records: returns +1 where x, shape (states,), is nearest to the upper end of a pole's
+ *  interval, -1 where to a lower one; sets that state of x to the end, and the lifted roots, which follow the `plain` states of
+ *  the table's general field, to 0. */
 int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsigned plain, double *x);
 
 enum { JLT_CHART_EVENTS_MAX = 3 };

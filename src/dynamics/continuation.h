@@ -37,14 +37,18 @@ typedef struct {
     double arc; /* along the branch, in u */
     jlt_periodic orbit;
     jlt_bifurcation kind; /* NONE: an ordinary point */
-    double low, high; /* of a bifurcation: values at the nearest points found on both sides of it, in ascending order */
+    double low, /* of a bifurcation: the smaller of the values at the nearest points found on both sides of it */
+        high;   /* the larger of these */
     double tangent[JLT_CHART_DIM_MAX + 1]; /* unit, in u, in the direction of travel */
 } jlt_continuation_point;
 
 typedef struct {
     double scale;              /* of the parameter; default 1 */
-    double step, step_min, step_max; /* of arclength; defaults 0.01, 1e-6, 0.05 */
-    double low, high;          /* the run ends where value leaves [low, high] */
+    double step,               /* the first step of arclength; default 0.01 */
+        step_min,              /* the shortest; default 1e-6 */
+        step_max;              /* the longest; default 0.05 */
+    double low,                /* the run ends where value falls below this, */
+        high;                  /* or rises above this */
     size_t points_max;         /* default 500 */
     const volatile sig_atomic_t *interrupt;
 } jlt_continuation_options;

@@ -18,7 +18,8 @@ typedef struct {
 /* F(u) = P^period(q) - q with its Jacobian (d, d + 1). */
 typedef struct {
     double f[JLT_CHART_DIM_MAX], jacobian[JLT_CHART_DIM_MAX * JLT_CONTINUATION_U], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
-    double scale, noise; /* the largest |entry| of DP^period or 1; what F may be off by, of that */
+    double scale, /* max(1, largest |entry| of DP^period) */
+        noise;    /* bound on the error of F, relative to scale */
 } jlt_continuation_equation;
 
 /* A point of the branch in working form; test: the test functions, in the order of jlt_bifurcation from FOLD, NaN where one

@@ -1,3 +1,4 @@
+/* Finds the first point of the other branch at a period doubling or a branch point. */
 #include "dynamics/continuation_step.h"
 
 #include <math.h>

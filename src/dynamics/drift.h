@@ -40,8 +40,8 @@ typedef struct {
     bool stopped;
 } jlt_drift;
 
-/** Whether an integral of the kernel, by its index, has another value where the section's angle has turned once from the start q:
- *  at returns, which count no turns, it then tells nothing of drift. Errors: as the chart's lift; NOMEM. */
+/** Whether this integral of the kernel, by its index, changes when the section's angle grows by one period from q. Returns do not
+ *  count turns, so its drift cannot be measured then. Errors: as the chart's lift; NOMEM. */
 JLT_CHECKED jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral);
 
 /** Follow the orbit from self->q with one method, for all returns or to its end. Errors: NONFINITE, an integral; those of the

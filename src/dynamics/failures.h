@@ -4,11 +4,12 @@
 
 #include "dynamics/section.h"
 
-/* Zeroed is none. */
+/* All zero: no failures. */
 typedef struct {
-    size_t count, unbounded;
-    unsigned state; /* that grows in the first of the unbounded, */
-    double t;       /* [time] and towards which time */
+    size_t count,   /* orbits on which a method failed */
+        unbounded;  /* of these, orbits on which a state grows without bound */
+    unsigned state; /* state that grew in the first unbounded orbit */
+    double t;       /* [time] it grew towards */
 } jlt_failures;
 
 /** Count the orbit that ended so, if the method failed on it. unbounded: as of jlt_return. */

@@ -22,7 +22,7 @@ typedef struct {
  *  jlt_section_next; *end is then not touched. */
 JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
 
-/** The same of an orbit whose last row is known. */
+/** The end of an orbit from its last row. */
 jlt_fates_end jlt_fates_of(const jlt_return *last);
 
 /** Numbers of starts by fate; begin with all zero. */
@@ -31,7 +31,7 @@ typedef struct {
     size_t by_fate[JLT_FATE_COUNT]; /* index: jlt_fate */
     size_t valid[JLT_FATE_COUNT]; /* of these, those on which the model held throughout */
     jlt_failures failures;
-    size_t unknown;               /* those of which that is not known, as a condition had no value */
+    size_t unknown;               /* starts on which it is unknown whether the model held: a condition had no value */
 } jlt_fates_count;
 
 /* Count one start. */

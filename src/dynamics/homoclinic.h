@@ -20,8 +20,8 @@ typedef struct {
  *  out: their angle is within its error of 0, or so small that where they lie is not known to JLT_MANIFOLD_FINEST. Crossings of the
  *  polygons from which Newton's method does not come to a residual of 1e-8 are left out too, and not counted.
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
- *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, such of ten times the tolerance,
- *  from which angle_error is found.
+ *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, the same maps at ten times the
+ *  tolerance, from which angle_error is found.
  *  Errors: NOMEM; as jlt_map_batch_apply. Cost: count_u*count_s comparisons, and about 24 branch points a crossing that is
  *  refined, all crossings at once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,

@@ -12,7 +12,8 @@ void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned
 /** Euclidean length of v, shape (count,). */
 double jlt_linear_length(const double *v, unsigned count);
 
-/** By elimination with partial pivoting; for dim = 2 by a compensated difference of products, good to 2 ulp. */
+/** Determinant of a, shape (dim, dim), by elimination with partial pivoting; for dim = 2 by a compensated difference of products,
+ *  good to 2 ulp. */
 double jlt_linear_determinant(const double *a, unsigned dim);
 
 /** Eigenvalues, largest modulus first, shape (dim,) each. dim = 2 in closed form, otherwise by GSL.

@@ -1,7 +1,7 @@
 /** Lyapunov exponents of a return map: growth rates of its derivative, by repeated QR (Benettin et al. 1980, Dieci et al.).
  *
- *  The sum is known from the flux and the divergence, whatever a return stretches: the last exponent is what the others leave of
- *  it. Section coordinates leave out the direction of the flow and those across the levels, whose exponents are zero. */
+ *  The sum follows from flux and divergence; the last exponent is the sum minus the others. Section coordinates leave out the
+ *  direction of the flow and those across the levels, whose exponents are zero. */
 #ifndef JLT_DYNAMICS_LYAPUNOV_H
 #define JLT_DYNAMICS_LYAPUNOV_H
 

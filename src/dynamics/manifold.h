@@ -13,7 +13,7 @@
 
 typedef enum {
     JLT_MANIFOLD_LENGTH, /* the length asked for is reached */
-    JLT_MANIFOLD_POINTS, /* the number of points is */
+    JLT_MANIFOLD_POINTS, /* points_max is reached */
     JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end or do not return (DOMAIN, EMPTY, BUDGET of jlt_branch_point) */
     JLT_MANIFOLD_INTERRUPT
 } jlt_manifold_end;

@@ -1,11 +1,15 @@
 /** The return map P of a section and its derivative DP, by the variational equations of the generated Jacobian.
  *
  *  With Y the derivative of the flow applied to the tangent vectors dx/dq of the start, and f the field at the return,
+ *
  *      DP = dq/dx (I - f e_c^T / f_c) Y,
+ *
  *  c the section's column: the middle factor is the variation of the return time, and e_c^T x = level on the section.
  *
  *  The exact identity that checks it: with F the density of flux in section coordinates (see jlt_chart),
+ *
  *      det DP = F(start)/F(end) * exp(integral of the divergence on the levels),
+ *
  *  the integral being one more component of the same integration. */
 #ifndef JLT_DYNAMICS_MAP_H
 #define JLT_DYNAMICS_MAP_H
@@ -22,15 +26,15 @@ typedef struct {
     double expansion;        /* integral of the divergence on the levels, over all returns */
     double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
                                 relative to that); of the single return that is worst by its bound */
-    double bound;            /* on it: what an error of one tolerance a step makes of it, to first order */
+    double bound;            /* bound on `defect`: the defect caused by an error of one tolerance per step, to first order */
     double x[JLT_CHART_STATES_MAX]; /* (chart->states,), the state at q */
 } jlt_image;
 
 typedef struct jlt_map jlt_map;
 
 /** Create the map of a flow, which is copied; what it points to must live as long. A flow without a method gets the default, gauss,
- *  which takes its nodes on vectors here as for plain orbits. So do derivatives when the flow's method needs a jet, since the
- *  variational equations have none.
+ *  which takes its nodes on vectors here as for plain orbits. Derivatives also use gauss when the flow's method needs a jet, since
+ *  the variational equations have none.
  *  Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */

@@ -31,7 +31,7 @@ bool jlt_map_batch_in_lanes(const jlt_map_batch *self);
 
 /** Images of points, as of jlt_image: arrays of the caller, with an entry for each point. */
 typedef struct {
-    jlt_status *status;        /* what jlt_map_apply would return; of points with another status than OK nothing else is said */
+    jlt_status *status;        /* what jlt_map_apply would return; where not OK the other entries are undefined */
     double *q, *slope;         /* (count, dim), (count, dim, dim) */
     double *T;                 /* [time] that all returns took, negative backwards */
     double *determinant;       /* of slope: product over the returns */

@@ -1,3 +1,4 @@
+/* Allocates and frees the arrays of a batch's images. */
 #include "dynamics/map_batch.h"
 
 #include <stdlib.h>

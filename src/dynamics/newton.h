@@ -23,9 +23,9 @@ JLT_CHECKED jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart
                                          const unsigned char *held);
 void jlt_newton_clear(jlt_newton *self); /* legal on a zeroed one */
 
-/** Take the next step. Before the call fill self->then with the images of self->trial; looked: OK, or the status for which they
- *  could not be computed. Returns true when the images of self->trial are wanted again; false when the search has ended:
- *  self->status says how, and self->points are the best points found. */
+/** Take the next step. Before the call fill self->then with the images of self->trial. In: looked, JLT_OK if self->then was filled,
+ *  else the reason. Returns true when the images of self->trial are wanted again; false when the search has ended: self->status
+ *  says how, and self->points are the best points found. */
 bool jlt_newton_next(jlt_newton *self, jlt_status looked);
 
 #endif

@@ -55,9 +55,9 @@ JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_
 /** The least number of returns after which points, shape (period, dim), repeat. */
 size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size_t period);
 
-/** Whether an orbit, of which period, points and T are known, is one. Where the flow is tangent to the section an orbit that starts
- *  there returns at once, and every such point looks fixed: the way |f| T of a true orbit is not small. Nor is one that lies in the
- *  section, which it leaves and meets again by rounding alone. */
+/** Whether period, points and T describe a true orbit. False if it lies in the section, which it then leaves and meets again by
+ *  rounding alone; or if |f| T is negligible: where the flow is tangent to the section an orbit returns at once, and every such
+ *  point looks fixed; or if a point has no state. */
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit);
 
 /** The mirror image, of which period and points alone are right: it runs through the mirrored points backwards, from the image of

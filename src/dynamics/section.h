@@ -26,7 +26,7 @@ typedef struct {
     const volatile sig_atomic_t *interrupt;
     struct {
         int state[JLT_CHART_STATES_MAX], time;
-    } units; /* binary exponents: x and t in rows are 2^these times those of chart and field; default 1 */
+    } units; /* binary exponents: x and t in rows are 2^these times those of chart and field; default 0 (factor 1) */
 } jlt_flow;
 
 typedef enum {
@@ -101,7 +101,8 @@ JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
  *  conditions at this point alone into account; jlt_section_next goes on from here. Not to be called after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 
-/** Go on from the point (t, x), in these units, that another integrator has led the orbit to after so many returns. */
+/** Go on from the point (t, x), in the units of chart and field, to which another integrator has led the orbit after `number`
+ *  returns. */
 void jlt_section_resume(jlt_section *self, size_t number, double t, const double *x);
 
 /** Tell the section the least value of the model's conditions that another integrator met, and the index of that condition. */

@@ -6,20 +6,20 @@
 #include "dynamics/section.h"
 #include "integrate/batch.h"
 
-/* Of one thread. */
+/* One thread's section and the flow it follows. */
 typedef struct {
     jlt_section *section;
-    size_t flow; /* which it is of */
+    size_t flow; /* index of the section's flow */
 } jlt_section_flows_thread;
 
-/* One of them. */
+/* One flow. */
 typedef struct {
     jlt_flow flow;
-    const jlt_instance *project; /* its own, where lanes restore integrals; NULL: they do not */
+    const jlt_instance *project; /* its instance, where lanes restore integrals; NULL: they do not */
     double unit[JLT_BATCH_STATES_MAX]; /* states of lanes times these are what its conditions take */
 } jlt_section_flows_entry;
 
-/* Zeroed is none. */
+/* All zero: no flows. */
 typedef struct {
     jlt_section_flows_entry *all; /* (count,), owned; moves as flows are added */
     size_t count;
@@ -27,7 +27,7 @@ typedef struct {
     unsigned threads;
 } jlt_section_flows;
 
-/** The first of them, with a section for each thread. Errors: as jlt_section_create. */
+/** Open with the first flow and one section per thread. Errors: NOMEM; as jlt_section_create. */
 JLT_CHECKED jlt_status jlt_section_flows_open(jlt_section_flows *out, const jlt_flow *flow, const jlt_instance *project,
                                               unsigned threads);
 void jlt_section_flows_clear(jlt_section_flows *self); /* legal on a zeroed one */
@@ -35,7 +35,7 @@ void jlt_section_flows_clear(jlt_section_flows *self); /* legal on a zeroed one 
 /** Whether a flow differs from the first in no more than parameters, levels and units. */
 bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow);
 
-/** One more. Errors: ARG, it does not fit the first; NOMEM. */
+/** Add a flow. Errors: ARG, it does not fit the first; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project);
 
 /** How many conditions of the model are watched along orbits. */
@@ -47,9 +47,9 @@ const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_ba
 /** Kernels with `valid_values` for its conditions, of the instruction set of these kernels; NULL: there are none. */
 const jlt_kernel_batch *jlt_section_flows_watching(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 
-/** What lanes need to know of each, shape (count,), for the caller to free(); it points into the flows, none of which may be added
- *  then.
- *  In: kernels, those of lanes; watches, whether conditions are watched. NULL: memory is out. */
+/** One jlt_batch_case per flow, shape (count,), for the caller to free(); NULL: memory is out. They point into the flows: add none
+ *  while they are in use.
+ *  In: kernels, those of lanes; watches, whether conditions are watched. */
 jlt_batch_case *jlt_section_flows_cases(jlt_section_flows *self, const jlt_kernel_batch *kernels, bool watches);
 
 /** The section of a thread, now one of this flow; *section is kept by the flows until the thread asks again. Errors: as

@@ -6,7 +6,7 @@
 #include "dynamics/fates.h"
 #include "dynamics/surface.h"
 
-/* Zeroed is empty. */
+/* All zero: empty. */
 typedef struct {
     jlt_fates_count all, low;
     jlt_fate turned; /* the fate of low ones that turned over */

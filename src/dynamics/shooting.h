@@ -6,8 +6,12 @@
 
 typedef struct {
     double *slopes, *miss; /* (period, d, d) and (period, d), in one block; owned */
-    double residual, scale; /* largest |miss|, and |DP|, of a return; the latter 1 at least */
-    double T, expansion, determinant, defect;
+    double residual, /* largest |miss| of a return */
+        scale;       /* max(1, largest |DP| of a return) */
+    double T,        /* [time] of all returns */
+        expansion,   /* integral of the divergence over all returns */
+        determinant, /* product of the returns' det DP */
+        defect;      /* the returns' defect of largest modulus, see jlt_image */
 } jlt_shooting;
 
 /** Errors: NOMEM. */

@@ -27,7 +27,7 @@ JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *d
                                        const jlt_units *units, const jlt_flow *options);
 
 /** The kernel on which orbits of `descriptor`, of a general field or a variant, are followed to plane sections: in the time
- *  that lifts the root of its poles, where every pole is proved, so that orbits end there; else the same. */
+ *  that lifts the root of its poles, where every pole is proved, so that orbits end there; otherwise `descriptor` itself. */
 const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
 
 /** The section x[column] = level of any kernel. In a time that lifts roots these are not among the coordinates. Out: *out, NULL

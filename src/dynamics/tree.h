@@ -10,10 +10,10 @@ typedef struct {
     size_t branch;
     const jlt_continuation_point *origin; /* the bifurcation at which it begins; NULL: the first branch */
     int side;                             /* of it, where none was found */
-    bool is_known;                        /* it came to a bifurcation of the branch `known`, which the rest is */
+    bool is_known;                        /* the branch reached a bifurcation of branch `known` and coincides with it from there */
     size_t known;
-    jlt_status status;                    /* of one that is not known */
-    jlt_continuation_end end;             /* where that is JLT_OK */
+    jlt_status status;                    /* valid when !is_known */
+    jlt_continuation_end end;             /* valid when found, !is_known and status is JLT_OK */
 } jlt_tree_end;
 
 /* Functions of the caller that are called as the tree grows. */

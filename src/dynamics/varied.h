@@ -9,13 +9,13 @@ enum { JLT_VARIED_DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 }
 
 typedef struct {
     const jlt_field *plain;
-    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the plain field's block; NULL: two calls */
-    unsigned tangents;
-    jlt_field field;                  /* f and J Y and the trace of J; its parameters are this structure */
-    jlt_kernel_batch batch;           /* the same on vectors, for the method gauss, */
-    double *spread;                   /* with the plain field's prepared values in every lane; owned */
-    const struct jlt_varied_batch *products; /* and what multiplies there */
-    double scale[JLT_VARIED_DIM_MAX]; /* tangent vectors are measured against 1 or their size */
+    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the plain field's prepared values; NULL: two calls */
+    unsigned tangents;                /* tangent vectors */
+    jlt_field field;                  /* the varied field: f, J Y and the trace of J; its `p` is this structure */
+    jlt_kernel_batch batch;           /* the varied field on vectors, for the method gauss */
+    double *spread;                   /* the plain field's prepared values in every lane; owned; NULL: there is no `batch` */
+    const struct jlt_varied_batch *products; /* computes J Y and the trace on vectors */
+    double scale[JLT_VARIED_DIM_MAX]; /* scale of `field`: that of the plain field for its states, 1 for all else */
 } jlt_varied;
 
 /** Make the field in place, for jlt_varied_clear: it points into *self, which must stay where it is, as must `plain`. On vectors it

@@ -26,9 +26,9 @@ typedef struct {
     slong n, precision;
     bool last;      /* no higher precision follows: what is open stays so */
     bool late;      /* eigenvalues that are not told apart yet are taken for multiple ones */
-    bool clustered; /* so they were: no precision tells their real numbers */
+    bool clustered; /* eigenvalues were taken as multiple; no precision tells how many are real */
     bool proved;    /* the point is an equilibrium, and zero is as often an eigenvalue as is said, with as many eigenvectors */
-    bool settled;   /* no real part is open, nor the sign of it */
+    bool settled;   /* the sign of every real part, or that it is zero, is known */
     arb_ptr params, x;
     arb_mat_t a;
     arb_poly_t charpoly, rest; /* rest: what zeros leave of it */

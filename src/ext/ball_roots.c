@@ -1,3 +1,4 @@
+/* Eigenvalues other than zero, enclosed in balls: roots of the characteristic polynomial, or clusters of eigenvalues. */
 #include "ext/ball_problem.h"
 
 enum { ITERATIONS = 256 };

@@ -7,7 +7,7 @@
 
 enum { JLT_EXACT_FACTORS_MAX = 16 };
 
-/* Monic, without the root zero. */
+/* A monic factor of the characteristic polynomial without the root 0. */
 typedef struct {
     jlt_exact_poly poly;
     size_t multiplicity; /* of its roots in the characteristic polynomial */

@@ -13,7 +13,7 @@ typedef struct {
     double slowest, fastest; /* when decays: rates of decay in tau, > 0 */
     double left[JLT_JACOBIAN_DIM_MAX]; /* when decays: y, shape (dim,) */
     double longest;          /* when decays: the largest of y relative to the states or their scale */
-    double root_left_out;    /* when decays: how far what y does not account for could take the field's root; it is not relative */
+    double root_left_out;    /* when decays: bound on how far the part of the field that y misses can move the root (absolute) */
 } jlt_approach;
 
 /** Whether y is known well enough: the terms of second order that it leaves out, y^2 times the ratio of the fastest rate to the

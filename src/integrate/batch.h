@@ -55,12 +55,13 @@ typedef struct {
     unsigned column;                 /* the section is x[column] = level */
     int direction;                   /* of crossings as time grows, +1: upwards; -1: downwards; 0: both */
     bool backwards;                  /* orbits are followed back in time */
-    int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
-    double root_floor;               /* the lane ends where the root is below this, and all rates are below root_rest in units of
-                                        max(1, |x_i|); */
-    double root_rest;                /* 0: whatever the rates. Below root_floor it ends anyway after max_steps, and below 1e-100 */
-    double root_least;               /* the root's error is relative to max(root, this): enough for an orbit that ends at the pole;
-                                        one that comes back to twice this ends with JLT_LANE_STALLED. 0: to the root itself */
+    int root;                        /* index of the lifted root, whose error is controlled relative to itself. Set -1 for none: a
+                                        zeroed structure makes x[0] the root */
+    double root_floor;               /* end near a pole when root <= this and every |x_i'| <= root_rest max(1, |x_i|) */
+    double root_rest;                /* 0: rates are not tested; otherwise a root <= root_floor also ends the lane once max_steps
+                                        are spent, and a root <= 1e-100 at once */
+    double root_least;               /* the root's error is relative to max(root, this); a root that falls below this and returns
+                                        above twice it ends with JLT_LANE_STALLED. 0: relative to the root itself */
     const jlt_domain *domain;        /* orbits end with JLT_LANE_DOMAIN where they leave it: that of the map's kernels, at most
                                         JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
@@ -68,14 +69,14 @@ typedef struct {
                                         max(1, largest |x_j| but for the root); the root relative to itself */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
-    const jlt_descriptor *project;   /* what the kernels belong to: after every step that crosses the section, unless that would
-                                        lead back across it, orbits are put back onto their starts' levels of its integrals and,
-                                        with a root, of root^2 - radicand; NULL: not */
+    const jlt_descriptor *project;   /* descriptor whose integrals are restored: after every step that crosses the section, unless
+                                        that would lead back across it, orbits are put back onto their starts' levels of its
+                                        integrals and, with a root, of root^2 - radicand; NULL: no projection */
     const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries after the columns: the least value of any
                                         condition so far, and the index of that condition. Values are taken at the start and at the
                                         ends of all steps, the one over the section included; within a step where it is <= 0
                                         between ends at which all conditions hold */
-    const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step, orbits under way without their end; NULL: none */
+    const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; no `end` is called for unfinished orbits. NULL: none */
 } jlt_batch_map;
 
 /** Called at each crossing, for one orbit in order of time: x (columns,), and what is watched; number counts from 1. A nonzero

@@ -26,8 +26,8 @@ typedef struct {
     void *context;
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked */
-    /* The longest step from x, where f is the field, in this direction of tau: where the field is rough near g = 0. NULL:
-     * any. */
+    /* Largest allowed |dtau| of a step from x, where f is the field, in this direction of tau: for fields that are rough near
+     * g = 0. NULL: no limit. */
     double (*longest_step)(void *context, const double *x, const double *f, double direction);
 } jlt_event;
 

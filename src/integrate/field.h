@@ -12,7 +12,8 @@
 #include "kernel/instance.h"
 #include "kernel/region.h"
 
-/* The largest field has 128 states, their derivatives by 128 coordinates, and one integral. */
+/* JLT_FIELD_DIM_MAX: 128 states, their derivatives by 128 coordinates, and one integral. JLT_JACOBIAN_DIM_MAX: orbits of a field
+ * with more states are not tested for poles, and come to rest only where they are slower than JLT_REST_STILL. */
 enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
 
 enum { JLT_DOMAIN_STATES_MAX = 256 }; /* as in a table, with lifted roots */
@@ -22,8 +23,9 @@ typedef struct {
     unsigned states;               /* leading columns that this speaks of, <= JLT_DOMAIN_STATES_MAX */
     const jlt_quantity *intervals; /* (states,); NULL: not watched */
     unsigned conditions;           /* <= JLT_REGION_CONDITIONS_MAX; 0: none */
-    jlt_kernel_function values, gradients; /* x, p -> (conditions,), > 0 inside; (conditions, states) */
-    const double *p;
+    jlt_kernel_function values,    /* x, p -> (conditions,), > 0 inside */
+        gradients;                 /* x, p -> (conditions, states) */
+    const double *p;               /* passed through */
 } jlt_domain;
 
 typedef struct {
@@ -35,7 +37,8 @@ typedef struct {
     jlt_kernel_jet jet;            /* NULL where not known; the method taylor needs it */
     const jlt_kernel_batch *batch; /* the same field on vectors, for the method gauss; NULL where not known */
     unsigned controlled;           /* leading states in the error norm; 0: all of them */
-    int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
+    int root;                      /* the lifted root whose zero is the pole, as an index into x. Set -1 for none: a zeroed
+                                      structure makes x[0] the root */
     jlt_domain domain;             /* which orbits do not leave */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */

@@ -9,7 +9,7 @@ enum { JLT_GAUSS_BATCH_NODES = 8, JLT_GAUSS_SIZE_MAX = 511 };
 typedef struct {
     unsigned dim;
     double *origin;         /* (dim,): the state at the start */
-    double *inverse_weight; /* (dim or more,): what a change is multiplied by to be relative; 0: not looked at */
+    double *inverse_weight; /* (dim or more,): weight that makes a change relative; 0: column ignored */
     double *x, *f;          /* (dim, 8): states at the nodes, and the field there */
 } jlt_gauss_nodes;
 

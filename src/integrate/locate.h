@@ -17,8 +17,8 @@ double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper);
 JLT_CHECKED jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f,
                                         double *value, double *slope);
 
-/** How far off the section, in units of what counts as small, an orbit must go on both sides of a crossing: ten tolerances, since a
- *  method that steps at its limit of stability holds at some what has decayed; 1e-12 at least, and 1e-4 at most. */
+/** How far off the section, in units of what counts as small, an orbit must go on both sides of a crossing: ten tolerances, because
+ *  a method at its stability limit keeps decayed components at a few tolerances; 1e-12 at least, and 1e-4 at most. */
 static inline double jlt_locate_noise(double tolerance)
 {
     const double noise = 10 * tolerance;

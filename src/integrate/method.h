@@ -13,10 +13,10 @@ struct jlt_method {
     const char *meaning;     /* one line, with its source */
     unsigned order;          /* of the accepted solution; 0: variable */
     unsigned dense_order;    /* local error of the polynomial is O(h^(dense_order + 1)); 0: variable */
-    unsigned evaluations;    /* of the field an accepted step; 0: variable */
+    unsigned evaluations;    /* field evaluations per accepted step; 0: variable */
     double share;            /* of the tolerance: what the error estimate of a step may be; a power of two */
     bool needs_jet;
-    bool multistep;          /* lives on past steps: a point that is moved after every step would set it back to order 1 */
+    bool multistep;          /* uses past steps: moving the point restarts it at order 1 */
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
     void (*destroy)(jlt_stepper *self);         /* legal when create failed */
     jlt_status (*start)(jlt_stepper *self);     /* x and f changed: forget the past, set h_next when it is 0 */

@@ -23,10 +23,9 @@ typedef struct {
     unsigned steps, slow_steps;
 } jlt_rest_watch;
 
-/** After an accepted step: whether the orbit is at its end, slow for some turns of a spiral, or nearer to its equilibrium than
- *  crossings of a section are deep (see jlt_locate_noise), where a method at its limit of stability holds speeds of the fastest
- *  rate times its errors for ever. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is
- *  slow. */
+/** Call after an accepted step. True when the orbit has been slow for more than 64 steps and jlt_rest_ends, or when it decays and
+ *  is nearer to its equilibrium than jlt_locate_noise (a method at its stability limit may never become slow), which is tested
+ *  every 1024 steps. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);
 
 /** Whether a slow orbit is at its end at the stepper's current point; limit, shape (dim,), then gets the equilibrium. Cost: a

@@ -20,7 +20,7 @@ typedef struct jlt_method jlt_method;
 typedef struct {
     const jlt_method *method;
     const jlt_field *field;
-    double tolerance;     /* of a step: `asked` times the method's share, but no less than 1e-15 or `asked` */
+    double tolerance;     /* of a step: asked*share, at least min(asked, 1e-15) */
     double asked;         /* by the caller */
     double max_step;      /* INFINITY: none */
     unsigned columns;     /* field->dim, and one more in a time of its own */
@@ -45,7 +45,7 @@ typedef struct {
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* something of the field's domain */
-    bool at_edge;         /* the orbit is about to leave the domain of its field, and no point of it is left to come to */
+    bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left it */
     size_t steps, rejected;
     size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not;
@@ -76,8 +76,8 @@ JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
  *  or no step can be made, and jlt_edge_is_ahead. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
 
-/** Make the polynomial of the last step, once. Cost: none (gauss, taylor), 3 evaluations (dop853), 15
- *  (the others). */
+/** Make the polynomial of the last step, once. Errors: none of the built-in methods fails; otherwise those of method->dense.
+ *  Cost: none (gauss, taylor), 3 evaluations (dop853), 15 (the others). */
 JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
 
 /** The value of that polynomial at theta in [0, 1], for one column or for all, out (columns,). Call jlt_stepper_dense

@@ -25,8 +25,8 @@ void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper 
  *  refined. Directions not asked for are left out. Errors: those of partial steps. */
 JLT_CHECKED jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
 
-/** jlt_locate_refine for a crossing of the watch's last step. One at its start is counted when the orbit leaves the noise, and lies
- *  where g was zero within it, maybe many steps before. */
+/** jlt_locate_refine for a crossing of the watch's last step. A crossing at theta 0 is placed at the stored zero, if there is one,
+ *  possibly many steps back: theta is then negative. */
 JLT_CHECKED jlt_status jlt_watch_refine(const jlt_watch *self, jlt_crossing *crossing, double *x, double *slope_work,
                                         jlt_stepper *stepper);
 

@@ -10,8 +10,8 @@
 typedef struct {
     const jlt_descriptor *descriptor;
     double *params;   /* shape (param_count,), owned, in the table's units */
-    double *counted;  /* the same in the units in which states are counted: what kernels of roots take beside such states */
-    double *prepared; /* shape (prepared_count,), owned, made from these */
+    double *counted;  /* shape (param_count,), owned: the parameters in the states' units; root kernels take these */
+    double *prepared; /* shape (prepared_count,), owned, made from `counted` */
     jlt_quantity *states; /* shape (state_count,), owned: those of the descriptor, with intervals and periods in the units in
                              which states are counted */
 } jlt_instance;
@@ -42,8 +42,9 @@ JLT_CHECKED jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *d
 /** The field and what is derived from it at one state, checked before and after as jlt_kernel_eval does. In: x, shape
  *  (state_count,), in the order of descriptor->states and the units of the instance.
  *  Out: f, shape (state_count,); jacobian, shape (state_count, state_count), df_i/dx_j in row i; *divergence; gradients of the
- *       integrals, shape (integral_count, state_count), dF_i/dx_j in row i. Errors: NONFINITE, DOMAIN, x lies outside the
- *       table's domain; as jlt_kernel_eval; outputs are then not touched. */
+ *       integrals, shape (integral_count, state_count), dF_i/dx_j in row i; untouched on failure.
+ *  Errors: NONFINITE, x or a result; DOMAIN, x outside the domain, a division by zero or a root of a negative number; UNSUPPORTED,
+ *       no such kernel. */
 JLT_CHECKED jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x);
 JLT_CHECKED jlt_status jlt_instance_jacobian(const jlt_instance *instance, double *jacobian, const double *x);
 JLT_CHECKED jlt_status jlt_instance_divergence(const jlt_instance *instance, double *divergence, const double *x);

@@ -22,12 +22,15 @@ JLT_CHECKED jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, co
                                        const double *prepared);
 
 /** The same for kernels on unprepared parameters, such as those of a family of equilibria.
- *  Out: out, shape (outputs,). In: x, shape (count,), NULL where the kernel does not read it; params, shape (params,).  */
+ *  Out: out, shape (outputs,). In: x, shape (count,), NULL where the kernel does not read it; params, shape (param_count,).
+ *  Errors: as jlt_kernel_eval. */
 JLT_CHECKED jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, size_t outputs,
                                                 const double *x, size_t count, const double *params, size_t param_count);
 
 /** Compute what kernels need that depends on parameters alone.
- *  Out: prepared, shape (descriptor->prepared_count,). In: params, shape (param_count,). */
+ *  Out: prepared, shape (descriptor->prepared_count,), untouched on failure. In: params, shape (param_count,).
+ *  Errors: UNSUPPORTED (no such kernel), NONFINITE (a parameter or result; overflow or underflow on the way), DOMAIN (division by
+ *          zero, root of a negative number). */
 JLT_CHECKED jlt_status jlt_kernel_prepare_params(double *prepared, const jlt_descriptor *descriptor, const double *params);
 
 #endif

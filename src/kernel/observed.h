@@ -36,10 +36,11 @@ double jlt_observed_least(const jlt_observed *observed, unsigned *condition, con
 /** The value of one of these conditions at x; the index must be below jlt_observed_conditions. */
 double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x);
 
-/** The conditions on vectors, for whoever has states in lanes: kernels with `valid_values`, of states in the table's units, whose
- *  values have shape (conditions,). Out: *p, prepared values for them; *exponents, shape (states,): states times 2^these are in
- *  those units; NULL: states as they are. NULL: there are no conditions, or the table has no kernels with so many lanes that the
- *  processor runs. */
+/** The conditions on vectors, for callers that have states in lanes: kernels with `valid_values`, of states in the table's units,
+ *  whose values have shape (conditions,). Returns NULL when there are no conditions, or the table has no kernels with so many lanes
+ *  that the processor runs.
+ *  Out: *p, prepared values for them; *exponents, shape (states,): multiply state i by 2^exponents[i] before the call; NULL: take
+ *       states as they are. */
 const jlt_kernel_batch *jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes);
 
 /** How many conditions there are, and the name of one by its index. JLT_OBSERVED_ANY stands for all of them together: its name

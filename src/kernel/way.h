@@ -8,8 +8,8 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-/** The most states, lifted roots among them, and the most parameters that a table may have which ways lead to or from; the most
- *  tables that are known beside those that are built in. */
+/** JLT_WAY_VALUES_MAX: most states (lifted roots included) or parameters of a table at either end of a way.
+ *  JLT_WAY_TABLES_MAX: most loaded tables. */
 enum { JLT_WAY_VALUES_MAX = 256, JLT_WAY_TABLES_MAX = 16 };
 
 /** Tables that were loaded, beside those that are built in: general fields in their own times. */
@@ -30,13 +30,13 @@ const jlt_descriptor *jlt_way_target(const jlt_way *way, const jlt_way_tables *o
  *  reduces to this very one. Out: *broken, when it is not: the claim that lacks its proof, or NULL where there is none. */
 bool jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_way *way, const jlt_descriptor *target);
 
-/** The first condition of the way that x, shape (states of its field,), and params do not meet; NULL when all are met. x NULL:
- *  those that must be 0 alone, which speak of parameters. */
+/** The first condition of the way that x, shape (states of its field,), and params do not meet; NULL when all are met. x NULL: test
+ *  only the conditions `= 0`, which contain parameters alone. */
 const jlt_way_condition *jlt_way_broken(const jlt_way *way, const double *x, const double *params);
 
 /** The first proved way from a field to that of a table, in the time of the latter, whose conditions x and params meet, as for
- *  jlt_way_broken; NULL when there is none. Out: *broken: then the claim of a way that is not proved, NULL where none leads
- *  there. */
+ *  jlt_way_broken; NULL when there is none. Out: *broken: NULL on success; else the unproved claim of the first way whose
+ *  conditions are met, NULL if there is none. */
 const jlt_way *jlt_way_to(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *table, const double *x,
                           const double *params);
 
@@ -44,8 +44,8 @@ const jlt_way *jlt_way_to(const jlt_claim **broken, const jlt_descriptor *from, 
  *  the parameters there. Errors: UNSUPPORTED, more values than are served; DOMAIN, an angle has no value at x; NONFINITE. */
 JLT_CHECKED jlt_status jlt_way_follow(const jlt_way *way, double *y, double *other, const double *x, const double *params);
 
-/** Map the parameters alone: other, shape (way->param_count,), with no finite values asked for. x NULL: at no state in particular,
- *  so that levels mean nothing. */
+/** Map the parameters alone. Out: other, shape (way->param_count,); results may be NaN or infinite. x NULL: at no state in
+ *  particular; levels then mean nothing. */
 void jlt_way_params(const jlt_way *way, double *other, const double *x, const double *params);
 
 #endif

@@ -26,7 +26,8 @@ typedef struct {
     unsigned dimension;            /* of the flow that is integrated, without lifted roots; 0: none is */
     const jlt_descriptor *asked;   /* the model in question: the general field in its own time */
     const jlt_descriptor *table;   /* the general field of the tier's table; NULL: quadratures, nothing is integrated */
-    const char *time, *elimination; /* of its kernel, as the table names them; "" where it has none */
+    const char *time,              /* of its kernel, as the table names it; "": t */
+        *elimination;              /* of its kernel, as the table names it; "": no state is eliminated */
     bool by_name;                  /* taken where it is asked for by name, as for a comparison; the planner never chooses it */
     bool is_larger;                /* it tells more than was asked */
     jlt_units units;               /* those in which it is opened, all zero: the table's. Conditions are judged in the table's,
@@ -41,7 +42,7 @@ typedef struct {
  *  number. */
 unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_way_tables *others);
 
-/** A tier of the list by another way to its table; `number` counts the other ways from 1. False: there are not so many. */
+/** Set *out to the same tier reached by its number-th other way (from 1). False: there are not so many. */
 bool jlt_tier_by_way(jlt_tier *out, const jlt_tier *tier, unsigned number, const jlt_way_tables *others);
 
 /** Find a tier by its name; "model" is the model's own field in t. False: there is none of this name. */
@@ -60,9 +61,9 @@ typedef struct {
     double params[JLT_TIER_WAYS_MAX + 1][JLT_WAY_VALUES_MAX]; /* of the asked table, then of each that a way leads to */
 } jlt_tier_view;
 
-/** Bind a tier to the orbit of the asked model from x, shape (states,), with params, shape (params,), both in tier->units, the
- *  table's or others in which the asked field may be counted. It is not asked whether a proof leads there. Where the start is in no
- *  place that the tier serves, but its image by a proved reversor is, that is taken.
+/** Bind a tier to the orbit of the asked model from x, shape (state_count,), with params, shape (param_count,), both in
+ *  tier->units, the table's or others in which the asked field may be counted. It is not asked whether a proof leads there. Where
+ *  the start is in no place that the tier serves, but its image by a proved reversor is, that is taken.
  *  Out: *out, to be closed where OK is returned. y, shape (states of its kernel,): the tier's coordinates of the start. refusal,
  *  shape (JLT_TIER_TEXT_MAX,): why it does not serve, where UNSUPPORTED is returned. x NULL: parameters alone are looked at, and
  *  levels have values of no meaning; y is not written.
@@ -71,7 +72,7 @@ JLT_CHECKED jlt_status jlt_tier_open(jlt_tier_view *out, double *y, char *refusa
                                      const double *x);
 void jlt_tier_close(jlt_tier_view *self);
 
-/** The asked model's states, x, shape (states,), at the tier's coordinates y. */
+/** The asked model's states, x, shape (state_count,), at the tier's coordinates y. */
 void jlt_tier_extract(const jlt_tier_view *view, double *x, const double *y);
 
 /** Values of the table's record `tier` at its coordinates y, shape (conditions,), as they are in the table's units. general: the

@@ -1,3 +1,4 @@
+/* Binds a tier to an orbit: follows the ways to its table, binds its kernel, and maps its states back. */
 #include "scene/tier.h"
 
 #include <math.h>

@@ -21,14 +21,14 @@ typedef struct {
     long digits;                                      /* of texts; 0: none */
 } jlt_equilibrium_question;
 
-/* What the status is about. */
+/* The step at which `status` arose. */
 typedef enum {
-    JLT_EQUILIBRIUM_PARAMS,
-    JLT_EQUILIBRIUM_STATES,
-    JLT_EQUILIBRIUM_DOMAIN,
-    JLT_EQUILIBRIUM_SEARCH,
-    JLT_EQUILIBRIUM_POINT,
-    JLT_EQUILIBRIUM_DIGITS
+    JLT_EQUILIBRIUM_PARAMS, /* the table's conditions on parameters */
+    JLT_EQUILIBRIUM_STATES, /* intervals of the states */
+    JLT_EQUILIBRIUM_DOMAIN, /* conditions of the table's domain */
+    JLT_EQUILIBRIUM_SEARCH, /* Newton's method, where `find` is asked */
+    JLT_EQUILIBRIUM_POINT,  /* the linearization in doubles; also where `status` is JLT_OK */
+    JLT_EQUILIBRIUM_DIGITS  /* the linearization in balls */
 } jlt_equilibrium_stage;
 
 typedef struct {

@@ -1,3 +1,4 @@
+/* Draws the flow on both halves of M^2 for `jellett portrait`. */
 #include "top/command_portrait.h"
 
 #include <math.h>

@@ -31,8 +31,8 @@ typedef struct {
 /* The table built in whose equations the quadratures solve. */
 extern const char jlt_rod_table[];
 
-/** Turning points, period and turn of the orbit of `model` with params, shape (params,), through x, shape (states,): of the top
- *  that it is by its reduction to spherical_top_level.
+/** Turning points, period and turn of the orbit of `model` with params, shape (param_count,), through x, shape (state_count,):
+ *  of the top that it is by its reduction to spherical_top_level.
  *  Errors: ARG, I3 != 0; UNSUPPORTED, no proved reduction leads there; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its
  *  energies overflow; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, const double *params, const double *x);
@@ -50,7 +50,7 @@ bool jlt_rod_is_known(const jlt_descriptor *model);
 /* What quadratures are, in a line for lists of tiers. */
 extern const char jlt_rod_meaning[];
 
-/** Why quadratures do not serve for the orbit of such a model from x, shape (states,), with params, shape (params,), in
+/** Why quadratures do not serve for the orbit of such a model from x, shape (state_count,), with params, shape (param_count,), in
  *  words; NULL when they do. x NULL: any start. Out: *broken: the claim that is not proved, where that is the reason, else NULL. */
 const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *model, const double *params, const double *x);
 

@@ -1,4 +1,4 @@
-/** The spherical top as scenes speak of it: parameters by name, the five reduced states, and what its tables say of them.
+/** The spherical top: parameters, five reduced states, and integrals from its built-in tables.
  *
  *  Numbers come from kernels of the tables built in, in the time in which s = sqrt(1 - gamma3^2) is a state of its own; what a
  *  table does not say any more is NaN. States are those of system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023.

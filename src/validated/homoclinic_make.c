@@ -1,3 +1,4 @@
+/* Chooses frame, cone and radii for the proof of a homoclinic orbit, and refines the orbit. */
 #include "validated/homoclinic_chain.h"
 
 #include <math.h>

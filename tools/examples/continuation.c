@@ -1,4 +1,4 @@
-/* The saddle of the map is followed as the energy E falls, and its bifurcations are told. */
+/* Follows the saddle of the map as E falls, and prints its bifurcations. */
 #include <jellett.h>
 #include <stdio.h>
 
