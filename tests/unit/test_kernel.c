@@ -225,6 +225,36 @@ static void poles_overflow_and_underflow_are_errors(void **unused)
 }
 
 /* kg counts 1, m 100 and s 10000, so that each sum tells its powers. */
+/* A state that is counted in eighths of its unit has an interval eight times as wide, in numbers. */
+static void states_are_held_against_intervals_in_their_units(void **unused)
+{
+    static const jlt_quantity length = { .name = "q", .unit = "m", .low = 0, .high = 10 };
+    const jlt_descriptor *top = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    jlt_quantity *states = jlt_memory_array(top->state_count, sizeof *states);
+    jlt_descriptor own = *top;
+    double x[5] = { 0.3, 20, 0.1, 0.2, 0.3 }, f[5], *params = jlt_memory_array(top->param_count, sizeof *params);
+    jlt_instance *instance;
+
+    (void)unused;
+    memcpy(states, top->states, top->state_count * sizeof *states);
+    states[1].low = length.low;
+    states[1].high = length.high;
+    states[1].unit = length.unit;
+    own.states = states;
+    defaults(params, top);
+    assert_int_equal(jlt_instance_create_in(&instance, &own, params, &(jlt_units){ .length = -3 }), JLT_OK);
+    assert_int_equal(jlt_instance_rhs(instance, f, x), JLT_OK); /* 2.5 m */
+    x[1] = 81;
+    assert_int_equal(jlt_instance_rhs(instance, f, x), JLT_ERR_DOMAIN); /* 10.125 m */
+    jlt_instance_destroy(instance);
+    assert_int_equal(jlt_instance_create_in(&instance, &own, params, &(jlt_units){ .length = 3 }), JLT_OK);
+    x[1] = 5;
+    assert_int_equal(jlt_instance_rhs(instance, f, x), JLT_ERR_DOMAIN); /* 40 m */
+    jlt_instance_destroy(instance);
+    free(params);
+    free(states);
+}
+
 static void compound_units_are_read(void **unused)
 {
     static const struct {
@@ -252,6 +282,7 @@ int main(void)
         cmocka_unit_test(arrays_are_zeroed_and_aligned),
         cmocka_unit_test(the_most_special_variant_is_chosen),
         cmocka_unit_test(nonfinite_arguments_are_refused_everywhere),
+        cmocka_unit_test(states_are_held_against_intervals_in_their_units),
         cmocka_unit_test(compound_units_are_read),
         cmocka_unit_test(poles_overflow_and_underflow_are_errors),
     };
