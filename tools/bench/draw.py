@@ -87,7 +87,7 @@ def draw_panels(path, kind, size, layout, title, settings, panels):
 
 AXES = """set logscale xy
 set format x '10^{%T}'
-set format y '%g'
+set format y '10^{%T}'
 set grid xtics ytics lc rgb '#dddddd'
 set border lw 0.8
 set tics font ',15'
@@ -106,7 +106,7 @@ def name_of(row):
 
 def point_of(row, column, time, left):
     error = number(row[column])
-    shown = max(error, 1e-17) if error is not None else left
+    shown = max(error, 1e-32) if error is not None else left
     return shown, *(float(row[key]) for key in time), error is None or int(row["failed"]) > 0, error is not None
 
 
@@ -169,12 +169,12 @@ set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font 
 
 
 BEST = [  # what is shown of a program, its name and the place of it, mark, dash, colour: in grey, marks, dashes and names tell them apart
-    (batched, "jellett, many orbits at once", (2e-7, 2.9e6), 7, "solid", "#0072B2", 4),
-    (scalar, "jellett, one at a time", (3e-6, 5.3e5), 5, "solid", "#0072B2", 4),
-    (lambda row: row["program"] == "heyoka", "heyoka, 8 at once", (2.5e-10, 1.03e5), 9, "'-'", "#D55E00", 2),
-    (lambda row: row["program"] == "odeint", "Boost.odeint, below it GSL", (2.5e-5, 5.5e4), 11, "'-.'", "#009E73", 2),
+    (batched, "jellett, many orbits at once", (1e-7, 3.2e6), 7, "solid", "#0072B2", 4),
+    (scalar, "jellett, one at a time", (1.6e-5, 3.1e5), 5, "solid", "#0072B2", 4),
+    (lambda row: row["program"] == "heyoka", "heyoka, 8 at once", (1e-10, 4.3e5), 9, "'-'", "#D55E00", 2),
+    (lambda row: row["program"] == "odeint", "Boost.odeint (▼) and GSL (◆)", (6e-5, 5.5e4), 11, "'-.'", "#009E73", 2),
     (lambda row: row["program"] == "gsl", "", (1, 1), 13, "'.'", "#AA4499", 2),
-    (lambda row: row["program"] == "sundials", "SUNDIALS", (3e-6, 6e3), 15, "'_'", "#555555", 2),
+    (lambda row: row["program"] == "sundials", "SUNDIALS", (1e-8, 5e3), 15, "'_'", "#555555", 2),
 ]
 
 
@@ -238,7 +238,7 @@ def slope(results, kind):
               ("peers", peer)]
     settings = AXES + """
 set xrange [1:1e-15]
-set yrange [10:100000]
+set yrange [1:100000]
 set xlabel 'largest error of DP, relative to its largest entry'
 set ylabel 'time per derivative [µs]'"""
     draw_panels(f"{results}/slope", kind, (1500, 700), "1,3", "Derivative DP of the section map at (5.1), regular grid", settings,
@@ -253,7 +253,7 @@ def questions(results, kind, name, ranges, size, layout, title):
     settings = AXES + f"""
 set xrange [{ranges[0]}]
 set yrange [{ranges[1]}]
-set xlabel 'error, relative or of 1'
+set xlabel 'error, relative to the larger of the value and 1'
 set ylabel 'time of an answer [µs]'"""
     panels = [(panel, colours, "") for question in dict.fromkeys(row["question"] for row in rows) for panel, colours, _ in
               work_panels([row for row in rows if row["question"] == question], "error", [(question, lambda row: True)], 0.5,
@@ -268,7 +268,7 @@ def fates(results, kind):
     settings = AXES + """
 set xrange [10:1e-15]
 set yrange [10:100000]
-set xlabel 'error of the time at a pole that nine of ten orbits keep'
+set xlabel '90th percentile of the error of the time at a pole'
 set ylabel 'time per orbit [µs]'"""
     for row in rows:  # of 600 orbits, that many have a wrong fate: none is lost
         row["failed"] = "0"
