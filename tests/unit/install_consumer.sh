@@ -16,6 +16,10 @@ for path in bin/ttc bin/jellett libexec/jellett/jellett-bench share/man/man1/ttc
     share/jellett/examples/orbit.c share/doc/jellett/tools/docs/library.md; do
     [ -e "$tree/$path" ] || fail "not installed: $path"
 done
+(cd "$tree/share/doc/jellett" && find . -name '*.md' -exec python3 "$JLT_SOURCE_DIR/tools/docs/links" {} +) > "$scratch/links" ||
+    fail "links of the installed pages: $(cat "$scratch/links")"
+"$tree/bin/jellett" check "$tree/share/jellett/certificates/lorenz_ab.json" > "$scratch/check" ||
+    fail "an installed certificate fails"
 "$tree/bin/ttc" --version > /dev/null || fail "the installed ttc does not start"
 "$tree/bin/jellett" --version > /dev/null || fail "the installed jellett does not start"
 "$tree/bin/jellett" bench --help > "$scratch/help" || fail "the installed jellett-bench does not start"

@@ -25,9 +25,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DE
         PATTERN "shards" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "command_*" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated ${PROJECT_SOURCE_DIR}/tools/examples
         DESTINATION ${JLT_INSTALL_DATA} COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models ${PROJECT_SOURCE_DIR}/tools/scenes ${PROJECT_SOURCE_DIR}/tools/certificates
         DESTINATION ${JLT_INSTALL_DATA} COMPONENT programs
-        FILES_MATCHING PATTERN "*.tt" PATTERN "*.scene" PATTERN "results" EXCLUDE)
+        FILES_MATCHING PATTERN "*.tt" PATTERN "*.scene" PATTERN "*.json" PATTERN "results" EXCLUDE)
 file(GLOB job_scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/scenes/sweep-*)
 install(PROGRAMS ${job_scripts} DESTINATION ${JLT_INSTALL_DATA}/scenes COMPONENT programs)
 # Man pages, one a command beside that of the program, are made of what the programs say of themselves, so that they
@@ -61,6 +61,14 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PR
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}/tools COMPONENT programs
         FILES_MATCHING PATTERN "*.md" PATTERN "*.tt" PATTERN "site" EXCLUDE)
+# What these pages lead to keeps its place beside them.
+foreach(page codegen/README.md src/README.md tests/README.md tests/stability/README.md tools/bench/README.md
+             tools/bench/results/figures.md tools/bench/results/speed.png tools/scenes/README.md tools/scenes/results/figure3.png)
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT programs)
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}/tools COMPONENT programs
+        FILES_MATCHING PATTERN "*.c")
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/jellett-config.cmake.in
   ${CMAKE_BINARY_DIR}/package/jellett-config.cmake INSTALL_DESTINATION ${JLT_INSTALL_PACKAGE})
