@@ -213,6 +213,7 @@ static jlt_exit draw(const jlt_measure_finding *f, const request *r)
     const jlt_descriptor *d = f->instance->descriptor;
     const jlt_measure_attempt *a = &f->attempt;
     char label[JLT_LOOK_LABEL_MAX];
+    jlt_extent extent = JLT_EXTENT_NONE;
     jlt_plot plot;
     FILE *stream;
 
@@ -221,14 +222,17 @@ static jlt_exit draw(const jlt_measure_finding *f, const request *r)
     if (jlt_plot_open(&plot, &r->common) != JLT_OK) return jlt_command_no_memory();
     stream = plot.stream;
     fputs("$DENSITY << END\n", stream);
-    for (size_t i = 0; i < a->count; i++)
+    for (size_t i = 0; i < a->count; i++) {
+        jlt_extent_add(&extent, a->points[i].density);
+        if (a->closed != NULL) jlt_extent_add(&extent, a->closed[i]);
         jlt_look_row(stream, (const double[]){ a->points[i].at, a->points[i].density, a->closed == NULL ? NAN : a->closed[i] }, 3);
+    }
     fputs("END\n", stream);
     jlt_plot_words(&plot, "Density of an invariant measure of %s\n", d->model);
     for (unsigned i = 0; i < d->param_count; i++) jlt_plot_value(&plot, d->params[i].name, f->instance->params[i]);
     jlt_look_label(label, along_name(f), d->states[a->along].unit);
     jlt_plot_axis(&plot, 'x', label, jlt_extent_wider((jlt_extent){ a->points[0].at, a->points[a->count - 1].at }), 0);
-    jlt_plot_axis(&plot, 'y', "density, 1 in the middle", JLT_EXTENT_OPEN, 0);
+    jlt_plot_axis(&plot, 'y', "density, 1 in the middle", jlt_extent_wider(extent), 0);
     fputs(JLT_LOOK_GRID "plot ", stream);
     if (a->closed != NULL) {
         fputs("$DENSITY using 1:3 ", stream);

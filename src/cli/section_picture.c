@@ -74,7 +74,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     static const struct {
         const char *name;
         unsigned colour;
-    } looks[] = { { "alive", 0 }, { "end at pole +1", 1 }, { "end at pole −1", 6 }, { "lost contact", 3 }, { "come to rest", 4 },
+    } looks[] = { { "alive", 0 }, { "pole+", 1 }, { "pole-", 6 }, { "lost contact", 3 }, { "come to rest", 4 },
                   { "left the domain", 5 }, { "out of budget", 7 }, { "not finite", 8 }, { "not converged", 8 },
                   { "without progress", 8 } };
     jlt_plot plot;

@@ -38,6 +38,7 @@ static jlt_status put(jlt_section_run *f, const jlt_return *at, const double *be
 
     if (st != JLT_OK) return st;
     f->sum.rows++;
+    if (at->number == 0 && f->o->motion.grid != NULL) return JLT_OK; /* a lattice of starts is no motion */
     return jlt_section_picture_add(f->picture, at->q);
 }
 

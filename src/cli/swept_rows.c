@@ -158,6 +158,10 @@ static void draw_row(jlt_swept_rows *self, char *row)
         self->has_numbers[k] |= isfinite(at[k]);
     }
     if (!isfinite(at[0]) || !isfinite(at[1])) return;
+    for (unsigned k = 0; k < 2; k++) {
+        if (!self->has_points) self->extent[k] = JLT_EXTENT_NONE;
+        jlt_extent_add(&self->extent[k], at[k]);
+    }
     self->has_points = true;
     jlt_look_row(self->common->points, at, 2);
 }
@@ -298,7 +302,7 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
         jlt_plot_value(&plot, self->common->set.items[i].name, self->common->set.items[i].value);
     for (unsigned k = 0; k < 2; k++) {
         jlt_look_label(label, names[k], "");
-        jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, JLT_EXTENT_OPEN, 0);
+        jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(self->extent[k]), 0);
     }
     fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);
     jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "points", .colour = 0, .size = 0.3 });

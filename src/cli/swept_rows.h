@@ -24,6 +24,7 @@ typedef struct {
     char *odd;         /* column names of the last point whose names were others than these */
     unsigned shown[2]; /* columns of the picture, x and y */
     bool has_numbers[2], has_points; /* of those columns, in rows so far; rows in which both have */
+    jlt_extent extent[2];            /* of the latter, where has_points */
 } jlt_swept_rows;
 
 /** "k=0.1, E=2", for messages. */
