@@ -201,8 +201,8 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     out->descriptor = descriptor;
     out->flow = options->flow;
     if (code != JLT_EXIT_DONE) return code;
-    /* Integrals that hold for these parameters alone belong to a variant, which has the same states; none for one that runs. */
-    if (options->level.count > 0 || options->looks_at_integrals) code = choose(out, descriptor, running, count);
+    /* Of the table's variants the smallest that serves; integrals and densities for these parameters alone belong to one. */
+    code = choose(out, descriptor, running, count);
     if (code == JLT_EXIT_DONE && strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
                                 options->contact, descriptor->model);

@@ -101,6 +101,16 @@ expect 0 'more, up to .*e-0.* in magnitude, are not told: computed once more the
 refuse 3 "no whole number from 1" --boxes 0x20
 refuse 3 "raise E above" --level E=-5
 refuse 3 "no point of them has a state" --boxes eta=1:1.01:4,gamma3=0.5:0.51:4
+# A density claimed where k = 0 is known to the variant that sets this, on a section STATE=VALUE as well: 1 in volume, so that the
+# share of an interval is its flux, x + x^3 integrated over it: by a point drawn in each of ten strata, which err by 1/sqrt(12) of a
+# stratum each, hence by a hundredth of what x + x^3 changes by in the interval; twice as much is allowed, where it doubles.
+printf '%s\n' 'model spring' 'param k >= 0' 'default k = 0' 'state x' 'state y' 'eq x = y' 'eq y = - x - x^3 - k*y' \
+    'measure volume = 1 when k = 0' 'variant free : k = 0' > spring.tt
+expect 0 known_density jellett transfer ./spring.tt --section y=0 --direction down --boxes x=0.2:1:4
+column known_density out | awk '{ low = 0.2*NR; high = low + 0.2
+    share = (high^2/2 + high^4/4 - low^2/2 - low^4/4)/(0.5 + 0.25 - 0.02 - 0.0004)
+    if (($1*0.2/share - 1)^2 > 4e-4) bad = 1 } END { exit bad || NR != 4 }' || fail "the known density: $(column known_density out)"
+
 refuse 3 "nothing stays in them" --boxes eta=0:0.01:4,gamma3=-0.9:-0.89:4
 refuse 3 "eigenvalues are of 3 boxes" --boxes 1x2
 refuse 3 "cannot be taken 3 together" --boxes 10x10 --coarse 3
