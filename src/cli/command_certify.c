@@ -157,8 +157,9 @@ static jlt_exit check_section(const jlt_system *system)
 
     if (chart->turn == 0) return JLT_EXIT_DONE;
     return jlt_command_fail(JLT_EXIT_INPUT,
-                            "certificates serve no section that is met once a turn, as %s = %g is here: take one of "
-                            "another state, or '--modulo %s=0' for an orbit that does not go around",
+                            "certificates compare states as numbers, and %s = %g is met once a turn: orbits that come back by "
+                            "turns, as those of a forced system, are not served; for one that swings back and forth "
+                            "'--modulo %s=0' makes it a number",
                             system->instance->descriptor->states[chart->column].name, chart->level,
                             system->instance->descriptor->states[chart->column].name);
 }
