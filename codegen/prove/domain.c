@@ -46,7 +46,7 @@ static bool owner_counts(const ttc_task *task, const ttc_divisor *d, ttc_domain_
     if (d->role != TTC_DIVIDES_CLAIM) return false;
     if (family != NULL && family != claim && d->owner == claim->family) return true;
     for (size_t i = 0; i < claim->member_count; i++)
-        if (claim->members[i] == d->owner) return true;
+        if (claim->members[i] == d->owner) return extent == TTC_DOMAIN_WHOLE;
     for (size_t i = 0; i < claim->modulo_count; i++)
         if (claim->modulo[i] == d->owner) return true;
     return false;

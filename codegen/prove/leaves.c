@@ -97,22 +97,26 @@ static bool divides(ttc_task *task)
 /* Where a claim divides by zero on a whole part of the domain, it says nothing there; but what uses it takes it with everything
  * cancelled. This leaf, on which the claim has no value, is such a part where it has points without it. A family may exist on a
  * part alone. */
-static void check_defined(cover *c, const ttc_subcase *b, unsigned choices)
+static void check_defined(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
+    const bool is_asked = task->role == TTC_DIVIDES_CLAIM || task->role == TTC_DIVIDES_TIME;
 
-    if (task->role != TTC_DIVIDES_CLAIM || task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->relation_count > 0 || c->is_partial)
-        return;
-    if (!divides(task)) return;
-    ttc_subcase_close(task);
-    if (!ttc_subcase_open(task, b, choices)) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
+    if (!is_asked || task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->is_degenerate || c->is_partial || !divides(task)) return;
+    /* In the same field, where roots have the signs of this leaf: what has failed is the claim's own. */
+    const ttc_ring_status failed = task->ring->status;
+    ttc_conditions whole = task->domain;
+    task->ring->status = TTC_RING_OK;
+    ttc_conditions_init(&task->domain, task->field);
+    add_leads(task, b);
     ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
-    if (task->ring->status != TTC_RING_OK || task->domain.contradictory) return;
-    const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &c->undefined_at);
-    c->is_partial = result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED;
+    if (task->ring->status == TTC_RING_OK && !task->domain.contradictory) {
+        const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &c->undefined_at);
+        c->is_partial = result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED;
+    }
+    ttc_conditions_clear(&task->domain);
+    task->domain = whole;
+    task->ring->status = failed;
 }
 
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
@@ -179,7 +183,7 @@ static void visit(cover *c, const ttc_subcase *b)
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
         }
-        if (is_here && !has_points) check_defined(c, b, choices);
+        if (is_here && !has_points) check_defined(c, b);
         if (before == TTC_UNSETTLED && task->status != TTC_REFUTED) {
             free(task->remainder);
             task->status = before;
@@ -278,6 +282,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ring_status status = task->ring->status;
     if (says_empty(status)) {
         c->why_empty = ttc_ring_status_text(status);
+        if (is_invariant(task) && b->goal_count == 1) check_defined(c, b);
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate

@@ -208,8 +208,35 @@ static void require_rest(const pole_end *end, const ttc_symbol_entry *entry, con
     ttc_ratio_clear(task->ring, &rate);
 }
 
-/* Every time in which a root that is zero at the end is a state of its own. */
-static void require_rest_in_times(const pole_end *end)
+/* What is left of the time at the end is told from its factor and the root's rate of decay, which are of one order there. */
+static void require_first_order(const pole_end *end, const ttc_symbol_entry *entry, const ttc_time *time)
+{
+    ttc_task *task = end->task;
+    ttc_ratio factor, root, value;
+    ttc_ratio_init(task->ring, &factor);
+    ttc_ratio_init(task->ring, &root);
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(task->field, &factor, time->factor);
+    ttc_evaluate(task->field, &root, entry->node);
+    ttc_ratio_divide(task->ring, &factor, &factor, &root);
+    if (ttc_task_open(task) && follow(end, &value, &factor) != GOES_ELSEWHERE)
+        ttc_task_unsettle(task, "at the %s end of %s dt/dtau in the time %s is not shown to be %s times what is not zero",
+                          side_of(end), task->model->symbols[end->state].name, time->name, entry->name);
+    ttc_ratio_clear(task->ring, &value);
+    ttc_ratio_clear(task->ring, &root);
+    ttc_ratio_clear(task->ring, &factor);
+}
+
+typedef void (*in_time)(const pole_end *end, const ttc_symbol_entry *root, const ttc_time *time);
+
+static void require_rest_of_both(const pole_end *end, const ttc_symbol_entry *root, const ttc_time *time)
+{
+    require_rest(end, root, time);
+    require_rest(end, end->task->model->symbols + end->state, time);
+}
+
+/* In every time in which a root that is zero at the end is a state of its own. */
+static void require_in_times(const pole_end *end, in_time require)
 {
     ttc_task *task = end->task;
     const ttc_model *model = task->model;
@@ -223,9 +250,7 @@ static void require_rest_in_times(const pole_end *end)
             const limit found = follow(end, &value, &root);
             if (found == IS_NOT_FOLLOWED) ttc_task_unsettle(task, "%s could not be followed to the ends of %s", entry->name,
                                                             model->symbols[end->state].name);
-            if (found != GOES_TO_ZERO) continue;
-            require_rest(end, entry, &model->times[i]);
-            require_rest(end, model->symbols + end->state, &model->times[i]);
+            if (found == GOES_TO_ZERO) require(end, entry, &model->times[i]);
         }
     ttc_ratio_clear(task->ring, &value);
     ttc_ratio_clear(task->ring, &root);
@@ -285,6 +310,7 @@ static void prove_end(pole_end *end, ttc_id product)
     require_root(end, product);
     if (!ttc_task_open(task)) return;
     evaluate_all(task, state);
+    if (!ttc_task_open(task)) return;
     ttc_ratio_init(task->ring, &way);
     ttc_ratio_init(task->ring, &bound);
     ttc_evaluate(task->field, &way, end->is_high ? state->high : state->node);
@@ -293,7 +319,8 @@ static void prove_end(pole_end *end, ttc_id product)
     fmpz_mpoly_init(end->way, task->ring->context);
     fmpz_mpoly_set(end->way, way.numerator, task->ring->context);
     find_vanishing(end);
-    if (ttc_task_open(task)) require_rest_in_times(end);
+    require_in_times(end, require_rest_of_both);
+    require_in_times(end, require_first_order);
     fmpz_mpoly_clear(end->way, task->ring->context);
     ttc_ratio_clear(task->ring, &bound);
     ttc_ratio_clear(task->ring, &way);

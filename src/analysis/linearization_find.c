@@ -105,8 +105,31 @@ static void snap(search *s)
     memcpy(s->x, trial, s->at.n * sizeof *trial);
 }
 
+static double largest_of(const search *s)
+{
+    double largest = 0.0;
+
+    for (size_t j = 0; j < s->descriptor->state_count; j++) largest = fmax(largest, fabs(s->x[j]));
+    return largest;
+}
+
+/* An equilibrium at the origin that Newton's method has gone most of the way to, where every term vanishes with the states and is
+ * never small beside the others. */
+static void snap_to_origin(search *s, double began)
+{
+    double trial[SIZE];
+    jlt_linearization next;
+
+    if (largest_of(s) > 1e-3 * began) return;
+    for (size_t j = 0; j < s->at.n; j++) trial[j] = s->fixed[j] ? s->x[j] : 0.0;
+    if (jlt_linearization_residual(&next, s->descriptor, s->params, trial) != JLT_OK || next.residual > 0.0) return;
+    s->at = next;
+    memcpy(s->x, trial, s->at.n * sizeof *trial);
+}
+
 static jlt_status newton(search *s)
 {
+    const double began = largest_of(s);
     bool settled = false;
     jlt_status st;
 
@@ -117,6 +140,7 @@ static jlt_status newton(search *s)
         settled = false;
         for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(s, &settled));
     }
+    if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) snap_to_origin(s, began);
     if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
 done:
     return st;

@@ -323,11 +323,11 @@ static void closing_words(const jlt_simulate_request *r)
         jlt_course_change(r->courses[0], i, &t, &from, &to, &why);
         fprintf(stderr, "jellett: from t = %.10g on the tier %s in place of %s: %s\n", t, to, from, why);
     }
-    if (!isnan(row->lost_at))
-        fprintf(stderr,
-                "jellett: %s is lost by t = %.10g, as steps of the method see it (least value %.6g): from there on the model "
-                "does not hold\n",
-                row->lost, row->lost_at, row->least);
+    if (!isnan(row->lost_at)) {
+        fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it", row->lost, row->lost_at);
+        if (r->session.descriptor->family[0]->valid_count == 1) fprintf(stderr, " (least value %.6g)", row->least);
+        fputs(": from there on the model does not hold\n", stderr);
+    }
     if (row->unknown != NULL)
         fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): whether the model holds there is not known\n",
                 row->unknown, row->unknown_at);

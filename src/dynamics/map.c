@@ -131,6 +131,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
     const double tangent = error * growth * (1 + lean) + aside * lean * rate;
     for (unsigned i = 0; i < d; i++) {
         double largest = 0;
+        if (!(jlt_linear_length(slope + i * d, d) > 0)) return INFINITY;
         for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
         all *= 1 + largest * tangent / jlt_linear_length(slope + i * d, d);
     }
@@ -150,8 +151,9 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
     JLT_TRY(to_section(self, &outcome, time_direction));
     JLT_TRY(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
-    const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / arrival.size;
-    const double part = fmax(fabs(arrival.determinant), arrival.flux_determinant) / arrival.size;
+    const double size = arrival.size > 0 ? arrival.size : 1; /* a DP that is 0 in doubles has no defect */
+    const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / size;
+    const double part = fmax(fabs(arrival.determinant), arrival.flux_determinant) / size;
     const double bound = bound_of(self, outcome.x, arrival.f, slope, part);
     if (image->bound == 0 || fabs(defect) * image->bound > fabs(image->defect) * bound) {
         image->defect = defect;

@@ -193,7 +193,7 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
     add(self, point,
         &(jlt_map_batch_return){ out->q + point * d, slope, arrival.flux_determinant, ldexp(t, flow->units.time),
                                  varied[n * (1 + d)] },
-        arrival.determinant, (fabs(arrival.determinant) - arrival.flux_determinant) / arrival.size);
+        arrival.determinant, (fabs(arrival.determinant) - arrival.flux_determinant) / (arrival.size > 0 ? arrival.size : 1));
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)

@@ -24,6 +24,8 @@ jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper)
     const jlt_status st = jlt_approach_judge(&out->approach, stepper);
     if (st != JLT_OK) return st;
     out->ends = jlt_approach_is_known(&out->approach, stepper);
-    out->t_end = jlt_stepper_time(stepper) + (s > 0 ? stepper->direction * s / out->mu : 0);
+    /* A field with a root has a time of its own. */
+    const double time_rate = stepper->columns > field->dim ? stepper->f[field->dim] : 1;
+    out->t_end = jlt_stepper_time(stepper) + (s > 0 ? stepper->direction * time_rate / out->mu : 0);
     return JLT_OK;
 }

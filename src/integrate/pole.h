@@ -1,12 +1,12 @@
 /** The end of an orbit at a pole, in regularised time.
  *
- *  With dt = s dtau and the root s lifted to a state, the pole s = 0 is an invariant set, reached as tau -> infinity, and on
- *  it lie equilibria. An orbit that ends there decays onto one of them: s as exp(-mu tau) with mu = -s'/s, the other
- *  transverse states at rates of their own. The Jacobian at the equilibrium has the
+ *  With dt = w dtau, where w is s times what is not zero there, and the root s lifted to a state, the pole s = 0 is an
+ *  invariant set, reached as tau -> infinity, and on it lie equilibria. An orbit that ends there decays onto one of them: s as
+ *  exp(-mu tau) with mu = -s'/s, the other transverse states at rates of their own. The Jacobian at the equilibrium has the
  *  eigenvalue 0 along the set of equilibria and the rates across it; orbits nearby end there exactly when all the latter
  *  are negative. A near miss has a positive one and leaves.
  *
- *  t_end - t = integral of s dtau = s/mu up to the order that jlt_approach neglects, and the orbit is at its end when that is
+ *  t_end - t = integral of w dtau = w/mu up to the order that jlt_approach neglects, and the orbit is at its end when that is
  *  below the tolerance. To wait until the way left itself vanishes would be to wait in vain: where the rates differ much, an
  *  explicit method steps at its limit of stability and holds the fast states at some tens of tolerances. */
 #ifndef JLT_INTEGRATE_POLE_H

@@ -18,11 +18,11 @@ static jlt_tier *add(list *l, const jlt_tier *like)
     return &l->tiers[l->count++];
 }
 
-/* The time in which a table's roots are states; NULL when it has none. */
+/* The time in which one root of the table is a state, of which integrators know when it vanishes; NULL when it has none. */
 static const char *lifting_time(const jlt_descriptor *table)
 {
     for (const jlt_descriptor *const *d = table->family; *d != NULL; d++)
-        if ((*d)->lifted != NULL && (*d)->variant[0] == '\0' && (*d)->elimination[0] == '\0') return (*d)->time;
+        if ((*d)->lifted_count == 1 && (*d)->variant[0] == '\0' && (*d)->elimination[0] == '\0') return (*d)->time;
     return NULL;
 }
 

@@ -2,6 +2,7 @@
 
 #include "optimize/lower.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,12 +23,16 @@ static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
     return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
 }
 
-/* What is positive in the domain: its records, the states' intervals, radicands of all roots, arguments of all logarithms.
- * Returns how many there are; they are made where ids is not NULL. */
+/* What is positive in the domain: its records, the states' intervals, radicands of all roots, arguments of all logarithms, squares
+ * of what these and the field divide by. Returns how many there are; they are made where ids is not NULL. UINT_MAX: memory is
+ * out. */
 static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
+    unsigned char *used = ttc_model_uses(model);
     unsigned count = 0;
+
+    if (used == NULL) return UINT_MAX;
 
     for (size_t i = 0; i < model->region_count; i++, count++)
         if (ids != NULL) ids[count] = ttc_field_specialise(field, model->regions[i].expression);
@@ -40,8 +45,17 @@ static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *i
     for (size_t i = 0; i < model->symbol_count; i++) {
         if (model->symbols[i].kind != TTC_ROOT && model->symbols[i].kind != TTC_LOG) continue;
         if (ids != NULL) ids[count] = ttc_field_specialise(field, model->symbols[i].definition);
+        used[i] = 1;
         count++;
     }
+    ttc_model_close_uses(model, used);
+    for (size_t i = 0; i < model->divisor_count; i++) {
+        const ttc_divisor *d = &model->divisors[i];
+        if (d->role != TTC_DIVIDES_FIELD && !(d->role == TTC_DIVIDES_SYMBOL && used[d->owner])) continue;
+        if (ids != NULL) ids[count] = ttc_field_specialise(field, ttc_multiply(model->graph, d->divisor, d->divisor));
+        count++;
+    }
+    free(used);
     return count;
 }
 
@@ -113,6 +127,10 @@ jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *de
     self->dim = self->states + free_count;
     self->valid_count = (unsigned)self->model->validity_count;
     self->domain_count = add_domain(self, field, NULL);
+    if (self->domain_count == UINT_MAX) {
+        st = JLT_ERR_NOMEM;
+        goto done;
+    }
     self->level_count = level_count;
     self->motion = lower(field, field->rhs, self->states);
     self->variation = make_variation(self, field);

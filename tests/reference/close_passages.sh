@@ -67,6 +67,14 @@ T
 jellett eigen ./saddle.tt --at x=1.41 --find --digits 20 > out 2> err || fail "eigen: $(cat err)"
 grep -q '^verdict *unstable' out && grep -q ' 1\.1892071150027210667 ' out || fail "the saddle is not proved: $(cat out err)"
 
+# At the origin every term vanishes with the states. DP of a cycle on which a relaxation is 0 in doubles has no defect.
+jellett eigen lorenz --at x=0.1,y=0.1,z=0.1 --find > out 2> err || fail "eigen at the origin: $(cat err)"
+grep -q '^state *x=0 y=0 z=0$' out || fail "the origin is not found: $(grep ^state out)"
+printf '%s\n' 'model relaxation' 'param mu' 'state x' 'state y' 'eq x = + y' 'eq y = mu*(1-x^2)*y - x' 'default mu = 10' \
+    > relaxation.tt
+jellett section ./relaxation.tt --section x=0 --start y=1 --returns 2 --check > out 2> err ||
+    fail "--check where DP is 0: $(cat err)"
+
 # The unit circle, in the plane z = 0: multipliers exp(-4 pi) and exp(-pi).
 cat > plane.tt << 'T'
 model plane
