@@ -122,6 +122,10 @@ bool ttc_emit_tier(ttc_text *text, ttc_field *field);
 bool ttc_emit_lifted(ttc_text *text, const ttc_field *field);
 void ttc_emit_way_members(ttc_text *text, const ttc_field *field, size_t ways);
 
+/** What the equations divide by, factor by factor, where it may be zero: the array `divisors`, of *count, and its kernel. Of the
+ *  general field without lifted roots; *count is 0 for others. False when memory is out. */
+bool ttc_emit_divisors(ttc_text *text, ttc_field *field, size_t *count);
+
 /* The file of one descriptor. */
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
 

@@ -223,7 +223,7 @@ static void add_string_member(ttc_text *text, const char *member, const char *va
     ttc_text_add(text, "\",\n");
 }
 
-static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size_t ways)
+static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size_t ways, size_t divisors)
 {
     const ttc_field *field = k->field;
     const ttc_model *model = field->model;
@@ -255,6 +255,8 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
     if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0)
         ttc_text_format(text, "    .valid_count = %zu, .valids = valids,\n", model->validity_count);
     if (k->watched_count > 0) ttc_text_format(text, "    .domain_count = %zu, .domains = domains,\n", k->watched_count);
+    if (divisors > 0)
+        ttc_text_format(text, "    .divisor_count = %zu, .divisors = divisors, .divisor_values = divisor_values,\n", divisors);
     ttc_emit_reversor_member(text, field);
     ttc_emit_pole_member(text, field);
     if (sections > 0) ttc_text_format(text, "    .section_count = %zu, .sections = sections,\n", sections);
@@ -277,7 +279,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
 {
     const ttc_field *field = k->field;
-    size_t sections = 0, ways = 0;
+    size_t sections = 0, ways = 0, divisors = 0;
     add_header(text, k);
     ttc_text_add(text,
                  "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
@@ -305,7 +307,8 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     ttc_emit_complex(text, k->field);
     ttc_text_add(text, "\n");
     if (!ttc_emit_equilibria(text, k) || !ttc_emit_sections(text, k, &sections) || !ttc_emit_lifted(text, field) ||
-        !ttc_emit_roots(text, k->field) || !ttc_emit_tier(text, k->field) || !ttc_emit_ways(text, k, &ways))
+        !ttc_emit_roots(text, k->field) || !ttc_emit_tier(text, k->field) || !ttc_emit_ways(text, k, &ways) ||
+        !ttc_emit_divisors(text, k->field, &divisors))
         return false;
     ttc_emit_quantities(text, "states", field->model, field->states, field->state_count, NULL);
     ttc_emit_quantities(text, "params", field->model, field->params, field->param_count, NULL);
@@ -317,6 +320,6 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->watched_count > 0) add_conditions(text, k);
     ttc_emit_reversors(text, field);
     ttc_emit_poles(text, field);
-    add_descriptor(text, k, sections, ways);
+    add_descriptor(text, k, sections, ways, divisors);
     return !text->failed;
 }

@@ -158,7 +158,8 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
-    if (task->role == TTC_DIVIDES_VARIANT) return owner_counts(task, d, extent);
+    /* A variant is a matter of parameters. */
+    if (task->role == TTC_DIVIDES_VARIANT && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
     if (task->role == TTC_DIVIDES_LIFT) return false; /* that they are not zero is what is to be shown */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;

@@ -144,7 +144,7 @@ typedef struct {
 /* A condition of the table's domain, from its record `domain`: outside of it the field means nothing. */
 typedef struct {
     const char *name;
-    const char *text; /* as the table writes it, "1 - x*y > 0" */
+    const char *text; /* as the table writes it, "1 - x*y > 0"; of a divisor "r - w != 0" */
     int of_params;    /* 1: no state is in it */
 } jlt_region;
 
@@ -295,6 +295,10 @@ typedef struct jlt_descriptor {
     const jlt_region *domains;      /* parameters and lifted roots; with ends of intervals that are no numbers; on all fields */
     jlt_kernel domain_values;       /* shape (domains,); the field means nothing where one is not > 0 */
     jlt_kernel domain_gradients;    /* shape (domains, states) */
+    unsigned divisor_count;         /* what the equations divide by as written, factor by factor, where it may be 0: on the general
+                                       field, in times without lifted roots */
+    const jlt_region *divisors;     /* the field means nothing where one is 0, also where kernels cancel it */
+    jlt_kernel_function divisor_values; /* x, params -> (divisors, 2): the value, and the sum of squares of what it adds up */
     unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no
                                        more; */
     const jlt_reversor *reversors;  /* on fields with a time or an elimination there are none */

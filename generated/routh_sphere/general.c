@@ -921,6 +921,26 @@ static const jlt_equilibria equilibria[] = {
       .left_null_count = 0, .obstructs = 0 },
 };
 
+static void divisor_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[3]*params[3]; /* a3*a3 */
+    const double t2 = t0 + t1; /* R*R + a3*a3 */
+    const double t3 = params[1]*params[3]; /* R*a3 */
+    const double t4 = t3*x[0]; /* R*a3*gamma3 */
+    const double t5 = t4*2.0; /* R*a3*gamma3*2 */
+    const double t6 = t2 + t5; /* R*R + a3*a3 + R*a3*gamma3*2 */
+    const double t7 = params[0]*t6; /* m*(R*R + a3*a3 + R*a3*gamma3*2) */
+    const double t8 = params[4] + t7; /* K = I1 + m*(R*R + a3*a3 + R*a3*gamma3*2) */
+    out[0] = t8;
+    const double t9 = t8*t8; /* K*K */
+    out[1] = t9;
+}
+
+static const jlt_region divisors[] = {
+    { "a division", "K != 0", 0 },
+};
+
 static const jlt_quantity states[] = {
     { "gamma3", "1", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "omega_tau", "rad/s", "angular velocity along tau, the rate of tilting", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -992,6 +1012,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .valid_values = { .loses_digits = "" },
     .domain_values = { .loses_digits = "" },
     .domain_gradients = { .loses_digits = "" },
+    .divisor_count = 1, .divisors = divisors, .divisor_values = divisor_values,
     .reversor_count = 1, .reversors = reversors,
     .pole_count = 1, .poles = poles,
     .integral_count = 3, .measure_count = 1, .equilibria_count = 2,

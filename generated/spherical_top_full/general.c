@@ -1967,6 +1967,29 @@ static const jlt_way_condition tier_conditions[] = {
     { "gamma1^2 + gamma2^2 - 1/2^36 > 0", 0 },
 };
 
+static void divisor_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = x[0]*x[0]; /* gamma1*gamma1 */
+    const double t1 = x[1]*x[1]; /* gamma2*gamma2 */
+    const double t2 = t0 + t1; /* gamma1*gamma1 + gamma2*gamma2 */
+    const double t3 = x[2]*x[2]; /* gamma3*gamma3 */
+    const double t4 = t2 + t3; /* one = gamma1*gamma1 + gamma2*gamma2 + gamma3*gamma3 */
+    const double t5 = params[4]*t4; /* I1*one */
+    const double t6 = params[3]*params[3]; /* a3*a3 */
+    const double t7 = params[0]*t6; /* m*a3*a3 */
+    const double t8 = sqrt(t2); /* s = sqrt(gamma1*gamma1 + gamma2*gamma2) */
+    const double t9 = t8*t8; /* s*s */
+    const double t10 = t7*t9; /* m*a3*a3*s*s */
+    const double t11 = t5 + t10; /* D = I1*one + m*a3*a3*s*s */
+    out[0] = t11;
+    const double t12 = t11*t11; /* D*D */
+    out[1] = t12;
+}
+
+static const jlt_region divisors[] = {
+    { "a division", "D != 0", 0 },
+};
+
 static const jlt_quantity states[] = {
     { "gamma1", "1", "vertical unit vector in the body frame", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
     { "gamma2", "1", "vertical unit vector in the body frame", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -2051,6 +2074,7 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .domain_values = { .loses_digits = "" },
     .domain_gradients = { .loses_digits = "" },
     .observe_count = 4, .observes = observes,
+    .divisor_count = 1, .divisors = divisors, .divisor_values = divisor_values,
     .tier = "full", .tier_meaning = "the full system (2.7) with (2.1): every vector by its components",
     .tier_condition_count = 1, .tier_conditions = tier_conditions,
     .tier_values = tier_values,

@@ -18,22 +18,35 @@ static void evaluate(double *values, const jlt_descriptor *descriptor, double *p
     (void)st;
 }
 
+/* Whether a divisor is 0, or so small that rounding may have made it of what adds up to 0: some units in the last place of what it
+ * adds up, whose squares have this sum. */
+static bool is_zero(double value, double squares)
+{
+    return value == 0 || (squares > 0x1p-900 && isfinite(squares) && fabs(value) <= 0x1p-51 * sqrt(squares));
+}
+
 jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_descriptor *descriptor, const double *params,
                             const double *x)
 {
-    const unsigned count = descriptor->domain_count, states = descriptor->state_count;
+    const unsigned count = descriptor->domain_count, divisors = descriptor->divisor_count, states = descriptor->state_count;
 
     *region = NULL;
-    if (count == 0) return JLT_OK;
-    double *room = jlt_memory_array((size_t)count + states + descriptor->prepared_count, sizeof *room);
+    if (count == 0 && divisors == 0) return JLT_OK;
+    double *room = jlt_memory_array((size_t)count + 2 * divisors + states + descriptor->prepared_count, sizeof *room);
     if (room == NULL) return JLT_ERR_NOMEM;
-    double *nowhere = room + count;
+    double *divisor = room + count, *nowhere = divisor + 2 * divisors;
     for (unsigned i = 0; i < states; i++) nowhere[i] = 0;
-    evaluate(room, descriptor, nowhere + states, params, x != NULL ? x : nowhere);
+    if (count > 0) evaluate(room, descriptor, nowhere + states, params, x != NULL ? x : nowhere);
     for (unsigned i = 0; i < count && *region == NULL; i++) {
         if (room[i] > 0 || (x == NULL && !descriptor->domains[i].of_params)) continue;
         *region = &descriptor->domains[i];
         *value = room[i];
+    }
+    if (divisors > 0) descriptor->divisor_values(x != NULL ? x : nowhere, params, divisor);
+    for (unsigned i = 0; i < divisors && *region == NULL; i++) {
+        if (!is_zero(divisor[2 * i], divisor[2 * i + 1]) || (x == NULL && !descriptor->divisors[i].of_params)) continue;
+        *region = &descriptor->divisors[i];
+        *value = divisor[2 * i];
     }
     free(room);
     return *region == NULL ? JLT_OK : JLT_ERR_DOMAIN;

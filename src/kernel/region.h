@@ -1,5 +1,6 @@
-/** The conditions of a table's domain, from its records `domain`, at given values. Those that follow from intervals, signs and
- *  lifted roots are not among them: jlt_descriptor_check_state and jlt_descriptor_check_params stand for these. */
+/** The conditions of a table's domain, from its records `domain` and what its equations divide by, at given values. Those that
+ *  follow from intervals, signs and lifted roots are not among them: jlt_descriptor_check_state and jlt_descriptor_check_params
+ *  stand for these. */
 #ifndef JLT_KERNEL_REGION_H
 #define JLT_KERNEL_REGION_H
 

@@ -52,6 +52,22 @@ for command in "simulate --start u=1,v=0,z=0,w=1 --times 1" "section --section z
     refuses "parameters: outside the domain of linear: order needs top - depth - 1 > 0, and it is -0.500001 here" \
         ${command%% *} ./linear.tt --set top=0.5 ${command#* }
 done
+# What the equations divide by is not zero, also where kernels cancel it; of any size otherwise.
+divides() { # NAME DIVISOR
+    printf 'model %s\nparam w\ndefault w = -3/10\nroot r = sqrt(w^2)\nstate x\nstate y\n%s\neq x = y*(%s)/(%s)\neq y = - x\n' "$1" \
+        'domain some : w^2 > 0' "$2" "$2" > "$1.tt"
+    jellett simulate ./"$1".tt --start x=1,y=0 --times 1 > rows.csv 2> err || fail "$1 is refused at w = -0.3: $(cat err)"
+}
+for divisor in 'r - w' '(r - w)*(x^2 + 2)' 'r^2 - (w + 1)^2 + (2*r + 1)'; do
+    divides divided "$divisor"
+    for command in "simulate --start x=1,y=0 --times 1" "section --section y=0 --start x=1" "eigen --at x=0,y=0"; do
+        refuses " != 0, and it is" ${command%% *} ./divided.tt --set w=0.3 ${command#* }
+    done
+done
+divides small 'r - w + x'
+refuses "--start: outside the domain of small: a division needs -w + r + x != 0, and it is 0 here" \
+    simulate ./small.tt --set w=0.3 --start x=0,y=1 --times 1
+jellett simulate ./small.tt --set w=1e-150 --start x=1e-155,y=0 --times 1 > rows.csv 2> err || fail "small numbers: $(cat err)"
 # What follows from an interval has no kernel.
 ttc cost --json between.tt > cost.json 2> err
 grep -q domain_values cost.json && fail "a condition that follows from an interval has a kernel"

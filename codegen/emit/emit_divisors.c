@@ -1,0 +1,117 @@
+/* What the equations divide by, as the table writes them, before anything is cancelled: it is not zero in the domain. Kernels show no
+ * zero of what is cancelled in them, so that starts are held against these values. */
+#include "emit/emit.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "show/print.h"
+
+typedef struct {
+    ttc_id written;    /* as the table writes it, */
+    ttc_id outputs[2]; /* and in the field's symbols, with the squares of what it adds up */
+} factor;
+
+typedef struct {
+    ttc_field *field;
+    factor *factors;
+    size_t count;
+    bool failed;
+} factor_list;
+
+/* The sum of squares of all that an expression adds up: a value that is small against its root is lost in rounding. */
+static ttc_id squares(ttc_graph *graph, ttc_id id)
+{
+    ttc_id result;
+    fmpq_t square;
+    if (id == TTC_NONE || ttc_kind_of(graph, id) == TTC_SYMBOL) return ttc_power(graph, id, 2);
+    fmpq_init(square);
+    fmpq_mul(square, ttc_coefficient(graph, id), ttc_coefficient(graph, id));
+    result = ttc_number(graph, square);
+    for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        const ttc_id below = squares(graph, part.id);
+        fmpq_mul(square, part.coefficient, part.coefficient);
+        result = ttc_kind_of(graph, id) == TTC_SUM ? ttc_add(graph, result, ttc_scale(graph, below, square))
+                                                   : ttc_multiply(graph, result, ttc_power(graph, below, part.exponent));
+    }
+    fmpq_clear(square);
+    return result;
+}
+
+static void add_factor(factor_list *list, ttc_id written)
+{
+    ttc_graph *graph = list->field->graph;
+    if (ttc_kind_of(graph, written) == TTC_PRODUCT) {
+        for (size_t i = 0; i < ttc_part_count(graph, written); i++) add_factor(list, ttc_part_at(graph, written, i).id);
+        return;
+    }
+    const ttc_id id = ttc_field_specialise(list->field, written);
+    list->failed |= id == TTC_NONE;
+    if (list->failed || (ttc_field_extent(list->field, id).signs & TTC_SIGN_ZERO) == 0) return;
+    for (size_t i = 0; i < list->count; i++)
+        if (list->factors[i].outputs[0] == id) return;
+    const ttc_id sum = squares(graph, id);
+    if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* of powers beyond the graph's: a start shows it, or nothing does */
+    if (sum == TTC_NONE) return;
+    factor *factors = ttc_array_more(list->factors, list->count, sizeof *factors);
+    list->failed |= factors == NULL;
+    if (factors == NULL) return;
+    list->factors = factors;
+    factors[list->count++] = (factor){ written, { id, sum } };
+}
+
+static bool find_factors(factor_list *list)
+{
+    const ttc_model *model = list->field->model;
+    unsigned char *used = ttc_model_uses(model);
+    list->failed = used == NULL;
+    for (size_t i = 0; !list->failed && i < model->divisor_count; i++) {
+        const ttc_divisor *d = model->divisors + i;
+        if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner])) add_factor(list, d->divisor);
+    }
+    free(used);
+    return !list->failed;
+}
+
+static bool add_text(ttc_text *text, const ttc_model *model, ttc_id id)
+{
+    char *written = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&written, &size);
+    if (stream == NULL) return false;
+    const bool printed = ttc_print(stream, model, id, TTC_NOTATION_TEXT);
+    const bool good = fclose(stream) == 0 && printed;
+    if (good) ttc_text_add_escaped(text, written);
+    free(written);
+    return good;
+}
+
+static bool add_factors(ttc_text *text, factor_list *list)
+{
+    ttc_field *field = list->field;
+    ttc_id *outputs = calloc(2 * list->count, sizeof *outputs);
+    bool good = outputs != NULL;
+    for (size_t i = 0; good && i < 2 * list->count; i++) outputs[i] = list->factors[i / 2].outputs[i % 2];
+    good = good && ttc_emit_outputs(text, "divisor_values", field, outputs, 2 * list->count);
+    free(outputs);
+    ttc_text_add(text, "static const jlt_region divisors[] = {\n");
+    for (size_t i = 0; good && i < list->count; i++) {
+        ttc_text_add(text, "    { \"a division\", \"");
+        good = add_text(text, field->model, list->factors[i].written);
+        ttc_text_format(text, " != 0\", %d },\n", ttc_field_is_constant(field, list->factors[i].outputs[0]));
+    }
+    ttc_text_add(text, "};\n\n");
+    return good;
+}
+
+bool ttc_emit_divisors(ttc_text *text, ttc_field *field, size_t *count)
+{
+    factor_list list = { .field = field };
+    *count = 0;
+    if (!ttc_field_is_general(field) || ttc_field_lifted_count(field) > 0) return true;
+    const bool good = find_factors(&list) && (list.count == 0 || add_factors(text, &list));
+    *count = list.count;
+    free(list.factors);
+    return good;
+}
