@@ -189,13 +189,16 @@ static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section
     ttc_valuation_destroy(map);
 }
 
-/* Levels are those of integrals: what is lost from them leaves the section's coordinates as well. */
+/* Levels are those of integrals: what is lost from them leaves the section's coordinates as well. Points that differ by periods are
+ * one, on one level. */
 static void check_levels(ttc_task *task)
 {
     for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
         if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->members[i]) != TTC_PROVED)
             ttc_task_unsettle(task, "it is on levels of %s, which is not proved",
                               task->model->claims[task->claim->members[i]].name);
+    for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
+        ttc_prove_level_is_periodic(task, task->model->claims + task->claim->members[i]);
 }
 
 void ttc_prove_section(ttc_task *task)

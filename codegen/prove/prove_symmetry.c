@@ -1,12 +1,13 @@
 /* Maps of the states that take motions to motions: reversors, backwards in time, and symmetries. A map S is affine in the states;
  * with f the field, f(S x) = -DS f(x) or f(S x) = DS f(x). */
 #include "prove/domain.h"
+#include "prove/prove_image.h"
 
 #include <stdlib.h>
 
 /* The model at the image of a point: states mapped as claimed, the rest as it is. Roots have their values in the field first, so
  * that those at the image are expressed through them. */
-static ttc_valuation *image(ttc_task *task)
+static ttc_valuation *image(ttc_task *task, const ttc_bindings *bindings)
 {
     const ttc_model *model = task->model;
     ttc_ratio root;
@@ -21,8 +22,7 @@ static ttc_valuation *image(ttc_task *task)
         if (kind == TTC_PARAM || kind == TTC_STATE || kind == TTC_LEVEL || kind == TTC_LAMBDA || kind == TTC_PI)
             ttc_valuation_bind(map, i, model->symbols[i].node);
     }
-    for (size_t i = 0; i < task->claim->bindings.count; i++)
-        ttc_valuation_bind(map, task->claim->bindings.items[i].symbol, task->claim->bindings.items[i].expression);
+    for (size_t i = 0; i < bindings->count; i++) ttc_valuation_bind(map, bindings->items[i].symbol, bindings->items[i].expression);
     return map;
 }
 
@@ -189,7 +189,7 @@ static void prove_map(ttc_task *task)
                               task->model->symbols[task->claim->bindings.items[i].symbol].name);
     if (!ttc_task_open(task)) return;
     const size_t entries = task->model->state_count * task->model->state_count;
-    ttc_valuation *map = image(task);
+    ttc_valuation *map = image(task, &task->claim->bindings);
     if (map != NULL) ttc_task_enter_map(task, map);
     /* First, as the image's roots are then not yet in the ring, where they would be positive. */
     if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
@@ -217,4 +217,29 @@ void ttc_prove_symmetry(ttc_task *task)
     if (ttc_task_restricts_states(task)) ttc_task_unsettle(task, "a symmetry acts on an open set of states");
     else if (is_identity(task)) ttc_task_unsettle(task, "every state stays as it is, which says nothing");
     else prove_map(task);
+}
+
+/* The integral and its value a period on are one. */
+static void require_period(ttc_task *task, const ttc_claim *period, const ttc_claim *integral)
+{
+    ttc_valuation *map = image(task, &period->bindings);
+    ttc_ratio after;
+    if (map == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    ttc_task_enter_map(task, map);
+    ttc_ratio_init(task->ring, &after);
+    ttc_evaluate(map, &after, integral->expression);
+    ttc_prove_take_off(task, &after, task->field, integral->expression);
+    ttc_task_require_zero(task, &after, "%s a period of %s on - %s", integral->name, period->name, integral->name);
+    ttc_ratio_clear(task->ring, &after);
+    ttc_task_leave_map(task);
+    ttc_valuation_destroy(map);
+}
+
+void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral)
+{
+    for (size_t i = 0; i < task->model->claim_count && ttc_task_open(task); i++)
+        if (task->model->claims[i].kind == TTC_CLAIM_PERIODIC) require_period(task, task->model->claims + i, integral);
 }
