@@ -216,8 +216,8 @@ static jlt_exit write_history(exponents *self)
     }
     if (state->blurred > 0)
         fprintf(stderr,
-                "jellett: %zu of %zu returns stretch by more than rounding can tell apart: exponents between the first and the "
-                "last are in doubt; a section that is met more often shows them\n",
+                "jellett: %zu of %zu returns contract some directions by more than the tolerance resolves: exponents that rest on "
+                "them are left out, and the mean divergence stands for the sum of all; a section that is met more often shows them\n",
                 state->blurred, state->returns);
     return self->status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(self->status, self->system, o->motion.starts[0]);
 }

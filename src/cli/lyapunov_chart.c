@@ -62,6 +62,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     double *q = malloc(block * d * sizeof *q);
     jlt_map_images images = { 0 };
     jlt_progress progress;
+    size_t unresolved = 0;
     jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
 
     if (o->returns == 0) o->returns = 10;
@@ -75,7 +76,9 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
         if (jlt_motion_interrupted(&o->motion)) break;
         for (size_t i = 0; st == JLT_OK && i < count; i++) {
             const bool has_returned = images.status[i] == JLT_OK;
-            const double exponent = has_returned ? jlt_lyapunov_growth(images.slope + i * d * d, d) / images.T[i] : NAN;
+            const double exponent =
+                has_returned ? jlt_lyapunov_finite_exponent(images.slope + i * d * d, images.T[i], o->returns, &system->flow) : NAN;
+            unresolved += has_returned && isnan(exponent);
             jlt_csv_values(table->file, q + i * d, d);
             fputc(',', table->file);
             jlt_csv_row(table->file, (const double[]){ exponent, has_returned ? images.T[i] : NAN }, 2);
@@ -86,6 +89,9 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     jlt_progress_end(&progress);
     jlt_map_batch_images_clear(&images);
     free(q);
+    if (unresolved > 0)
+        fprintf(stderr, "jellett: returns of %zu starts contract by more than the tolerance resolves: they have no exponent\n",
+                unresolved);
     if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
 }

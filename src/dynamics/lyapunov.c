@@ -4,13 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/linear.h"
+
+/* The length of a derivative that errors of the tolerance change by a thousandth: what is shorter is made of them. */
+static double noise_of(const jlt_flow *flow)
+{
+    return 1e3 * (flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE);
+}
+
 /* Columns of q replaced by A q, orthonormalised by modified Gram-Schmidt, twice; growth gets the logarithms of the lengths, which
- * add up to log |det A|, so that the last of them is what the others leave. Returns by how much it was not. */
-static double step_frame(double *frame, double *growth, const double *slope, double size, unsigned d)
+ * add up to log |det A|, so that the last of them is what the others leave. NaN where a length before it is below `noise`, relative
+ * to the longest row of A or 1. Returns whether there is one. */
+static bool step_frame(double *frame, double *growth, const double *slope, double size, double noise, unsigned d)
 {
     double next[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
-    double rest = log(size);
+    double rest = log(size), longest = 1;
+    bool is_lost = false;
     unsigned i, j, k, pass;
+
+    for (i = 0; i < d; i++) longest = fmax(longest, jlt_linear_length(slope + i * d, d));
 
     for (i = 0; i < d; i++)
         for (j = 0; j < d; j++) {
@@ -27,23 +39,23 @@ static double step_frame(double *frame, double *growth, const double *slope, dou
                 for (i = 0; i < d; i++) next[i * d + j] -= inner * next[i * d + k];
             }
         for (i = 0; i < d; i++) length = hypot(length, next[i * d + j]);
-        growth[j] += log(length);
+        is_lost |= j + 1 < d && !(length > noise * longest);
+        growth[j] += is_lost ? NAN : log(length);
         rest -= log(length);
         for (i = 0; i < d; i++) next[i * d + j] /= length;
     }
     memcpy(frame, next, sizeof *frame * d * d);
     growth[d - 1] += rest;
-    return fabs(rest);
+    return is_lost;
 }
-
-/* Logarithms that do not add up by more have lost digits that a chart would show. */
-static const double resolved = 1e-3;
 
 /* frame: shape (d, d); growth: shape (d,); expansion: of all returns. */
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
-                         unsigned d)
+                         const jlt_flow *flow)
 {
-    if (step_frame(frame, growth, p->slope, p->flux_determinant, d) > resolved && d > 2) state->blurred++;
+    const unsigned d = flow->chart->dim;
+
+    if (step_frame(frame, growth, p->slope, p->flux_determinant, noise_of(flow), d)) state->blurred++;
     memcpy(state->q, p->q, d * sizeof *p->q);
     state->t += p->T;
     state->returns++;
@@ -66,7 +78,8 @@ jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double 
     while (state.returns < returns) {
         JLT_TRY(jlt_map_apply(map, &image, state.q, 1, 1));
         count_return(&state, frame, growth, &expansion,
-                     &(jlt_map_batch_return){ image.q, image.slope, image.flux_determinant, image.T, image.expansion }, d);
+                     &(jlt_map_batch_return){ image.q, image.slope, image.flux_determinant, image.T, image.expansion },
+                     jlt_map_flow(map));
         if (observer != NULL && observer(context, &state) != 0) break;
     }
 done:
@@ -79,16 +92,16 @@ typedef struct {
     jlt_lyapunov_state *out;
     double *frames, *growth, *expansion;
     size_t *skipped, skip;
-    unsigned d;
+    const jlt_flow *flow;
 } company;
 
 static void take_return(void *context, size_t i, const jlt_map_batch_return *made)
 {
     const company *all = context;
-    const unsigned d = all->d;
+    const unsigned d = all->flow->chart->dim;
 
     if (all->skipped[i]++ >= all->skip)
-        count_return(&all->out[i], all->frames + i * d * d, all->growth + i * d, &all->expansion[i], made, d);
+        count_return(&all->out[i], all->frames + i * d * d, all->growth + i * d, &all->expansion[i], made, all->flow);
 }
 
 jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
@@ -101,7 +114,7 @@ jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, j
                     .frames = calloc(frames + count * (d + 1), sizeof *all.frames),
                     .skipped = calloc(count, sizeof *all.skipped),
                     .skip = skip,
-                    .d = d };
+                    .flow = jlt_map_batch_flow(maps) };
     jlt_status st = JLT_ERR_NOMEM;
 
     if (all.frames == NULL || all.skipped == NULL) goto done;
@@ -122,7 +135,8 @@ done:
     return st;
 }
 
-double jlt_lyapunov_growth(const double *slope, unsigned d)
+/* The logarithm of the 2-norm. */
+static double growth_of(const double *slope, unsigned d)
 {
     double vector[JLT_CHART_DIM_MAX], norm2 = 0, last;
     unsigned i, j, k;
@@ -150,13 +164,20 @@ double jlt_lyapunov_growth(const double *slope, unsigned d)
     return log(norm2) / 2;
 }
 
+double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t returns, const jlt_flow *flow)
+{
+    const double growth = growth_of(slope, flow->chart->dim);
+
+    return growth > (double)returns * log(noise_of(flow)) ? growth / t : NAN;
+}
+
 jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
 {
     jlt_image image;
     const jlt_status st = jlt_map_apply(map, &image, q, returns, 1);
 
     if (st != JLT_OK) return st;
-    *exponent = jlt_lyapunov_growth(image.slope, jlt_map_flow(map)->chart->dim) / image.T;
+    *exponent = jlt_lyapunov_finite_exponent(image.slope, image.T, returns, jlt_map_flow(map));
     *t = image.T;
     return JLT_OK;
 }

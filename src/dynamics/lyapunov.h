@@ -10,8 +10,9 @@
 typedef struct {
     size_t returns;
     double t;         /* [time] of these returns */
-    double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit */
-    size_t blurred;   /* returns that stretch more than rounding can tell: exponents between the first and the last are in doubt */
+    double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit; NaN from the first
+                                            on that such a return leaves unknown */
+    size_t blurred;   /* returns whose derivative contracts some direction below what the tolerance resolves */
     double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return */
 } jlt_lyapunov_state;
@@ -31,11 +32,11 @@ JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, c
 JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
                                              const size_t *flow_of, size_t count, size_t skip, size_t returns);
 
-/** Logarithm of the 2-norm of a derivative, shape (d, d): divided by the time, the finite-time exponent. */
-double jlt_lyapunov_growth(const double *slope, unsigned d);
+/** Finite-time exponent: the logarithm of the 2-norm of slope, D(P^returns), shape (dim, dim), per unit of the time t that the
+ *  returns took. NaN where returns contract more than the flow's tolerance resolves. */
+double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t returns, const jlt_flow *flow);
 
-/** Finite-time exponent. Out: *exponent, log of the 2-norm of D(P^returns)(q), per unit of time; *t, the time that the returns
- *  took. Errors: those of jlt_map_apply. */
+/** The same from a start q, shape (dim,). Out: *exponent; *t, the time that the returns took. Errors: those of jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns);
 
 #endif

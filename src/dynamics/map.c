@@ -27,7 +27,8 @@ struct jlt_map {
 /* What never comes back to the section: a pole it falls into, or a place where it comes to rest. */
 static int watch(void *context, jlt_orbit *orbit)
 {
-    enum { SLOW_STEPS = 64 }; /* some turns of a spiral */
+    enum { SLOW_STEPS = 64 };                 /* some turns of a spiral */
+    static const double surroundings = 1e-3; /* of an equilibrium: however slow, what goes farther comes back */
     jlt_map *self = context;
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
     const int root = self->flow.field->root;
@@ -42,7 +43,8 @@ static int watch(void *context, jlt_orbit *orbit)
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;
-    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, jlt_rest_slow(stepper->asked));
+    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, jlt_rest_slow(stepper->asked))
+                    && jlt_approach_is_near(self->flow.field, stepper->x, surroundings);
     return was_slow && self->is_slow;
 }
 

@@ -17,7 +17,7 @@ jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *fl
     for (unsigned k = 0; k < d; k++)
         for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = tangent[i * d + k];
     varied[n * (1 + d)] = 0;
-    if (jlt_rest_is_slower(flow->field, varied, JLT_REST_STILL)) return JLT_ERR_DOMAIN;
+    if (jlt_rest_is_still(flow->field, varied)) return JLT_ERR_DOMAIN;
     flow->field->call(varied, flow->field->p, f);
     *flux = chart->flux(chart, varied, f);
 done:

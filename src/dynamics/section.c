@@ -233,7 +233,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->least = INFINITY;
     self->condition = 0;
     arrive(self, x, f);
-    if (jlt_rest_is_slower(self->flow.field, x, JLT_REST_STILL)) self->start_fate = JLT_FATE_EQUILIBRIUM;
+    if (jlt_rest_is_still(self->flow.field, x)) self->start_fate = JLT_FATE_EQUILIBRIUM;
     if (self->event_count > self->crossings && self->least <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
     fill(row, self, 0, x, x[chart->column] == chart->level);

@@ -101,6 +101,30 @@ static jlt_status way_left(double *y, const double *a, const double *f, unsigned
     return st;
 }
 
+bool jlt_approach_is_near(const jlt_field *field, const double *x, double distance)
+{
+    static const double singular = 1e-9;
+    double a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], slowest, fastest;
+    const unsigned n = field->dim;
+    unsigned count;
+    bool moves = false;
+
+    if (n > DIM_MAX) return true;
+    field->call(x, field->p, f);
+    for (unsigned i = 0; i < n; i++) moves |= f[i] != 0;
+    if (!moves) return true;
+    jacobian(a, field, x);
+    if (rates(&slowest, &fastest, &count, a, n, 1) != JLT_OK) return true;
+    if (jlt_eigen_least_squares(y, a, f, n, n, singular) != JLT_OK) return true;
+    multiply(image, a, y, n, 1);
+    for (unsigned i = 0; i < n; i++) {
+        const double size = fmax(fabs(x[i]), 1);
+        if (fabs(y[i]) > distance * size) return false;
+        if (fabs(image[i] - f[i]) > fmax(8 * rounding, distance * distance) * fastest * size) return false;
+    }
+    return true;
+}
+
 bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
 {
     const double negligible = fmax(rounding, stepper->asked / 100);

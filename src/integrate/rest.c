@@ -28,6 +28,11 @@ bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed)
     return slower(f, x, field->dim, speed * pace);
 }
 
+bool jlt_rest_is_still(const jlt_field *field, const double *x)
+{
+    return jlt_rest_is_slower(field, x, JLT_REST_STILL) && jlt_approach_is_near(field, x, JLT_REST_STILL);
+}
+
 static bool stepper_slower(const jlt_stepper *stepper, double speed)
 {
     const unsigned dim = stepper->field->dim;
@@ -58,7 +63,7 @@ bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
     jlt_approach approach;
 
     if (decays_to(&approach, stepper, limit)) return true;
-    if (!stepper_slower(stepper, JLT_REST_STILL)) return false;
+    if (!stepper_slower(stepper, JLT_REST_STILL) || !jlt_approach_is_near(stepper->field, stepper->x, JLT_REST_STILL)) return false;
     for (unsigned i = 0; i < stepper->field->dim; i++) limit[i] = stepper->x[i];
     return true;
 }

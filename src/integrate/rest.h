@@ -7,7 +7,7 @@
 
 #include "integrate/approach.h"
 
-/** The speed below which any orbit counts as come to rest. */
+/** The speed below which an orbit counts as come to rest where an equilibrium is as near (jlt_approach_is_near). */
 #define JLT_REST_STILL 1e-12
 
 /** The speed below which an orbit that decays counts as come to rest: a thousand tolerances, but JLT_REST_STILL at least, and 1e-6
@@ -16,6 +16,10 @@ double jlt_rest_slow(double tolerance);
 
 /** Whether the field at x, shape (dim,), is slower than `speed`. Cost: 1 evaluation. */
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed);
+
+/** Whether the orbit at x has come to rest: it is slower than JLT_REST_STILL, and as near to an equilibrium. Cost: 1 evaluation; a
+ *  Jacobian and its eigenvalues where it is slow. */
+bool jlt_rest_is_still(const jlt_field *field, const double *x);
 
 /** Counts of an orbit's steps. The caller zeroes it at the start, and at every crossing of a section, since an orbit that comes to
  *  rest makes no more of them. */

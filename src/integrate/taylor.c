@@ -73,7 +73,8 @@ static double longest_step(const taylor *self, const jlt_stepper *stepper)
             norm = jlt_larger(norm, term);
         }
         if (norm > 0) {
-            const double h = jlt_inverse_root(norm / (allowance[back] * stepper->tolerance), 1.0 / k);
+            const double over = norm / (allowance[back] * stepper->tolerance);
+            const double h = over > 1e-60 ? jlt_inverse_root(over, 1.0 / k) : pow(over, -1.0 / k);
             longest = jlt_smaller(longest, h);
         }
     }

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Motion is no rest because it is slow. A table whose rates all have the factor e moves as at e = 1, at times 1/e as long: one orbit at a
+# time, in lanes, with derivatives, and by every method. What is on an equilibrium, or comes to one, is there at any e.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+
+cat > pair.tt << 'T'
+model pair
+param e > 0
+default e = 1
+state x
+state v
+state z
+eq x = e*v
+eq v = -e*x - e*z^2/10
+eq z = -e*z/5
+T
+slow=1.1368683772161603e-13 # 2^-43
+rows() { # COMMAND...: the numbers of the rows, times and exponents in units of 1/e
+    jellett "$@" 2> err | grep -v '^#'
+}
+# Both are right to some tolerances, 1e-12 relative to 1, a return each.
+compare() { # WHAT SCALED-COLUMN POWER
+    awk -F, -v what="$1" -v column="$2" -v power="$3" 'NR == FNR { fast[FNR] = $0; n = FNR; next }
+        { m = split(fast[FNR], one); if (m != NF) bad = 1
+          for (i = 1; i <= m; i++) { a = one[i]; b = $i
+              if (a !~ /^[-+0-9.e]+$/ || b !~ /^[-+0-9.e]+$/) { if (a != b) bad = 1; continue }
+              if (column == 0 || i == column) b = power < 0 ? b * 2^-43 : b * 2^43
+              off = a - b; if (off < 0) off = -off; size = a < 0 ? -a : a; if (size < 1) size = 1
+              if (off > 1e-10 * size) bad = 1 } last = FNR }
+        END { exit bad || n < 2 || n != last }' fast.csv slow.csv || fail "$1: $(cat fast.csv slow.csv err)"
+}
+starts="--start x=1,z=0.1 --start x=0.5,z=0.3 --start x=-1,z=0.2 --start x=2,z=0"
+for how in "" "--method gauss" "--method taylor" "--method dop853" "--check"; do
+    rows section ./pair.tt --section v=0 $starts --returns 3 $how > fast.csv
+    rows section ./pair.tt --section v=0 $starts --returns 3 $how --set e=$slow > slow.csv
+    compare "section $how" 3 -1
+done
+rows simulate ./pair.tt --start x=1,v=0,z=0.1 --times 0,1,10,20 > fast.csv
+rows simulate ./pair.tt --start x=1,v=0,z=0.1 --times 0,8796093022208,87960930222080,175921860444160 --set e=$slow > slow.csv
+compare simulate 1 -1
+rows lyapunov ./pair.tt --section v=0 --start x=1,z=0.1 --returns 4 | cut -d, -f3- > fast.csv
+rows lyapunov ./pair.tt --section v=0 --start x=1,z=0.1 --returns 4 --set e=$slow | cut -d, -f3- > slow.csv
+compare lyapunov 0 1
+for e in 1 $slow; do
+    rows section ./pair.tt --section v=0 --start x=0,z=0 --returns 1 --set e=$e | grep -q equilibrium ||
+        fail "the equilibrium is not told at e = $e"
+done
+# What is at rest but for one slow pair moves on: half a turn is pi 2^43.
+printf 'model creep\nstate x\nstate v\nstate p\nstate q\neq x = v\neq v = -x\neq p = q/2^43\neq q = -p/2^43\n' > creep.tt
+rows section ./creep.tt --section q=0 --start x=0,v=0,p=1 --returns 1 > creep.csv
+grep -q "0,1,27633741218861" creep.csv || fail "slow motion beside what rests: $(cat creep.csv err)"
+exit $status
