@@ -1,5 +1,5 @@
-/* What the equations divide by, as the table writes them, before anything is cancelled: it is not zero in the domain. Kernels show no
- * zero of what is cancelled in them, so that starts are held against these values. */
+/* What the equations divide by, as the table writes them, before anything is cancelled: it is not zero in the domain. Kernels show
+ * no zero of what is cancelled in them, so that starts are held against these values. */
 #include "emit/emit.h"
 
 #include <stdlib.h>

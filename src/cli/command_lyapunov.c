@@ -216,8 +216,9 @@ static jlt_exit write_history(exponents *self)
     }
     if (state->blurred > 0)
         fprintf(stderr,
-                "jellett: %zu of %zu returns contract some directions by more than the tolerance resolves: exponents that rest on "
-                "them are left out, and the mean divergence stands for the sum of all; a section that is met more often shows them\n",
+                "jellett: %zu of %zu returns contract some directions by more than the tolerance resolves: exponents that rest "
+                "on them are left out, and the mean divergence stands for the sum of all; a section that is met more often shows "
+                "them\n",
                 state->blurred, state->returns);
     return self->status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(self->status, self->system, o->motion.starts[0]);
 }
@@ -279,6 +280,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
     if (*code == JLT_EXIT_DONE && o->motion.starts[0] != NULL) *code = jlt_motion_check_starts(self->system, o->motion.starts, 1);
     if (*code == JLT_EXIT_DONE && o->motion.grid != NULL)
         *code = jlt_motion_axes(self->axes, self->system, o->motion.grid, "--grid");
+    if (*code == JLT_EXIT_DONE && o->motion.grid != NULL) *code = jlt_motion_check_grid(self->axes, self->system);
     if (*code == JLT_EXIT_DONE && o->motion.grid != NULL)
         *code = jlt_motion_map_open(&self->picture, &o->motion, self->system, o->motion.grid, self->axes);
     if (*code == JLT_EXIT_DONE) *code = open_maps(self, has_method);

@@ -215,8 +215,8 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     if (system->surface == NULL && o->grid == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
     code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid");
-
     if (code == JLT_EXIT_DONE) code = jlt_grid_whole(axes, "--grid");
+    if (code == JLT_EXIT_DONE && !no_grid) code = jlt_motion_check_grid(axes, system);
     if (code != JLT_EXIT_DONE) return code;
     for (unsigned k = 0; k < chart->dim; k++) {
         search.low[k] = axes[k].low;

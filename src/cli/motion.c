@@ -270,6 +270,20 @@ void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_syste
     }
 }
 
+jlt_exit jlt_motion_check_grid(const jlt_grid_axis *axes, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const size_t count = jlt_motion_grid_size(axes, system);
+    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX];
+
+    if (axes[0].part != 0 || count == 0) return JLT_EXIT_DONE;
+    for (size_t i = 0; i < count; i++) {
+        jlt_motion_grid_point(q, axes, system, i);
+        if (chart->lift(chart, x, NULL, q) != JLT_ERR_EMPTY) return JLT_EXIT_DONE;
+    }
+    return jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
+}
+
 void jlt_motion_one_start(jlt_motion_options *options, const char *text)
 {
     options->starts[0] = text;

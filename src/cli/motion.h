@@ -104,6 +104,9 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system);
 
+/** Refuses a grid none of whose points is on the levels. A part of a grid may be so. Cost: one lift for each until the first is. */
+jlt_exit jlt_motion_check_grid(const jlt_grid_axis *axes, const jlt_system *system);
+
 /** Start number `index` of all: first those of --start, then points of the grid. Out: q, shape (dim,). */
 jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system,
                               size_t index);

@@ -8,6 +8,7 @@
 #include "core/memory.h"
 
 static const double same_point = 1e-7;
+static const double same_degenerate = 1e-4; /* a residual of 1e-13 leaves a fold known to its root, a cusp to its third root */
 
 void jlt_orbits_clear(jlt_orbits *self)
 {
@@ -17,8 +18,10 @@ void jlt_orbits_clear(jlt_orbits *self)
 
 bool jlt_orbits_has(const jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit)
 {
-    for (size_t i = 0; i < self->count; i++)
-        if (jlt_periodic_same(chart, &self->orbits[i], orbit, same_point)) return true;
+    for (size_t i = 0; i < self->count; i++) {
+        const bool both = self->orbits[i].type == JLT_ORBIT_DEGENERATE && orbit->type == JLT_ORBIT_DEGENERATE;
+        if (jlt_periodic_same(chart, &self->orbits[i], orbit, both ? same_degenerate : same_point)) return true;
+    }
     return false;
 }
 

@@ -37,7 +37,8 @@ awk -F, '/^90,/ { exit !($3 > 0.998 && ($4 + $3)^2 < 1e-20 && ($5 + 0.5)^2 < 1e-
 [ -s err ] && grep -q resolves err && fail "nothing is lost there: $(cat err)"
 
 # Two directions that contract by e^-20 pi and e^-30 pi: neither is known, but for their sum; of one alone it is known.
-printf '%s\n' 'model sink' 'state u' 'state v' 'state phi' 'eq u = -u + v/3' 'eq v = -3*v/2' 'eq phi = 1/10' 'periodic phi = 2*pi' > sink.tt
+printf '%s\n' 'model sink' 'state u' 'state v' 'state phi' 'eq u = -u + v/3' 'eq v = -3*v/2' 'eq phi = 1/10' \
+    'periodic phi = 2*pi' > sink.tt
 jellett lyapunov ./sink.tt --section phi=0 --start u=0,v=0 --returns 9 > out 2> err < /dev/null || fail "sink: $(cat err)"
 awk -F, '/^9,/ { exit !($3 $4 == "" && ($5 + 2.5)^2 < 1e-24) }' out || fail "exponents of the sink: $(tail -1 out)"
 grep -q '9 of 9 returns contract' err || fail "nothing is told of the sink: $(cat err)"

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# A search over a grid: a degenerate orbit, to which Newton's method comes from all sides and no nearer than a root of its residual,
+# is listed once; a grid none of whose points is on the levels is refused, by every command that has one.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+
+cat > cusp.tt << 'T'
+model cusp
+state x
+state y
+state phi
+angle c s = cos(phi) sin(phi)
+eq x = -x^3 + y
+eq y = -y + y*c/5
+eq phi = 1
+periodic phi = 2*pi
+T
+sed -e 's/^model cusp/model two/' -e 's/^eq x = .*/eq x = -(x^2 - 1\/100)^3 + y/' cusp.tt > two.tt
+for want in cusp=1 two=2; do
+    jellett orbits ./${want%=*}.tt --section phi=0 --grid x=-0.5:0.5:20,y=-0.5:0.5:20 --period 2 > rows.csv 2> err
+    [ "$(grep -c '^1,.*,degenerate,' rows.csv)" -eq "${want#*=}" ] && [ "$(grep -c '^[12],' rows.csv)" -eq "${want#*=}" ] ||
+        fail "$want orbits: $(grep -v '^#' rows.csv; cat err)"
+done
+
+cat > oscillators.tt << 'T'
+model oscillators
+state x
+state y
+state px
+state py
+eq x = px
+eq y = py
+eq px = -x
+eq py = -2*y
+integral E = (px^2 + py^2 + x^2)/2 + y^2
+T
+for command in "orbits --period 1" "lyapunov --returns 2" "section --returns 2" "fates --returns 2"; do
+    jellett ${command%% *} ./oscillators.tt ${command#* } --section x=0 --level E=-1 --solve px=0.3 \
+        --grid y=-0.1:0.1:3,py=0:0.1:3 > rows.csv 2> err
+    [ $? -eq 4 ] && grep -q 'finds no state with these levels' err || fail "$command on an empty level: $(tail -1 rows.csv; cat err)"
+done
+exit $status
