@@ -1,5 +1,6 @@
 #include "analysis/measure.h"
 #include "cli/plot.h"
+#include "cli/swept.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
@@ -21,7 +22,7 @@ static const struct argp_option option_table[] = {
     { "points", KEY_POINTS, "N", 0, "Rows of the density's table; default 41", 1 },
     { "seed", KEY_SEED, "N|0", 0, "Seed of the random states; default 1", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
-    { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header", 1 },
+    { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header; a sweep does so by itself", 1 },
     { 0 },
 };
 
@@ -30,12 +31,14 @@ static error_t parse(int key, char *value, struct argp_state *state)
     request *r = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &r->common; return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = state->child_inputs[1] = &r->common; return 0;
     case KEY_POINTS: jlt_common_count(&r->points, value, 3, POINTS_MAX, "--points"); return 0;
     case KEY_SEED: jlt_common_count(&r->seed, value, 0, INT64_MAX, "--seed"); return 0;
     case 'j': r->json = true; return 0;
     case 'c': r->csv = true; return 0;
     case ARGP_KEY_END:
+        r->csv |= r->common.sweep != NULL && !r->json;
+        if (r->json && r->common.sweep != NULL) argp_error(state, "--sweep writes rows: leave out --json");
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
         if (!r->csv) jlt_common_no_table(&r->common, state, "a report");
         return 0;
@@ -43,7 +46,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -271,6 +274,8 @@ static const char *why_not(jlt_status st)
                : "";
 }
 
+static const jlt_swept_form swept = { &jlt_command_measure, false, 1 };
+
 static jlt_exit run(int argc, char **argv)
 {
     request r = { .seed = 1, .points = POINTS };
@@ -282,6 +287,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_common_begin(&r.common, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
+    if (jlt_swept_done(&code, &swept, &r.common)) goto done;
     if (f == NULL) {
         code = jlt_command_no_memory();
         goto done;

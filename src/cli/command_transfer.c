@@ -1,6 +1,7 @@
 #include "cli/motion_many.h"
 #include "cli/motion_map.h"
 #include "cli/progress.h"
+#include "cli/swept.h"
 #include "cli/transfer_report.h"
 
 #include <math.h>
@@ -76,7 +77,8 @@ static void parse_coarse(options *o, const char *value, struct argp_state *state
 }
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { &jlt_contact_argp, 0, NULL, 0 },
-                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 }, { 0 } };
+                                              { &jlt_motion_many_argp, 0, NULL, 0 }, { &jlt_plot_axes_argp, 0, NULL, 0 },
+                                              { &jlt_swept_argp, 0, NULL, 0 }, { 0 } };
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
@@ -94,6 +96,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SEED: jlt_common_count(&o->seed, value, 0, INT64_MAX, "--seed"); return 0;
     case 'j': o->json = true; return 0;
     case ARGP_KEY_END:
+        if (o->json && o->motion.common.sweep != NULL) argp_error(state, "--sweep writes rows: leave out --json");
         if (o->motion.common.plot != NULL && o->eigenvalues == 0)
             argp_error(state, "--plot draws the density that stays: leave out --eigenvalues 0");
         return 0;
@@ -121,6 +124,7 @@ static const struct argp parser = {
     "  jellett transfer --boxes 300x300 --tol 1e-8 --coarse 2,3 \\\n"
     "    --plot density.png -o density.csv\n"
     "  jellett transfer --set I3=0 --boxes 64x64 --eigenvalues 0\n"
+    "  jellett transfer --sweep a3=0.4:0.6:5 --boxes 64x64 -o densities.csv\n"
     "  jellett transfer nose_hoover --section z=0 --boxes q=-4:4:64,p=-4:4:64",
     children, NULL, NULL,
 };
@@ -328,6 +332,8 @@ static void centre_axes(jlt_grid_axis *axes, const jlt_boxes *boxes)
     }
 }
 
+static const jlt_swept_form swept = { &jlt_command_transfer, true, 3 };
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .strata = 10, .eigenvalues = 6, .candidates = 3, .seed = 1, .noise_count = 1, .coarse = { 1 },
@@ -340,6 +346,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     jlt_motion_many_choose(&o.motion, true, false);
     o.motion.seed = o.seed;
     o.motion.is_random = true;
@@ -354,6 +361,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = build(&s);
     if (code == JLT_EXIT_DONE) code = examine_all(&s);
     if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o.motion)) code = write_all(&s, &map);
+done:
     clear(&s);
     jlt_motion_map_close(&map);
     jlt_system_destroy(s.system);

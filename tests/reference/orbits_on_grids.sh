@@ -42,6 +42,7 @@ T
 for command in "orbits --period 1" "lyapunov --returns 2" "section --returns 2" "fates --returns 2"; do
     jellett ${command%% *} ./oscillators.tt ${command#* } --section x=0 --level E=-1 --solve px=0.3 \
         --grid y=-0.1:0.1:3,py=0:0.1:3 > rows.csv 2> err
-    [ $? -eq 4 ] && grep -q 'finds no state with these levels' err || fail "$command on an empty level: $(tail -1 rows.csv; cat err)"
+    [ $? -eq 4 ] && grep -q 'finds no state with these levels' err ||
+        fail "$command on an empty level: $(tail -1 rows.csv; cat err)"
 done
 exit $status

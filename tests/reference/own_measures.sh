@@ -97,6 +97,12 @@ for a in 2 1 1e-9 1e-100; do
                for (i = 1; i <= n; i++) { off = rho[i]*(1 + x[i]^2) - 1; if (off*off > 1e-20) bad = 1 }
                exit bad }' out || fail "measure in an interval of $a: $(tail -3 out)"
 done
+# A sweep has the table of each point behind its value.
+expect 0 '^1,0[.]' jellett measure ./narrow.tt --sweep a=1:2:2 --points 5
+for a in 1 2; do
+    jellett measure ./narrow.tt --csv --points 5 --set a=$a | grep '^[-0-9]' | sed "s/^/$a,/" | cmp -s - <(grep "^$a," out) ||
+        fail "the sweep of measure differs at a = $a"
+done
 # Where x^2 is lost that is said; it is no pole of the density.
 for a in 1e-150 1e-160 1e-300; do expect 4 'use units in which parameters' jellett measure ./narrow.tt --set a=$a; done
 exit $status

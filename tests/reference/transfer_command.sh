@@ -111,6 +111,13 @@ column known_density out | awk '{ low = 0.2*NR; high = low + 0.2
     share = (high^2/2 + high^4/4 - low^2/2 - low^4/4)/(0.5 + 0.25 - 0.02 - 0.0004)
     if (($1*0.2/share - 1)^2 > 4e-4) bad = 1 } END { exit bad || NR != 4 }' || fail "the known density: $(column known_density out)"
 
+# Rows of a sweep are those of each point by itself, behind its value.
+jellett transfer --sweep a3=0.4:0.6:3 --boxes 12x12 --strata 4 > swept.csv 2> err || fail "a sweep: $(cat err)"
+for a3 in 0.4 0.5 0.6; do
+    jellett transfer --set a3=$a3 --boxes 12x12 --strata 4 2> err | grep '^[-0-9]' > one.csv
+    cut -d, -f1-7 one.csv | sed "s/^/$a3,/" | cmp -s - <(grep "^$a3," swept.csv | cut -d, -f1-8) || fail "the sweep differs at a3 = $a3"
+done
+
 refuse 3 "nothing stays in them" --boxes eta=0:0.01:4,gamma3=-0.9:-0.89:4
 refuse 3 "eigenvalues are of 3 boxes" --boxes 1x2
 refuse 3 "cannot be taken 3 together" --boxes 10x10 --coarse 3
@@ -121,5 +128,6 @@ refuse 3 "points of a box" routh_sphere --section omega_tau=0 --boxes gamma3=-0.
 refuse 2 "leave out --eigenvalues 0" --eigenvalues 0 --plot x.svg
 refuse 2 "from 0 to 1" --noise 2
 refuse 2 "ascending" --coarse 4,2
+refuse 2 "leave out --json" --sweep a3=0:1:2 --json
 refuse 2 "say which boxes" lorenz --section z=27
 exit $status
