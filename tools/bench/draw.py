@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#555555", "#8B4513", "#999933"]
-MARKS = [7, 5, 9, 13, 11, 15, 6, 4, 8]
+MARKS = [7, 5, 9, 13, 11, 15, 6, 4, 8, 10, 12]
 DASHES = ["solid", "'-'", "'.'", "'-.'", "'_'", "'-..'"]
 LIFTED = ["level", "five", "track", "level_t", "five_t"]
 FORMS = LIFTED + ["level_plain", "five_plain", "level_omega_n", "level_omega3", "variational", "central", "forward"]
@@ -62,7 +62,8 @@ class Panel:
                   for how in hows if len(hows) > 1]
         if any(point[4] for points in self.curves.values() for point in points):
             items.append("keyentry with points lc rgb 'black' pt 2 lw 2 title \"orbits lost\"")
-        head = f'set title "{self.title}"\nset key top left Left reverse noenhanced samplen 2 spacing 0.9 font ",14"'
+        self.key_rows = (sum("keyentry" in item for item in items) + 1) // 2
+        head = f'set title "{self.title}"\nset key bmargin center Left reverse maxrows {self.key_rows} noenhanced samplen 2 spacing 0.9 width -3 font ",13"'
         return "\n".join(blocks), head + "\nplot " + ", \\\n  ".join(items or ["NaN notitle"])
 
 
@@ -82,7 +83,9 @@ def draw(path, kind, size, layout, title, lines, plots):
 def draw_panels(path, kind, size, layout, title, settings, panels):
     """panels: (Panel, colours, settings of its own)."""
     texts = [(panel.text(f"p{i}_", colours), extra) for i, (panel, colours, extra) in enumerate(panels)]
-    draw(path, kind, size, layout, title, [*(blocks for (blocks, _), _ in texts), settings], [extra + "\n" + plot for (_, plot), extra in texts])
+    below = f"set bmargin {4.5 + 0.8 * max(panel.key_rows for panel, _, _ in panels)}"  # one for all, so that their axes are level
+    draw(path, kind, size, layout, title, [*(blocks for (blocks, _), _ in texts), settings, below],
+         [extra + "\n" + plot for (_, plot), extra in texts])
 
 
 AXES = """set logscale xy
@@ -160,12 +163,12 @@ def section(results, kind, table, title):
               for who, chosen in (("jellett, batches", batched), ("jellett, one orbit at a time", scalar), ("peers", peer))]
     settings = AXES + f"""
 set xrange [1e-1:5e-17]
-set yrange [0.1:300000]
+set yrange [0.1:4000]
 set xlabel 'largest error of 10 returns'
 set ylabel 'time per return [µs]'
 set arrow 1 from {ROUNDING}, graph 0 to {ROUNDING}, graph 1 nohead dt '-' lc rgb '#888888'
 set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font ',13' tc rgb '#666666' offset -0.5,0"""
-    draw_panels(f"{results}/{table}", kind, (1500, 1200), "2,3", title, settings, work_panels(rows, "error", groups, 5e-2))
+    draw_panels(f"{results}/{table}", kind, (1800, 1300), "2,3", title, settings, work_panels(rows, "error", groups, 5e-2))
 
 
 BEST = [  # what is shown of a program, its name and the place of it, mark, dash, colour: in grey, marks, dashes and names tell them apart
@@ -208,7 +211,7 @@ def times(results, kind):
               ("peers (time carried as a state where lifted)", peer)]
     settings = AXES + f"""
 set xrange [1e-1:5e-17]
-set yrange [1:300000]
+set yrange [1:4000]
 set xlabel 'largest error of a crossing time, 10 returns'
 set ylabel 'time per return [µs]'"""
     draw_panels(f"{results}/times", kind, (1500, 700), "1,3", "Crossing times of the section map at (5.1), regular grid", settings,
@@ -225,8 +228,8 @@ def drift(results, kind):
         moved = [row for row in rows if number(row[column])]  # no drift is known where no return was made
         for panel, colours, _ in work_panels(moved, column, groups, 5e-2):
             panels.append((panel, colours, f"set xlabel 'largest drift of {name} over all returns'"))
-    draw_panels(f"{results}/drift", kind, (1500, 1200), "2,3", "Drift of the integrals along the section map at (5.1), regular grid",
-         AXES + "\nset xrange [1e-1:5e-17]\nset yrange [0.1:300000]\nset ylabel 'time per return [µs]'", panels)
+    draw_panels(f"{results}/drift", kind, (1800, 1300), "2,3", "Drift of the integrals along the section map at (5.1), regular grid",
+         AXES + "\nset xrange [1e-1:5e-17]\nset yrange [0.1:4000]\nset ylabel 'time per return [µs]'", panels)
 
 
 def slope(results, kind):
@@ -238,7 +241,7 @@ def slope(results, kind):
               ("peers", peer)]
     settings = AXES + """
 set xrange [1:1e-15]
-set yrange [1:100000]
+set yrange [1:6000]
 set xlabel 'largest error of DP, relative to its largest entry'
 set ylabel 'time per derivative [µs]'"""
     draw_panels(f"{results}/slope", kind, (1500, 700), "1,3", "Derivative DP of the section map at (5.1), regular grid", settings,
@@ -267,7 +270,7 @@ def fates(results, kind):
         return
     settings = AXES + """
 set xrange [10:1e-15]
-set yrange [10:100000]
+set yrange [10:1000]
 set xlabel '90th percentile of the error of the time at a pole'
 set ylabel 'time per orbit [µs]'"""
     for row in rows:  # of 600 orbits, that many have a wrong fate: none is lost
@@ -304,7 +307,7 @@ def spreads(results, kind, table, title, time, ylabel, xrange, yrange, layout, s
         return
     panels = spread_panels(rows, time, 1e-18)
     settings = [AXES, f"set xrange [{xrange}]", f"set yrange [{yrange}]", f"set ylabel '{ylabel}'",
-                "set xlabel 'error: median; bars from the least to the largest'", "set key top right Left reverse noenhanced font ',14'"]
+                "set xlabel 'error: median; bars from the least to the largest'", "set key bmargin center Left reverse maxrows 2 noenhanced samplen 2 font ',14'", "set bmargin 7"]
     draw(f"{results}/{table}", kind, size, layout, title, [*(blocks for _, blocks, _ in panels), *settings],
          [f"set title \"{names.get(points, points)}\"\nplot {plot}" for points, _, plot in panels])
 
@@ -347,9 +350,9 @@ def main():
     slope(results, kind)
     questions(results, kind, "cycles", ("1:1e-16", "3000:1000000"), (2400, 1100), "2,4",
               "Periodic orbits followed in a parameter: jellett and AUTO-07p")
-    questions(results, kind, "proofs", ("1e-9:1e-32", "10000:10000000"), (1800, 1100), "2,3",
+    questions(results, kind, "proofs", ("1e-9:1e-32", "10000:2000000"), (1800, 1100), "2,3",
               "Periodic orbits proved: half-width of the period's enclosure, jellett and CAPD")
-    questions(results, kind, "chaos", ("1e-2:1e-15", "10:1000000"), (1500, 650), "1,2",
+    questions(results, kind, "chaos", ("1e-2:1e-15", "10:100000"), (1500, 650), "1,2",
               "Chaos at (5.1): exponents over 20 returns, and the angle of separatrices, jellett and heyoka")
     fates(results, kind)
     spreads(results, kind, "jacobian", "Jacobian of (3.2) at 256 points, against ball arithmetic", "ns_per_jacobian", "ns per Jacobian",
