@@ -63,7 +63,7 @@ orbits = 'regular chaotic saddle'
 drift(orbit, form, method, tolerance) = sprintf("< cat '%s'/energy_drift*.csv | awk -F, '$1==\"%s\" && $2==\"%s\" && $3==\"%s\" && $4==\"%s\"' | sort -t, -k5,5g -u", ARG1, orbit, form, method, tolerance)
 set multiplot layout 1,3 title 'Drift of E: solid at tolerance 10^{-12}, dashed at 10^{-14}'
 set xrange [1:1e8] noreverse
-set yrange [1e-16:1e-3]
+set yrange [1e-16:1e3]
 set xlabel 'returns'
 set ylabel 'largest drift so far'
 do for [k=1:3] {
