@@ -136,6 +136,7 @@ static jlt_exit open_sweep(sweep *self)
     const jlt_common *common = self->common;
     jlt_exit code = jlt_common_model(common, &self->model);
 
+    self->rows.model = self->model;
     if (code == JLT_EXIT_DONE)
         code = jlt_grid_parse(self->rows.axes, &self->rows.count, JLT_SWEPT_AXES_MAX, common->sweep, "--sweep");
     if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->all, self->rows.axes, self->rows.count, common->sweep, "--sweep");

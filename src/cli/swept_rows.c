@@ -6,7 +6,7 @@
 
 #include "cli/plot.h"
 #include "core/digits.h"
-#include "top/top.h"
+#include "kernel/descriptor.h"
 
 enum { COLUMNS_MAX = 256 };
 
@@ -280,6 +280,43 @@ static jlt_exit refuse_picture(const jlt_swept_rows *self, const char *x, const 
     return jlt_command_fail(JLT_EXIT_INPUT, "--axes: no row has values of both %s and %s: nothing is drawn", x, y);
 }
 
+/* Whether " NAME=" stands in the text before this place. */
+static bool stands_before(const char *text, size_t place, const char *name)
+{
+    const size_t length = strlen(name);
+
+    for (const char *at = strchr(text, ' '); at != NULL && (size_t)(at + 1 - text) < place; at = strchr(at + 1, ' '))
+        if (strncmp(at + 1, name, length) == 0 && at[1 + length] == '=') return true;
+    return false;
+}
+
+/* Parameters and levels that all points have: the assignments NAME=VALUE of the common comments, in lines of nothing else. */
+static void caption(jlt_plot *plot, const jlt_swept_rows *self)
+{
+    char *text = strdup(self->header != NULL ? self->header : ""), *lines = NULL, *words = NULL;
+
+    for (char *line = text == NULL ? NULL : strtok_r(text, "\n", &lines); line != NULL; line = strtok_r(NULL, "\n", &lines)) {
+        const char *levels = "# levels ", *start = strncmp(line, levels, strlen(levels)) == 0 ? line + strlen(levels) : line + 2;
+        if (strncmp(line, "# ", 2) != 0 || strcspn(start, "=") > strcspn(start, " :{")) continue;
+        for (char *word = strtok_r((char *)start, " ", &words); word != NULL; word = strtok_r(NULL, " ", &words)) {
+            char *equals = strchr(word, '=');
+            if (equals == NULL) break;
+            *equals = '\0';
+            if (!stands_before(self->header, (size_t)(word - text), word)) jlt_plot_value(plot, word, strtod(equals + 1, NULL));
+        }
+    }
+    free(text);
+}
+
+/* The unit of a parameter or state; "" for what is neither. */
+static const char *unit_of(const jlt_descriptor *model, const char *name)
+{
+    size_t index;
+
+    if (jlt_descriptor_param(model, name, &index)) return model->params[index].unit;
+    return jlt_descriptor_state(model, name, &index) ? model->states[index].unit : "";
+}
+
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
 {
     char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[COLUMNS_MAX];
@@ -296,12 +333,10 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
         return code;
     }
     jlt_plot_block(&plot, "POINTS", self->common->drawn);
-    const char *model = self->common->model != NULL ? self->common->model : JLT_DEFAULT_MODEL, *slash = strrchr(model, '/');
-    jlt_plot_words(&plot, "%s of %s\n", self->what, slash != NULL ? slash + 1 : model);
-    for (size_t i = 0; i < self->common->set.count; i++)
-        jlt_plot_value(&plot, self->common->set.items[i].name, self->common->set.items[i].value);
+    jlt_plot_words(&plot, "%s: jellett %s at each %s\n", self->model->model, self->what, self->axes[0].name);
+    caption(&plot, self);
     for (unsigned k = 0; k < 2; k++) {
-        jlt_look_label(label, names[k], "");
+        jlt_look_label(label, names[k], unit_of(self->model, names[k]));
         jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(self->extent[k]), 0);
     }
     fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);

@@ -8,9 +8,10 @@
 
 enum { JLT_SWEPT_AXES_MAX = 8, JLT_SWEPT_PLACE_MAX = 512 };
 
-/* The caller sets the first five members. */
+/* The caller sets the first six members. */
 typedef struct {
     jlt_common *common; /* whose table is written to */
+    const jlt_descriptor *model;
     const char *what;   /* the command's name, for messages */
     unsigned lead;      /* columns that only number the rows; a picture shows the next one where --axes says nothing */
     jlt_grid_axis axes[JLT_SWEPT_AXES_MAX];
