@@ -52,6 +52,8 @@ def replay(certificate, table):
         raise Unserved("parameters or levels are intervals")
     if certificate["kind"] not in ("cycle", "obstruction", "sink", "symmetric", "elliptic"):
         raise Unserved("it is of kind " + certificate["kind"])
+    if any("turns" in leg for leg in given["legs"]):
+        raise Unserved("the orbit closes up to periods of states")
     must(sorted(given["parameters"]) == sorted(table.params), "its parameters are not the table's")
     for name, sign in table.signs.items():
         value = Fraction(given["parameters"][name])

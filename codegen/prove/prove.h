@@ -64,6 +64,10 @@ bool ttc_prove(const ttc_model *model, ttc_resolver resolver, void *context, ttc
                ttc_proof_report **report);
 void ttc_proof_report_destroy(ttc_proof_report *report); /* legal on NULL */
 
+/** Whether a quantity is proved to be the same at points that differ by the periods that the table claims; the periods are taken
+ *  for granted. */
+bool ttc_prove_turns(const ttc_model *model, ttc_id quantity);
+
 /** The claims of a model one by one, so that a caller can bound what each may take. Claims that others rest on are proved when
  *  they are asked for, and once. */
 typedef struct ttc_proof_run ttc_proof_run;

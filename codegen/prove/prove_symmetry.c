@@ -243,3 +243,16 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral)
     for (size_t i = 0; i < task->model->claim_count && ttc_task_open(task); i++)
         if (task->model->claims[i].kind == TTC_CLAIM_PERIODIC) require_period(task, task->model->claims + i, integral);
 }
+
+static void prove_level(ttc_task *task) { ttc_prove_level_is_periodic(task, task->claim); }
+
+bool ttc_prove_turns(const ttc_model *model, ttc_id quantity)
+{
+    const ttc_claim claim = { .kind = TTC_CLAIM_EQUAL, .name = "it", .expression = quantity };
+    ttc_task task = { .model = model, .claim = &claim, .role = TTC_DIVIDES_FIELD };
+    ttc_task_run(&task, prove_level);
+    free(task.remainder);
+    free(task.point);
+    free(task.note);
+    return task.status == TTC_PROVED;
+}

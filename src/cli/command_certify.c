@@ -1,3 +1,4 @@
+#include "cli/certify_cycle.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
 #include "cli/certify_homoclinic.h"
@@ -142,53 +143,14 @@ static const struct argp parser = {
     "coefficient is not 0: it is stable on its levels, surrounded by invariant tori. equilibria: at all points of a family that "
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
     "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. Values typed and "
-    "defaults of tables are taken exactly. Orbits are found in doubles first.\n\n"
+    "defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
+    "up to periods that the table proves (`periodic`): these are served as cycle, obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959",
     children, NULL, NULL,
 };
-
-/* A certificate's section is met once, and its legs meet as numbers do. */
-static jlt_exit check_section(const jlt_system *system)
-{
-    const jlt_chart *chart = system->flow.chart;
-
-    if (chart->turn == 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_INPUT,
-                            "certificates compare states as numbers, and %s = %g is met once a turn: orbits that come back by "
-                            "turns, as those of a forced system, are not served; for one that swings back and forth "
-                            "'--modulo %s=0' makes it a number",
-                            system->instance->descriptor->states[chart->column].name, chart->level,
-                            system->instance->descriptor->states[chart->column].name);
-}
-
-/* The orbit in doubles: its legs' starts, x, shape (legs, states), and times, T, shape (legs,). */
-static jlt_exit find(double *x, double *T, unsigned *legs, const options *o, const jlt_system *system)
-{
-    /* a field in another time may have more states, behind these */
-    const size_t states = jlt_descriptor_sibling(system->instance->descriptor, NULL, NULL, NULL)->state_count;
-    const size_t dim = system->flow.chart->dim;
-    double q[JLT_CHART_DIM_MAX];
-    jlt_map *map = NULL;
-    jlt_periodic orbit = { 0 };
-    jlt_image image;
-    jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
-    jlt_status st;
-
-    if (code != JLT_EXIT_DONE) return code;
-    st = jlt_map_create(&map, &system->flow);
-    if (st == JLT_OK) st = jlt_periodic_find(map, &orbit, q, o->period, NULL);
-    for (size_t i = 0; st == JLT_OK && i < orbit.period; i++) {
-        st = jlt_map_point(map, &image, orbit.points + i * dim, 1, 1);
-        memcpy(x + (i + 1) % orbit.period * states, image.x, states * sizeof *x);
-        T[i] = image.T;
-    }
-    *legs = (unsigned)orbit.period;
-    jlt_map_destroy(map);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
-}
 
 static jlt_exit fail(const jlt_certificate_report *report)
 {
@@ -227,36 +189,31 @@ done:
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
-static bool goes_around(const jlt_system *system)
-{
-    for (unsigned k = 0; system->surface == NULL && k < system->flow.chart->dim; k++)
-        if (system->flow.chart->period[k] != 0) return true;
-    return false;
-}
-
 /* The question, with boxes around the orbit, refined in balls. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, const jlt_system *system)
 {
-    double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX];
+    double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX];
+    int *turns = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *turns);
     unsigned legs = 0;
-    char problem[JLT_GIVEN_PROBLEM_MAX];
+    char problem[JLT_GIVEN_PROBLEM_MAX] = "";
     jlt_given question;
-    jlt_status st;
-    jlt_exit code = x == NULL ? jlt_command_no_memory() : check_section(system);
+    jlt_status st = JLT_OK;
+    jlt_exit code = x == NULL || turns == NULL ? jlt_command_no_memory() : jlt_motion_start(q, system, o->motion.starts[0]);
 
-    if (code == JLT_EXIT_DONE) code = find(x, T, &legs, o, system);
+    if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, system, q, o->period);
+    if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) goto done;
     if (!jlt_given_read(&question, *given, *d, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
-    else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, o->radius)) != JLT_OK)
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s%s", o->digits,
-                                jlt_status_text(st),
-                                goes_around(system) ? " (an orbit that goes around an angle does not close, as "
-                                                      "certificates see it)"
-                                                    : "");
+    else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem)) != JLT_OK && *problem != '\0')
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
+    else if (st != JLT_OK)
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
+                                jlt_status_text(st));
     else if (strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
     jlt_given_clear(&question);
 done:
+    free(turns);
     free(x);
     return code;
 }

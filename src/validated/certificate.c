@@ -131,6 +131,12 @@ static jlt_certificate_report add_symmetry(json_t *shown, const char *kind, cons
     return report;
 }
 
+/* What is shown of mirror images, and of curves from a saddle, compares states as numbers. */
+static bool serves_turns(const char *kind)
+{
+    return strcmp(kind, "cycle") == 0 || strcmp(kind, "obstruction") == 0 || strcmp(kind, "sink") == 0;
+}
+
 /* The cycle that a certificate of these kinds begins with. */
 static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const jlt_given *given, jlt_cycle *cycle)
 {
@@ -231,8 +237,12 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     if (strcmp(kind, "equilibria") == 0) return prove_family(report, json, d);
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
     if (jlt_given_read(&given, json, d, report->problem) && jlt_given_read_legs(&given, json, report->problem)) {
-        st = jlt_cycle_create(&cycle, &given.question);
-        if (st != JLT_OK) *report = fail(st);
+        const bool serves = given.legs.turns == NULL || serves_turns(kind);
+        st = serves ? jlt_cycle_create(&cycle, &given.question) : JLT_OK;
+        if (!serves)
+            *report = say(JLT_CERTIFICATE_MALFORMED, "orbits that close up to periods of states are served as cycle, obstruction "
+                                                     "and sink");
+        else if (st != JLT_OK) *report = fail(st);
         else if (strcmp(kind, "homoclinic") == 0) shown = prove_homoclinic(report, json, &given, cycle);
         else shown = prove_cycle(report, kind, &given, cycle);
     }

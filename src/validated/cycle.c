@@ -133,6 +133,7 @@ static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
 {
     shooting *self = context;
     const slong n = (slong)self->cycle->unknowns;
+    arb_srcptr turns = self->cycle->question->turns;
 
     self->closes = true;
     arb_zero(self->time);
@@ -142,7 +143,7 @@ static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
     for (slong i = 0; i < (slong)self->legs; i++) {
         const slong to = (i + 1) % (slong)self->legs * n;
         const jlt_status st = jlt_cycle_map_arrive(self->cycle, y + i * n, arb_midref(self->instants + i),
-                                                    self->cycle->question->direction);
+                                                    self->cycle->question->direction, turns == NULL ? NULL : turns + i * (n + 1));
         if (st != JLT_OK) return st;
         jlt_cycle_map_equations(self->cycle, G, DG, i * n, i * n, to, y + i * n, y + to, self->kept);
         follow(self, y + i * n, y + to);

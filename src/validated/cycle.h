@@ -12,6 +12,9 @@
  *  for the flux of volume through the section is the same at both ends: div has none of the dependencies of a matrix of intervals,
  *  and is far tighter. Both must overlap.
  *
+ *  An orbit of a forced system, or around an angle, closes but for periods of states: where points that differ by them are one to
+ *  the table, so are they here.
+ *
  *  Parameters that are intervals are states of rate 0: what is shown then holds for each of their values. */
 #ifndef JLT_VALIDATED_CYCLE_H
 #define JLT_VALIDATED_CYCLE_H
@@ -31,6 +34,8 @@ typedef struct {
     unsigned level_count;
     const char *const *levels;        /* (level_count,), integrals */
     arb_srcptr level_values;
+    arb_srcptr turns;                 /* (legs, states), multiples of periods that states have grown by at the end of each leg, and
+                                         that are taken off there; the levels do not see them. NULL: none */
     unsigned digits;                  /* decimals that count */
 } jlt_cycle_question;
 

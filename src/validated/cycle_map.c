@@ -14,12 +14,21 @@ static void place(jlt_cycle *self, arb_srcptr y)
     for (unsigned i = 0; i < q->free_count; i++) arb_set(self->state + self->formulas->states + i, q->params + q->free[i]);
 }
 
-jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant, int direction)
+jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant, int direction, arb_srcptr turns)
 {
     const jlt_cycle_question *q = self->question;
+    const slong bits = jlt_step_bits(self->step);
+    jlt_status st;
+    arb_t section;
 
+    arb_init(section);
+    arb_set(section, q->section);
+    if (turns != NULL) arb_add(section, section, turns + q->column, bits);
     place(self, y);
-    return jlt_arrival_compute(&self->arrival, self->step, self->state, q->column, q->section, instant, direction);
+    st = jlt_arrival_compute(&self->arrival, self->step, self->state, q->column, section, instant, direction);
+    if (st == JLT_OK && turns != NULL) _arb_vec_sub(self->arrival.x, self->arrival.x, turns, (slong)self->formulas->states, bits);
+    arb_clear(section);
+    return st;
 }
 
 void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr values, arb_srcptr y)

@@ -18,8 +18,9 @@ struct jlt_cycle {
 /* The state that unknown i of a point is. */
 unsigned jlt_cycle_map_state(const jlt_cycle *self, unsigned i);
 
-/** Arrival from y, shape (unknowns,), crossing in this direction: fills self->state and self->arrival. */
-JLT_CHECKED jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant, int direction);
+/** Arrival from y, shape (unknowns,), crossing in this direction: fills self->state and self->arrival. turns: by how much states
+ *  have grown there that is taken off, shape (states,), the section's too; NULL: nothing is. */
+JLT_CHECKED jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t instant, int direction, arb_srcptr turns);
 
 /** The part that this arrival has in G and DG, where they are zero before: from row on, P_q(y) - q of next, then F(y) - c; y begins
  *  at column from, next at column to, and may be y. In: y, where the arrival was from, and next, shape (unknowns,). */

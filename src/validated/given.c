@@ -1,6 +1,7 @@
 #include "validated/given.h"
 
 #include "kernel/descriptor.h"
+#include "validated/given_turns.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -159,8 +160,10 @@ bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *
 
 bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
-    return read_coordinates(self, given, problem)
-           && jlt_given_legs_read(&self->legs, &self->question, json_object_get(given, "legs"), problem);
+    if (!read_coordinates(self, given, problem)
+        || !jlt_given_legs_read(&self->legs, &self->question, json_object_get(given, "legs"), problem)) return false;
+    self->question.turns = self->legs.grown;
+    return true;
 }
 
 /* Boxes as wide as orbits spread, and half as much again, for what is not of first order; none is much less wide than the widest.
@@ -198,11 +201,12 @@ static bool has_intervals(const jlt_given *self, json_t *given)
     return has;
 }
 
-jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T, double radius)
+jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,
+                               const int *turns, double radius, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const jlt_descriptor *d = self->question.descriptor;
     json_t *names = json_array();
-    jlt_cycle_question middle = self->question; /* where parameters and levels are intervals, at their middles */
+    jlt_cycle_question middle; /* where parameters and levels are intervals, at their middles */
     arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     const bool spreads = !(radius > 0) && has_intervals(self, given);
@@ -212,6 +216,10 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
 
     if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX) goto done;
     jlt_given_legs_guess(&self->legs, &self->question, legs, x, T);
+    st = JLT_ERR_UNSUPPORTED;
+    if (!jlt_given_turns_set(&self->legs, &self->question, turns, problem)) goto done;
+    self->question.turns = self->legs.grown;
+    middle = self->question;
     self->kept_count = d->state_count - 1 - self->question.level_count;
     for (unsigned i = 0; i < d->param_count; i++) arb_get_mid_arb(params + i, self->params + i);
     for (unsigned i = 0; i < self->question.level_count; i++) arb_get_mid_arb(levels + i, self->level_values + i);

@@ -8,7 +8,9 @@
  *        "levels": {INTEGRAL: NUMBER or a ball likewise, ...},
  *        "coordinates": [NAME, ...],                                                     on the levels
  *        "legs": [{"box": {NAME: {"middle": NUMBER, "radius": NUMBER}, ...},             states but the section's
- *                  "instant": NUMBER}, ...],                                             from its start, near the next crossing
+ *                  "instant": NUMBER,                                                    from its start, near the next crossing
+ *                  "turns": {NAME: N, ...}}, ...],                                       periods that states have grown by there,
+ *                                                                                        as the table proves; or absent: none
  *        "digits": N }
  *
  *  NUMBER is a string, "p/q" or a decimal: its exact value is meant. N is 5 to JLT_GIVEN_DIGITS_MAX decimals to compute with. */
@@ -41,12 +43,13 @@ void jlt_given_clear(jlt_given *self);
 bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
 /** Make coordinates and legs where there are none yet, in place of jlt_given_read_legs, from guesses: x, shape (legs, states),
- *  points on the section, and T, shape (legs,), the times from each to the next, refined by Newton's method, with boxes of this
+ *  points on the section, T, shape (legs,), the times from each to the next, and turns, shape (legs, states), the periods by which
+ *  states have grown there; refined by Newton's method, with boxes of this
  *  radius around; 0: of 1e-10, or where parameters or levels are intervals as wide as orbits spread by them. Sets "coordinates"
  *  and "legs" of `given`.
  *  Errors: as jlt_cycle_create, jlt_cycle_choose, jlt_cycle_refine, jlt_cycle_reach; ARG, not 1 to JLT_CYCLE_LEGS_MAX legs;
- *  NOMEM. */
+ *  UNSUPPORTED, turns that the table does not prove, and problem says why; NOMEM. */
 JLT_CHECKED jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,
-                                           double radius);
+                                           const int *turns, double radius, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
 #endif

@@ -1,6 +1,7 @@
-#include "validated/given_legs.h"
+#include "validated/given_turns.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 bool jlt_given_legs_number(arb_t out, const char *text, slong bits)
@@ -77,7 +78,7 @@ bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *questio
     for (size_t i = 0; good && i < count; i++)
         good = read_leg(self->box + i * (question->descriptor->state_count - 1), self->instants + i, question,
                         json_array_get(legs, i), problem);
-    return good;
+    return good && jlt_given_turns_read(self, question, legs, problem);
 }
 
 void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question)
@@ -85,7 +86,9 @@ void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *questi
     if (self->count == 0) return;
     _arb_vec_clear(self->box, (slong)(self->count * (question->descriptor->state_count - 1)));
     _arb_vec_clear(self->instants, (slong)self->count);
-    self->count = 0;
+    if (self->grown != NULL) _arb_vec_clear(self->grown, (slong)(self->count * question->descriptor->state_count));
+    free(self->turns);
+    *self = (jlt_given_legs){ .count = 0 };
 }
 
 void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
@@ -137,8 +140,9 @@ json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_questio
                                           radius != NULL ? json_string(radius) : own_radius(y)));
             y++;
         }
-        json_array_append_new(legs, json_pack("{s:o,s:o}", "box", box, "instant",
-                                              jlt_given_legs_decimal(self->instants + i, question->digits)));
+        json_array_append_new(legs, json_pack("{s:o,s:o,s:o*}", "box", box, "instant",
+                                              jlt_given_legs_decimal(self->instants + i, question->digits), "turns",
+                                              jlt_given_turns_write(self, question, i)));
     }
     arb_clear(middle);
     return legs;

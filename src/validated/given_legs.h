@@ -11,6 +11,8 @@ enum { JLT_GIVEN_PROBLEM_MAX = 1024 };
 typedef struct {
     unsigned count;        /* 0 before they are read or made */
     arb_ptr box, instants; /* (count, states - 1); (count,), exact */
+    int *turns;            /* periods that states have grown by where each leg ends, (count, states); NULL: none */
+    arb_ptr grown;         /* what they have grown by, of the same shape, or NULL */
 } jlt_given_legs;
 
 /** Read them from an array. Ends with jlt_given_legs_clear in any case. False: it is not of this form; problem says why. */

@@ -117,7 +117,7 @@ jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, a
     arb_mat_init(frame, 2, 2);
     *regular = surround(self, around);
     if (!*regular) goto done;
-    JLT_TRY(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction));
+    JLT_TRY(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction, NULL));
     *regular = jlt_cycle_map_restrict(self->of, D, around, q->kept);
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), q->frame + i);
     arb_mat_mul(A, D, frame, bits);
@@ -226,7 +226,7 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
     for (slong i = 0; i <= last; i++) {
         arb_srcptr here = y + i * n;
         const jlt_status st = jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
-                                                   i < last ? q->question->direction : q->landing);
+                                                   i < last ? q->question->direction : q->landing, NULL);
         if (st != JLT_OK) return st;
         watch(self);
         if (self->adjusts) arb_get_mid_arb(self->own_instants + i, self->of->arrival.time);

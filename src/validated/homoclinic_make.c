@@ -31,7 +31,7 @@ static jlt_status look(jlt_cycle *of, arb_mat_t D, const jlt_homoclinic_question
     jlt_status st;
 
     for (unsigned i = 0; i < of->unknowns; i++) arb_get_mid_arb(y + i, q->saddle_box + i);
-    JLT_TRY(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction));
+    JLT_TRY(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction, NULL));
     if (!jlt_cycle_map_restrict(of, D, y, q->kept)) st = JLT_ERR_NO_CONVERGENCE;
 done:
     _arb_vec_clear(y, (slong)of->unknowns);

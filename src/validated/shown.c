@@ -83,13 +83,20 @@ static bool set(json_t *object, const char *key, json_t *value)
 
 static json_t *claims_of(const jlt_given *given, bool with_reversor)
 {
-    const jlt_reversor *reversor = jlt_theorem_reversor(given->question.descriptor);
+    const jlt_descriptor *d = given->question.descriptor;
+    const jlt_reversor *reversor = jlt_theorem_reversor(d);
     json_t *claims = json_array();
     char text[160];
 
     for (unsigned i = 0; i < given->question.level_count; i++) {
         snprintf(text, sizeof text, "integral %s", given->levels[i]);
         json_array_append_new(claims, json_string(text));
+    }
+    for (unsigned s = 0; given->legs.turns != NULL && s < d->state_count; s++) {
+        bool turns = false;
+        for (unsigned i = 0; i < given->legs.count; i++) turns |= given->legs.turns[i * d->state_count + s] != 0;
+        snprintf(text, sizeof text, "periodic %s", d->states[s].name);
+        if (turns) json_array_append_new(claims, json_string(text));
     }
     if (reversor != NULL && with_reversor) json_array_append_new(claims, json_string("reversor"));
     return claims;

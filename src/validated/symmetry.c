@@ -93,9 +93,9 @@ jlt_status jlt_symmetry_maps(jlt_cycle *of, bool *symmetric, const jlt_cycle_res
     jlt_status st = JLT_OK;
 
     for (unsigned i = 0; i < cycle->legs; i++) {
-        JLT_TRY(jlt_cycle_map_arrive(of, box + i * n, arb_midref(instants + i), direction));
+        JLT_TRY(jlt_cycle_map_arrive(of, box + i * n, arb_midref(instants + i), direction, NULL));
         arb_set(legs.windows + i, of->arrival.window);
-        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), direction));
+        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), direction, NULL));
         arb_set(legs.times + i, of->arrival.time);
     }
     for (unsigned k = 0; k < cycle->legs && !found; k++) found = is_image(of, cycle, k, &legs, signs);

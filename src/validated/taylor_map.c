@@ -146,7 +146,7 @@ jlt_status jlt_taylor_map_compute(jlt_cycle *of, arb_ptr map, const jlt_cycle_re
     JLT_TRY(jlt_transport_create(&transport, of->formulas, q->params, jlt_step_accuracy_for(q->digits), DEGREE));
     JLT_TRY(begin(&self, cycle->solution));
     for (unsigned i = 0; i < cycle->legs; i++) {
-        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), q->direction));
+        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), q->direction, NULL));
         JLT_TRY(jlt_transport_carry(transport, self.x, of->arrival.time));
         fix(&self, cycle->solution + (i + 1) % cycle->legs * n);
         cross(&self, transport);

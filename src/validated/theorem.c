@@ -78,7 +78,29 @@ static double way(const json_t *legs)
     return sum;
 }
 
-static void write_orbit(FILE *out, const json_t *given, const json_t *shown)
+/* By how many periods states have grown, over all legs; nothing where none has. */
+static void write_turns(FILE *out, const json_t *legs, const jlt_descriptor *d)
+{
+    bool any = false;
+
+    for (unsigned s = 0; s < d->state_count; s++) {
+        json_int_t sum = 0;
+        bool turns = false;
+        for (size_t i = 0; i < json_array_size(legs); i++) {
+            const json_t *count = json_object_get(json_object_get(json_array_get(legs, i), "turns"), d->states[s].name);
+            turns |= count != NULL;
+            sum += json_integer_value(count);
+        }
+        if (!turns) continue;
+        fputs(any ? ", " : " It is back up to whole periods of states, which the table is proved not to see: it has grown by ",
+              out);
+        fprintf(out, "%" JSON_INTEGER_FORMAT " of %s", sum, d->states[s].name);
+        any = true;
+    }
+    if (any) fputs(". In what follows points that differ by such periods are one, and densities have them as well.", out);
+}
+
+static void write_orbit(FILE *out, const jlt_descriptor *d, const json_t *given, const json_t *shown)
 {
     const json_t *legs = json_object_get(given, "legs"), *first = json_array_get(legs, 0);
     const size_t count = json_array_size(legs);
@@ -95,6 +117,7 @@ static void write_orbit(FILE *out, const json_t *given, const json_t *shown)
     fputs(", the time T = ", out);
     write_ball(out, json_object_get(shown, "period"));
     fputc('.', out);
+    write_turns(out, legs, d);
 }
 
 static void write_multipliers(FILE *out, const json_t *shown)
@@ -244,7 +267,7 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
 
     switch (which) {
     case SETTING: write_setting(out, s->descriptor, s->given); break;
-    case ORBIT: write_orbit(out, s->given, s->shown); break;
+    case ORBIT: write_orbit(out, s->descriptor, s->given, s->shown); break;
     case MULTIPLIERS: write_multipliers(out, s->shown); break;
     case CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "all along the orbit"); break;
     case ATTRACTS:

@@ -144,9 +144,5 @@ for option in '--section z=27' '--level E=1' '--solve gamma3=0' '--modulo gamma3
 done
 refuse 2 'one way, up or down' cycle "${orbit[@]}" --direction both
 
-# A section of a phase, once a period, is not served, and that is said.
-printf 'model forced\nstate x\nstate v\nstate phi\nangle c s = cos(phi) sin(phi)\neq x = v\neq v = - x/2 - v/5 + c\neq phi = 1\n'\
-'periodic phi = 2*pi\n' > "$scratch/forced.tt"
-refuse 3 'phi = 0 is met once a turn' cycle "$scratch/forced.tt" --section phi=0 --start x=0,v=1
 [ $status -ne 0 ] || echo "certificates are replayed, and false ones refused"
 exit $status

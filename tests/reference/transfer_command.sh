@@ -115,7 +115,8 @@ column known_density out | awk '{ low = 0.2*NR; high = low + 0.2
 jellett transfer --sweep a3=0.4:0.6:3 --boxes 12x12 --strata 4 > swept.csv 2> err || fail "a sweep: $(cat err)"
 for a3 in 0.4 0.5 0.6; do
     jellett transfer --set a3=$a3 --boxes 12x12 --strata 4 2> err | grep '^[-0-9]' > one.csv
-    cut -d, -f1-7 one.csv | sed "s/^/$a3,/" | cmp -s - <(grep "^$a3," swept.csv | cut -d, -f1-8) || fail "the sweep differs at a3 = $a3"
+    cut -d, -f1-7 one.csv | sed "s/^/$a3,/" | cmp -s - <(grep "^$a3," swept.csv | cut -d, -f1-8) ||
+        fail "the sweep differs at a3 = $a3"
 done
 
 refuse 3 "nothing stays in them" --boxes eta=0:0.01:4,gamma3=-0.9:-0.89:4

@@ -1,0 +1,14 @@
+/** A periodic orbit in doubles, as the legs from which a certificate of it is made. */
+#ifndef JLT_CLI_CERTIFY_CYCLE_H
+#define JLT_CLI_CERTIFY_CYCLE_H
+
+#include "cli/motion.h"
+
+/** The orbit of so many returns near the start q, shape (dim,) of the section. Out: starts of its legs, x, shape (period, states),
+ *  the states of the model alone; their times, T, shape (period,); by how many of their periods states have grown at the end of
+ *  each, turns, shape (period, states), which the next start has not; *legs, how many there are. Errors: as jlt_periodic_find; as
+ *  jlt_orbit_propagate. */
+JLT_CHECKED jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *legs, const jlt_system *system,
+                                              const double *q, size_t period);
+
+#endif
