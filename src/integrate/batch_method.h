@@ -17,6 +17,9 @@ typedef struct jlt_batch_method {
     unsigned stages;      /* slopes beyond k[0]; the last is at the end of the step, and the next step's k[0] */
     jlt_stage_sum sum[JLT_BATCH_STAGES_MAX]; /* [i - 1] leads to slope i; the last one is the solution */
     jlt_stage_sum error;                     /* its estimate */
+    jlt_stage_sum high, low; /* divided differences of the slopes in time, of orders n and n - 2, at instants of the step; */
+    double quadrature;       /* high (high/low)^2 times this is eight times what the quadrature of an oscillation leaves out, where a
+                                step is a radian */
 } jlt_batch_method;
 
 /** The table: verner8, stepanov10. NULL past the end. */

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# States that are integrals over what is followed without error, or nearly so: stages of a step that stand at one instant agree there,
+# and tell nothing of what is left out. In lanes of every width and by both methods against closed forms, and against one orbit alone.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+near() { # WHAT FILE COLUMN ROW VALUE ALLOWED: a row of the first orbit
+    awk -F, -v n="$4" -v c="$3" -v v="$5" -v e="$6" '$1 == 0 && $2 == n { off = $c - v; ok = off*off <= e*e } END { exit !ok }' "$2" ||
+        fail "$1: $(grep "^0,$4," "$2") and not $5"
+}
+
+# s = sin th + e sin(n th), th' = 1: ten turns take 20 pi.
+cat > ripple.tt << 'T'
+model ripple
+param e
+param n > 0
+default e = 0, n = 40
+state s
+state th
+angle C S = cos(th) sin(th)
+angle D R = cos(n*th) sin(n*th)
+eq s = C + e*n*D
+eq th = 1
+T
+# A tenth of the crossing's error is room enough for both methods; a ripple that a step does not see at 1e-4 is left out.
+for lanes in 2 4 8; do
+    for tolerance in 1e-4 1e-6 1e-8 1e-10 1e-12 1e-14; do
+        JELLETT_LANES=$lanes jellett section ./ripple.tt --section s=0 --start th=0.1 --start th=0.2 -n 10 --tol $tolerance > rows.csv
+        near "a quadrature in $lanes lanes at $tolerance" rows.csv 3 10 62.83185307179586 "$(awk -v t=$tolerance \
+            'BEGIN { print 100*t + 1e-13 }')"
+    done
+    for tolerance in 1e-8 1e-10 1e-12; do
+        JELLETT_LANES=$lanes jellett section ./ripple.tt --section s=0 --set e=0.001 --start th=0.1 --start th=0.2 -n 10 \
+            --tol $tolerance > rows.csv
+        near "a ripple in $lanes lanes at $tolerance" rows.csv 3 10 62.83185307179586 "$(awk -v t=$tolerance \
+            'BEGIN { print 1000*t + 1e-13 }')"
+    done
+done
+
+# A plane motion whose heading turns ever more slowly, and a weak feedback: alone by gauss, in lanes by the others.
+cat > walk.tt << 'T'
+model walk
+param k > 0
+default k = 0.0001
+state x
+state y
+state th
+state w
+angle c s = cos(th) sin(th)
+eq x = c - k*x/10
+eq y = s
+eq th = w
+eq w = - k*w
+T
+jellett section ./walk.tt --section x=0 --start y=0,th=0.3,w=1 -n 5 > alone.csv
+jellett section ./walk.tt --section x=0 --start y=0,th=0.3,w=1 --start y=0,th=0.5,w=1 -n 5 > rows.csv
+awk -F, 'NR == FNR { if ($1 == 0) { t[$2] = $3; y[$2] = $4 } next }
+    $1 == 0 { n++; bad += ($3 - t[$2])^2 > 1e-20 || ($4 - y[$2])^2 > 1e-20 } END { exit n != 6 || bad }' alone.csv rows.csv ||
+    fail "a walk alone and in lanes: $(cat alone.csv rows.csv)"
+jellett lyapunov ./walk.tt --section x=0 --grid y=0:1:2,th=0.3:0.5:2,w=1:1.1:2 -n 5 > rows.csv
+jellett lyapunov ./walk.tt --section x=0 --grid y=0:1:2,th=0.3:0.5:2,w=1:1.1:2 -n 5 --method gauss > alone.csv
+paste -d, <(grep -v '^#' rows.csv) <(grep -v '^#' alone.csv) | awk -F, '/^[0-9]/ { n++; bad += ($4 - $9)^2 > 1e-16 }
+    END { exit n != 8 || bad }' || fail "exponents alone and in lanes: $(cat alone.csv rows.csv)"
+
+# The pole of a field in such a state is none that a step passes over.
+printf '%s\n' 'model wall' 'state x' 'state y' 'state q' 'state r' 'eq x = 1' 'eq y = 1/(x - 1)' 'eq q = r' 'eq r = -9*q' > wall.tt
+jellett section ./wall.tt --section q=0 --start x=0,y=0,r=1 --start x=0.1,y=0,r=1 -n 3 > rows.csv 2> err
+[ $? -eq 4 ] && grep -q '^0,1,\(0.99999999\|1\)[0-9.]*,,,,no_progress$' rows.csv || fail "past a wall: $(grep -v '^#' rows.csv; cat err)"
+exit $status
