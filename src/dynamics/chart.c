@@ -111,10 +111,17 @@ unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_directio
 {
     const unsigned count = self->turn != 0 ? JLT_CHART_EVENTS_MAX : 1;
 
-    for (unsigned k = 0; k < count; k++)
-        events[k] = (jlt_event){ .column = self->column, .level = self->level + ((int)k - (count > 1)) * self->turn,
-                                 .direction = direction };
+    for (unsigned k = 0; k < count; k++) {
+        const int turns = (int)k - (count > 1);
+        events[k] = (jlt_event){ .column = self->column, .level = self->level + turns * self->turn,
+                                 .direction = turns == 0 ? direction : JLT_BOTH };
+    }
     return count;
+}
+
+bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_direction direction)
+{
+    return self->turn == 0 || direction == JLT_BOTH || crossing->direction == (int)direction;
 }
 
 void jlt_chart_turn_back(const jlt_chart *self, double *x)

@@ -69,8 +69,13 @@ int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsi
 enum { JLT_CHART_EVENTS_MAX = 3 };
 
 /** The events whose crossings are those of the section. Out: events, shape (JLT_CHART_EVENTS_MAX,). Returns how many: one, or
- *  three where the section's state is an angle, for the levels a turn below and above as well. */
+ *  three where the section's state is an angle, for the levels a turn below and above as well: these are met whichever way they are
+ *  crossed, for behind them there are others. */
 unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_direction direction);
+
+/** Whether a crossing that one of these events met is one of the section in this direction. Where it is none the orbit goes on from
+ *  there, turned back. */
+bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_direction direction);
 
 /** Bring the section's state to within half a turn of its level, in place; a state that is no angle stays. x: shape
  *  (states,). */

@@ -112,4 +112,26 @@ grep -q '^method,returns,t,evaluations,drift_height$' out || fail "drift of what
 awk -F, '/^[a-z0-9]*,[0-9]/ { n++; bad += $5 > 1e-10 } END { exit !(n > 9 && !bad) }' out || fail "drift on the torus: $(cat out)"
 sed -i '/^integral height/d' torus.tt
 expect 3 'torus proves no other integral' jellett drift ./torus.tt --section x=0 --start y=0.1,z=0 --returns 4
+
+# b = 1 + 20 sin t turns back after three turns: it passes the section upwards where 20 sin t = 2 pi k and cos t > 0, at t = asin(pi
+# k/10) + 2 pi n, and downwards at pi - that, seven times a period either way. With derivatives the same: from one crossing to the
+# next a change of t stays what it is.
+printf '%s\n' 'model swing' 'state b' 'state t' 'angle c s = cos(t) sin(t)' 'eq b = 20*c' 'eq t = 1' 'periodic b = 2*pi' > swing.tt
+crossings() { # DIRECTION: of the first 21 rows of `out`, times of the closed form
+    awk -F, -v way="$1" -v pi=3.141592653589793 '/^0,[0-9]/ { n++; if ($2 == 0) next
+        i = $2 + 3; k = i % 7 - 3; turn = int(i/7)
+        if (way == "down") k = -k
+        x = pi*k/10; at = atan2(x, sqrt(1 - x*x)); t = way == "up" ? 2*pi*turn + at : 2*pi*turn + pi - at
+        if (way == "down") t -= pi
+        bad += ($3 - t)^2 > 1e-18 } END { exit !(n == 22 && !bad) }' out
+}
+expect 0 '^0,21,' jellett section ./swing.tt --section b=1 --start t=0 --returns 21
+crossings up || fail "crossings of what turns back: $(cut -d, -f3 out | tr '\n' ' ')"
+expect 0 '^0,21,' jellett section ./swing.tt --section b=1 --direction down --start t=3.141592653589793 --returns 21
+crossings down || fail "crossings downwards of what turns back: $(cut -d, -f3 out | tr '\n' ' ')"
+expect 0 '^21,' jellett lyapunov ./swing.tt --section b=1 --start t=0 --returns 21
+awk -F, '/^21,/ { exit !(($2 - 18.849555921538759)^2 < 1e-18) }' out || fail "returns with derivatives: $(tail -1 out)"
+# The other way round and round it is met never, and that ends.
+printf '%s\n' 'model mill' 'state b' 'state t' 'eq b = -1' 'eq t = 1' 'periodic b = 2*pi' > mill.tt
+expect 0 '^0,1,[0-9.]*,,budget' jellett section ./mill.tt --section b=1 --start t=0 --returns 1
 exit $status
