@@ -49,6 +49,18 @@ static bool step_frame(double *frame, double *growth, const double *slope, doubl
     return is_lost;
 }
 
+/* An orthonormal frame that favours no axis: one that an invariant plane or a decoupled state holds would keep a vector from what
+ * grows most. The reflection that takes no axis to an axis. */
+static void begin_frame(double *frame, unsigned d)
+{
+    double v[JLT_CHART_DIM_MAX], square = 0;
+
+    for (unsigned k = 0; k < d; k++) v[k] = 1 / (k + 1.618033988749895);
+    for (unsigned k = 0; k < d; k++) square += v[k] * v[k];
+    for (unsigned i = 0; i < d; i++)
+        for (unsigned k = 0; k < d; k++) frame[i * d + k] = (i == k) - 2 * v[i] * v[k] / square;
+}
+
 /* frame: shape (d, d); growth: shape (d,); expansion: of all returns. */
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
                          const jlt_flow *flow)
@@ -74,7 +86,7 @@ jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double 
     jlt_image image;
 
     memcpy(state.q, q, d * sizeof *q);
-    for (unsigned k = 0; k < d; k++) frame[k * d + k] = 1;
+    begin_frame(frame, d);
     while (state.returns < returns) {
         JLT_TRY(jlt_map_apply(map, &image, state.q, 1, 1));
         count_return(&state, frame, growth, &expansion,
@@ -124,7 +136,7 @@ jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, j
     for (size_t i = 0; i < count; i++) {
         out[i] = (jlt_lyapunov_state){ .returns = 0 };
         memcpy(out[i].q, q + i * d, d * sizeof *q);
-        for (unsigned k = 0; k < d; k++) all.frames[i * d * d + k * d + k] = 1;
+        begin_frame(all.frames + i * d * d, d);
     }
     JLT_TRY(jlt_map_batch_apply_flows(maps, &images, q, flow_of, count, skip + returns, 1, take_return, &all));
     memcpy(status, images.status, count * sizeof *status);
