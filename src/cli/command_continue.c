@@ -83,6 +83,9 @@ typedef struct {
     unsigned shown[2];    /* in pictures: 0, the value that runs, or a coordinate by its number from 1 */
     size_t rows, branch;  /* branch: of the last row */
     jlt_extent extent[2]; /* of the picture, */
+    bool is_watched, is_told; /* multipliers of the branch's last point were clear of the unit circle; a bifurcation came since, */
+    unsigned outside;         /* so many of them outside, */
+    double clear_at;          /* at this value */
     unsigned kinds, lines; /* in which bifurcations of these kinds are, and unstable (bit 0) and stable orbits (bit 1) */
 } table;
 
@@ -99,10 +102,37 @@ static void write_point(const table *self, size_t branch, const jlt_continuation
     jlt_csv_row(file, (const double[]){ ends ? point->low : NAN, ends ? point->high : NAN }, 2);
 }
 
+/* Bifurcations are found by single multipliers that cross 1 or -1, or a pair that leaves the circle: what happens where two cross
+ * together leaves no trace but that their number outside changes. */
+static void watch_stability(table *self, size_t branch, const jlt_continuation_point *point)
+{
+    static const double near = 1e-5; /* of the unit circle, where rounding may tell the side */
+    unsigned outside = 0;
+
+    if (self->rows == 0 || branch != self->branch) self->is_watched = false;
+    self->is_told |= point->kind != JLT_BIFURCATION_NONE;
+    if (point->kind != JLT_BIFURCATION_NONE) return;
+    for (unsigned k = 0; k < self->chart->dim; k++) {
+        const double size = hypot(point->orbit.re[k], point->orbit.im[k]);
+        if (fabs(size - 1) < near) return;
+        outside += size > 1;
+    }
+    if (self->is_watched && !self->is_told && outside != self->outside)
+        fprintf(stderr,
+                "jellett: branch %zu: between %.10g and %.10g stability changes, from %u multipliers outside the unit circle to "
+                "%u, where none crosses alone: no bifurcation is located\n",
+                branch, self->clear_at, point->value, self->outside, outside);
+    self->is_watched = true;
+    self->is_told = false;
+    self->outside = outside;
+    self->clear_at = point->value;
+}
+
 static jlt_status take(void *context, size_t branch, const jlt_continuation_point *point)
 {
     table *self = context;
 
+    watch_stability(self, branch, point);
     write_point(self, branch, point);
     if (self->points != NULL) {
         const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;

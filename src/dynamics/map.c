@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_crossing.h"
 #include "dynamics/linear.h"
 #include "dynamics/map_return.h"
 #include "dynamics/varied.h"
@@ -92,36 +93,19 @@ const jlt_flow *jlt_map_flow(const jlt_map *self)
     return &self->flow;
 }
 
-/* To the next crossing that counts, or an end. */
-static jlt_status to_crossing(jlt_map *self, jlt_outcome *outcome, int time_direction)
-{
-    jlt_event events[JLT_CHART_EVENTS_MAX];
-    const jlt_chart *chart = self->flow.chart;
-    const unsigned count = jlt_chart_events(chart, events, self->flow.direction);
-    const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
-    double x[JLT_VARIED_DIM_MAX];
-    jlt_status st;
-
-    for (;;) {
-        st = jlt_orbit_next(self->orbit, time_direction * t_max, events, count, outcome);
-        if (st != JLT_OK || outcome->end != JLT_END_EVENT) return st;
-        if (jlt_chart_counts(chart, &outcome->crossing, self->flow.direction)) return st;
-        if (jlt_orbit_stepper(self->orbit)->steps - self->steps >= self->flow.max_steps) return JLT_ERR_BUDGET;
-        memcpy(x, outcome->x, self->varied.field.dim * sizeof *x);
-        jlt_chart_turn_back(chart, x);
-        st = jlt_orbit_start(self->orbit, outcome->t, x, time_direction);
-        if (st != JLT_OK) return st;
-    }
-}
-
 static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direction)
 {
+    jlt_event events[JLT_CHART_EVENTS_MAX];
+    const unsigned count = jlt_chart_events(self->flow.chart, events, self->flow.direction);
+    const jlt_crossing_search search = { self->flow.chart, self->flow.direction, events, count, count, self->varied.field.dim,
+                                         self->flow.max_steps };
+    const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
     jlt_status st;
 
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
-    st = to_crossing(self, outcome, time_direction);
+    st = jlt_chart_cross(&search, self->orbit, time_direction * t_max, time_direction, outcome);
     if (st != JLT_OK) return st;
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_crossing.h"
 #include "integrate/rest.h"
 
 typedef struct {
@@ -305,34 +306,6 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
     }
 }
 
-static size_t steps_of(const jlt_section *self)
-{
-    const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
-
-    return stepper->steps + stepper->rejected;
-}
-
-/* To the next crossing that counts, or an end. */
-static jlt_status to_crossing(jlt_section *self, jlt_outcome *outcome)
-{
-    const jlt_chart *chart = self->flow.chart;
-    const double t_end = self->t_start + self->time_direction * self->flow.t_max;
-    const size_t spent = steps_of(self);
-    double x[JLT_CHART_STATES_MAX];
-    jlt_status st;
-
-    for (;;) {
-        st = jlt_orbit_next(self->orbit, t_end, self->events, self->event_count, outcome);
-        if (st != JLT_OK || outcome->end != JLT_END_EVENT || outcome->crossing.event >= self->crossings) return st;
-        if (jlt_chart_counts(chart, &outcome->crossing, self->flow.direction)) return st;
-        if (steps_of(self) - spent >= self->flow.max_steps) return JLT_ERR_BUDGET;
-        memcpy(x, outcome->x, chart->states * sizeof *x);
-        jlt_chart_turn_back(chart, x);
-        st = jlt_orbit_start(self->orbit, outcome->t, x, self->time_direction);
-        if (st != JLT_OK) return st;
-    }
-}
-
 jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
     jlt_status st = JLT_OK;
@@ -350,7 +323,11 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     }
     if (self->accepted) st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
     self->accepted = false;
-    if (st == JLT_OK) st = to_crossing(self, &outcome);
+    const jlt_crossing_search search = { self->flow.chart, self->flow.direction, self->events, self->crossings, self->event_count,
+                                         self->flow.field->dim, self->flow.max_steps };
+    if (st == JLT_OK)
+        st = jlt_chart_cross(&search, self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->time_direction,
+                             &outcome);
     if (st != JLT_OK) {
         if (!jlt_section_fate_of(&fate, st)) return st;
         end(self, row, outcome.t, outcome.x, fate);
@@ -406,6 +383,8 @@ void jlt_section_end(jlt_section *self, jlt_return *row, double t, const double 
 
 void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations)
 {
-    *steps = steps_of(self);
-    *evaluations = jlt_orbit_stepper(self->orbit)->evaluations;
+    const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
+
+    *steps = stepper->steps + stepper->rejected;
+    *evaluations = stepper->evaluations;
 }

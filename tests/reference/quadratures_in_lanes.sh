@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# States that are integrals over what is followed without error, or nearly so: stages of a step that stand at one instant agree there,
-# and tell nothing of what is left out. In lanes of every width and by both methods against closed forms, and against one orbit alone.
+# States that are integrals over what is followed without error, or nearly so: stages of a step that stand at one instant agree
+# there, and tell nothing of what is left out. In lanes of every width and by both methods against closed forms, and against one
+# orbit alone.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -9,7 +10,8 @@ export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
 status=0
 fail() { echo "$*"; status=1; }
 near() { # WHAT FILE COLUMN ROW VALUE ALLOWED: a row of the first orbit
-    awk -F, -v n="$4" -v c="$3" -v v="$5" -v e="$6" '$1 == 0 && $2 == n { off = $c - v; ok = off*off <= e*e } END { exit !ok }' "$2" ||
+    awk -F, -v n="$4" -v c="$3" -v v="$5" -v e="$6" '$1 == 0 && $2 == n { off = $c - v; ok = off*off <= e*e }
+        END { exit !ok }' "$2" ||
         fail "$1: $(grep "^0,$4," "$2") and not $5"
 }
 
@@ -26,10 +28,11 @@ angle D R = cos(n*th) sin(n*th)
 eq s = C + e*n*D
 eq th = 1
 T
-# A tenth of the crossing's error is room enough for both methods; a ripple that a step does not see at 1e-4 is left out.
+# A hundred tolerances for some hundred steps; a ripple is one that steps have to resolve.
 for lanes in 2 4 8; do
     for tolerance in 1e-4 1e-6 1e-8 1e-10 1e-12 1e-14; do
-        JELLETT_LANES=$lanes jellett section ./ripple.tt --section s=0 --start th=0.1 --start th=0.2 -n 10 --tol $tolerance > rows.csv
+        JELLETT_LANES=$lanes jellett section ./ripple.tt --section s=0 --start th=0.1 --start th=0.2 -n 10 \
+            --tol $tolerance > rows.csv
         near "a quadrature in $lanes lanes at $tolerance" rows.csv 3 10 62.83185307179586 "$(awk -v t=$tolerance \
             'BEGIN { print 100*t + 1e-13 }')"
     done
@@ -69,5 +72,6 @@ paste -d, <(grep -v '^#' rows.csv) <(grep -v '^#' alone.csv) | awk -F, '/^[0-9]/
 # The pole of a field in such a state is none that a step passes over.
 printf '%s\n' 'model wall' 'state x' 'state y' 'state q' 'state r' 'eq x = 1' 'eq y = 1/(x - 1)' 'eq q = r' 'eq r = -9*q' > wall.tt
 jellett section ./wall.tt --section q=0 --start x=0,y=0,r=1 --start x=0.1,y=0,r=1 -n 3 > rows.csv 2> err
-[ $? -eq 4 ] && grep -q '^0,1,\(0.99999999\|1\)[0-9.]*,,,,no_progress$' rows.csv || fail "past a wall: $(grep -v '^#' rows.csv; cat err)"
+[ $? -eq 4 ] && grep -q '^0,1,\(0.99999999\|1\)[0-9.]*,,,,no_progress$' rows.csv ||
+    fail "past a wall: $(grep -v '^#' rows.csv; cat err)"
 exit $status
