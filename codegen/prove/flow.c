@@ -72,8 +72,7 @@ static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc
     ttc_ratio_clear(task->ring, &others);
 }
 
-/* Where a cosine is bound to 1 or -1 its rate, a multiple of the sine, is zero however the angle moves. */
-static bool is_at_turn(ttc_task *task, const ttc_symbol_entry *entry)
+bool ttc_task_is_at_turn(ttc_task *task, const ttc_symbol_entry *entry)
 {
     ttc_ratio sine;
     if (entry->kind != TTC_COSINE) return false;
@@ -92,7 +91,7 @@ static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio
     ttc_ratio value, rate;
     ttc_ratio_init(task->ring, &value);
     ttc_ratio_init(task->ring, &rate);
-    const bool by_angle = is_at_turn(task, entry);
+    const bool by_angle = ttc_task_is_at_turn(task, entry);
     ttc_evaluate(task->field, &value, entry->node);
     if (ttc_task_open(task) && !by_angle) ttc_ratio_derive(task->ring, &rate, &value, slopes);
     ttc_evaluate(task->field, &value, ttc_derive_field(task->model, by_angle ? entry->definition : entry->node));
