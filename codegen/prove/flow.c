@@ -107,7 +107,8 @@ void ttc_task_require_kept(ttc_task *task, const char *hint)
 {
     const ttc_model *model = task->model;
     if (task->is_hidden) {
-        if (task->has_point) ttc_task_unsettle(task, "real points of the level lie where a component of it has no others");
+        ttc_task_unsettle(task, task->has_point ? "real points of the level lie where a component of it has no others"
+                                                : "real points of the level may lie where a component of it has no others");
         return;
     }
     ttc_ratio *slopes = slopes_of(task);
