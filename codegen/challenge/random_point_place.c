@@ -8,6 +8,21 @@ static bool is_used(const ttc_random_point *point, const ttc_model *model, uint3
     return point->used[symbol] || ((entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && point->used[entry->partner]);
 }
 
+/* Factor by factor. Of the root in question it is known that it is not zero where its radicand is not; what else needs that root is
+ * passed over. */
+static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id id)
+{
+    const ttc_graph *graph = situation->model->graph;
+    const ttc_kind kind = ttc_kind_of(graph, id);
+    for (size_t i = 0; kind == TTC_PRODUCT && i < ttc_part_count(graph, id); i++)
+        if (!is_not_zero(probe, situation, ttc_part_at(graph, id, i).id)) return false;
+    if (kind == TTC_PRODUCT) return true;
+    if (kind == TTC_SYMBOL && ttc_symbol_of(graph, id) == situation->own_root)
+        id = situation->model->symbols[situation->own_root].definition;
+    arb_srcptr value = ttc_probe_at(probe, id);
+    return value == NULL ? situation->own_root != UINT32_MAX : !arb_contains_zero(value);
+}
+
 /* What the claim, the field and the definitions that they use divide by, as written. */
 static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation)
 {
@@ -17,10 +32,7 @@ static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *poin
         bool used = divisor->role == TTC_DIVIDES_FIELD
                     || (divisor->role == TTC_DIVIDES_SYMBOL && is_used(point, model, divisor->owner))
                     || (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == situation->claim);
-        if (!used) continue;
-        arb_srcptr value = ttc_probe_at(probe, divisor->divisor);
-        if (value == NULL && situation->own_root != UINT32_MAX) continue; /* it may need the root in question */
-        if (value == NULL || arb_contains_zero(value)) return false;
+        if (used && !is_not_zero(probe, situation, divisor->divisor)) return false;
     }
     return true;
 }

@@ -24,13 +24,15 @@ static ttc_id put_end(void *context, uint32_t symbol)
     return symbol == self->state ? self->end : TTC_NONE;
 }
 
-/* Whether a root that is a state here is zero at the end. */
+/* Whether a root that is a state here is zero at the end. One whose radicand divides by zero there is not. */
 static bool is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
 {
     replacement at = { state, end };
     for (size_t i = 0; i < ttc_field_lifted_count(field); i++) {
         const ttc_id radicand = ttc_model_expand(field->model, field->model->symbols[field->time->lifted[i]].definition);
-        if (ttc_is_number(field->graph, ttc_substitute(field->graph, radicand, put_end, &at), 0)) return true;
+        const ttc_id there = ttc_substitute(field->graph, radicand, put_end, &at);
+        if (there == TTC_NONE) ttc_graph_clear_error(field->graph);
+        else if (ttc_is_number(field->graph, there, 0)) return true;
     }
     return false;
 }

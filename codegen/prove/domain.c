@@ -42,11 +42,11 @@ static void add_claim(id_list *list, const ttc_model *model, const ttc_claim *cl
 static bool owner_counts(const ttc_task *task, const ttc_divisor *d, ttc_domain_extent extent)
 {
     const ttc_claim *claim = task->claim, *family = ttc_task_family(task);
-    if (d->role == task->role && d->owner == task->owner) return extent == TTC_DOMAIN_WHOLE;
+    if (d->role == task->role && d->owner == task->owner) return extent != TTC_DOMAIN_WITHOUT_CLAIM;
     if (d->role != TTC_DIVIDES_CLAIM) return false;
     if (family != NULL && family != claim && d->owner == claim->family) return true;
     for (size_t i = 0; i < claim->member_count; i++)
-        if (claim->members[i] == d->owner) return extent == TTC_DOMAIN_WHOLE;
+        if (claim->members[i] == d->owner) return extent != TTC_DOMAIN_WITHOUT_CLAIM;
     for (size_t i = 0; i < claim->modulo_count; i++)
         if (claim->modulo[i] == d->owner) return true;
     return false;
@@ -74,9 +74,10 @@ unsigned char *ttc_domain_support(const ttc_task *task, ttc_domain_extent extent
     for (size_t i = 0; i < model->region_count; i++) add_id(&list, model->regions[i].expression);
     for (size_t i = 0; i < model->divisor_count; i++)
         if (model->divisors[i].role == TTC_DIVIDES_FIELD
-            || (extent == TTC_DOMAIN_WHOLE && model->divisors[i].role == task->role && model->divisors[i].owner == task->owner))
+            || (extent != TTC_DOMAIN_WITHOUT_CLAIM && model->divisors[i].role == task->role
+                && model->divisors[i].owner == task->owner))
             add_id(&list, model->divisors[i].divisor);
-    if (extent == TTC_DOMAIN_WHOLE) add_claim(&list, model, task->claim);
+    if (extent != TTC_DOMAIN_WITHOUT_CLAIM) add_claim(&list, model, task->claim);
     if (family != NULL && family != task->claim) add_claim(&list, model, family);
     unsigned char *support = list.failed ? NULL : ttc_model_support(model, list.ids, list.count);
     free(list.ids);
@@ -123,7 +124,6 @@ static bool uses_root_of_tested(const ttc_task *task, ttc_id id)
     return result;
 }
 
-
 static bool depends_on_states(const ttc_model *model, ttc_id id)
 {
     unsigned char *support = ttc_model_support(model, &id, 1);
@@ -133,18 +133,18 @@ static bool depends_on_states(const ttc_model *model, ttc_id id)
     return result;
 }
 
-void ttc_domain_require_tested(ttc_task *task, const char *where)
+void ttc_domain_require_tested(ttc_task *task)
 {
     const ttc_model *model = task->model;
     ttc_ratio value;
     for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
-        ttc_domain_require_symbol(task, NULL, model, task->tested->items[i].symbol, where);
+        ttc_domain_require_symbol(task, NULL, model, task->tested->items[i].symbol, " in the variant");
     ttc_ratio_init(task->ring, &value);
     for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
         ttc_id region = model->regions[i].expression;
         if (!depends_on_tested(task, region) || depends_on_states(model, region)) continue;
         ttc_evaluate(task->field, &value, region);
-        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
+        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken in the variant", model->regions[i].name);
     }
     ttc_ratio_clear(task->ring, &value);
 }
@@ -203,7 +203,13 @@ static void add(ttc_task *task, ttc_conditions *c, const ttc_ratio *value, ttc_r
     va_end(arguments);
 }
 
-static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_ratio *value)
+/* A symbol under test alone: that it is not zero is no more than what is to be shown of it. */
+static bool is_tested_symbol(const ttc_task *task, ttc_id id)
+{
+    return ttc_kind_of(task->model->graph, id) == TTC_SYMBOL && is_tested(task, ttc_symbol_of(task->model->graph, id));
+}
+
+static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_domain_extent extent, ttc_ratio *value)
 {
     uint32_t root;
     if (is_root(task->model, id, &root)) {
@@ -212,10 +218,13 @@ static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_ratio 
     } else if (ttc_kind_of(task->model->graph, id) == TTC_PRODUCT) {
         /* Factor by factor: each is simpler, and most are roots. */
         for (size_t i = 0; i < ttc_part_count(task->model->graph, id); i++)
-            add_divisor(task, c, ttc_part_at(task->model->graph, id, i).id, value);
+            add_divisor(task, c, ttc_part_at(task->model->graph, id, i).id, extent, value);
         return;
     } else if (uses_root_of_tested(task, id) || (depends_on_tested(task, id) && task->tested_root != 0)) {
         task->has_left_out |= task->tested_root == 0 || !ttc_model_depends(task->model, id, task->tested_root);
+        return;
+    } else if (extent == TTC_DOMAIN_OUT_OF_QUESTION && depends_on_tested(task, id)) {
+        task->has_left_out |= !is_tested_symbol(task, id);
         return;
     }
     ttc_evaluate(task->field, value, id);
@@ -303,79 +312,28 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
             model->regions[i].name);
     }
     for (size_t i = 0; i < model->divisor_count; i++)
-        if (divisor_counts(task, &model->divisors[i], support, extent)) add_divisor(task, c, model->divisors[i].divisor, &value);
-    if (task->divisor != TTC_NONE && extent == TTC_DOMAIN_WHOLE) add_divisor(task, c, task->divisor, &value);
+        if (divisor_counts(task, &model->divisors[i], support, extent))
+            add_divisor(task, c, model->divisors[i].divisor, extent, &value);
+    if (task->divisor != TTC_NONE && extent != TTC_DOMAIN_WITHOUT_CLAIM) add_divisor(task, c, task->divisor, extent, &value);
     ttc_ratio_clear(task->ring, &end);
     ttc_ratio_clear(task->ring, &value);
     free(support);
 }
 
-/* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
-static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction,
-                        const char *where)
+void ttc_domain_require_twice(ttc_task *task, ttc_prover require)
 {
-    ttc_ratio value, limit;
-    if (end == TTC_NONE || !ttc_task_open(task)) return;
-    ttc_ratio_init(task->ring, &value);
-    ttc_ratio_init(task->ring, &limit);
-    ttc_evaluate(map, &value, entry->node);
-    ttc_evaluate(map, &limit, end);
-    if (direction > 0) ttc_ratio_subtract(task->ring, &value, &value, &limit);
-    else ttc_ratio_subtract(task->ring, &value, &limit, &value);
-    ttc_task_require(task, &value, TTC_IS_POSITIVE, "%s leaves its interval%s: %s", entry->name, where,
-                     direction > 0 ? "above the lower end by" : "below the upper end by");
-    ttc_ratio_clear(task->ring, &limit);
-    ttc_ratio_clear(task->ring, &value);
-}
-
-void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where)
-{
-    const ttc_symbol_entry *entry = &model->symbols[symbol];
-    ttc_ratio value;
-    if (map == NULL) map = task->field;
-    if (entry->kind == TTC_STATE) {
-        require_end(task, map, entry, entry->low, 1, where);
-        require_end(task, map, entry, entry->high, -1, where);
-    } else if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG || (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN)) {
-        ttc_ratio_init(task->ring, &value);
-        bool of_definition = entry->kind != TTC_PARAM;
-        ttc_evaluate(map, &value, of_definition ? entry->definition : entry->node);
-        ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : ttc_domain_relation(entry->sign), "%s%s%s",
-                         of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ",
-                         entry->name, where);
-        ttc_ratio_clear(task->ring, &value);
-    }
-}
-
-void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where)
-{
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
-    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) ttc_domain_require_symbol(task, map, model, i, where);
-    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
-        ttc_evaluate(map, &value, model->regions[i].expression);
-        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
-    }
-    unsigned char *used = ttc_model_uses(model);
-    if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
-    else ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_FIELD, 0, used, where);
-    free(used);
-    ttc_ratio_clear(task->ring, &value);
-}
-
-void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry)
-{
-    ttc_ratio root, radicand;
-    ttc_ratio_init(task->ring, &root);
-    ttc_ratio_init(task->ring, &radicand);
-    ttc_evaluate(map, &root, entry->node);
-    ttc_evaluate(map, &radicand, entry->definition);
-    ttc_task_require(task, &root, TTC_IS_POSITIVE, "not positive: the image of the root %s", entry->name);
-    ttc_ratio_multiply(task->ring, &root, &root, &root);
-    ttc_ratio_subtract(task->ring, &root, &root, &radicand);
-    ttc_task_require_zero(task, &root, "%s^2 - its radicand", entry->name);
-    ttc_ratio_clear(task->ring, &radicand);
-    ttc_ratio_clear(task->ring, &root);
+    bool is_divided_by = false;
+    require(task);
+    for (size_t i = 0; !is_divided_by && i < task->model->divisor_count; i++)
+        is_divided_by = depends_on_tested(task, task->model->divisors[i].divisor);
+    if (!is_divided_by || !ttc_task_open(task)) return;
+    ttc_conditions whole = task->domain;
+    ttc_conditions_init(&task->domain, task->field);
+    ttc_domain_add(task, &task->domain, TTC_DOMAIN_OUT_OF_QUESTION);
+    require(task);
+    whole.failed |= task->domain.failed;
+    ttc_conditions_clear(&task->domain);
+    task->domain = whole;
 }
 
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,

@@ -7,7 +7,8 @@
 
 typedef enum {
     TTC_DOMAIN_WHOLE,
-    TTC_DOMAIN_WITHOUT_CLAIM /* without what the claim alone divides by, itself and by the definitions that it uses */
+    TTC_DOMAIN_WITHOUT_CLAIM, /* without what the claim alone divides by, itself and by the definitions that it uses */
+    TTC_DOMAIN_OUT_OF_QUESTION /* without divisors that depend on symbols under test */
 } ttc_domain_extent;
 
 /* Adds the conditions of the domain to task->domain. Symbols under test (task->tested, task->tested_root) and the roots that
@@ -30,8 +31,12 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where);
 
-/* Requires of the symbols under test what their records say, and the domain records that speak of parameters alone. */
-void ttc_domain_require_tested(ttc_task *task, const char *where);
+/* Requires in the domain, and then also without the divisors that depend on symbols under test: that nothing is divided by zero
+ * says nothing of values that are given. */
+void ttc_domain_require_twice(ttc_task *task, ttc_prover require);
+
+/* Requires of a variant's parameters what their records say, and the domain records that speak of parameters alone. */
+void ttc_domain_require_tested(ttc_task *task);
 
 /* The symbols that the claim and the domain use, as the table is written: by symbol, for free(); NULL when memory is out. */
 unsigned char *ttc_domain_support(const ttc_task *task, ttc_domain_extent extent);

@@ -53,7 +53,7 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
 
 /* Where a leaf is left at a real point that lies on no other component, the level is left. Short of that nothing is said: a set
  * is kept when its components are, real points or not. */
-static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc_ratio *rate)
+static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc_ratio *rate, bool by_angle)
 {
     ttc_ratio others;
     size_t mark = ttc_conditions_mark(&task->domain);
@@ -63,27 +63,42 @@ static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc
         ttc_evaluate(task->field, &others, task->apart);
         ttc_conditions_add(&task->domain, &others, TTC_IS_NONZERO);
     }
-    if (!task->is_thin) ttc_task_require_zero(task, rate, "the set is left: rate of %s - rate of what it stands for", entry->name);
+    if (!task->is_thin)
+        ttc_task_require_zero(task, rate, by_angle ? "the set is left: rate of the angle of %s, which is fixed on it"
+                                                   : "the set is left: rate of %s - rate of what it stands for", entry->name);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
     ttc_task_unsettle(task, "the flow is not tangent to the set, by the rate of %s; that it leaves its real points was not shown",
                       entry->name);
     ttc_ratio_clear(task->ring, &others);
 }
 
-/* A symbol that follows from the free ones must move as they make it move: a state by its equation, a parameter not at all. */
+bool ttc_task_is_at_turn(ttc_task *task, const ttc_symbol_entry *entry)
+{
+    ttc_ratio sine;
+    if (entry->kind != TTC_COSINE) return false;
+    ttc_ratio_init(task->ring, &sine);
+    ttc_evaluate(task->field, &sine, task->model->symbols[entry->partner].node);
+    const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &sine);
+    ttc_ratio_clear(task->ring, &sine);
+    return zero;
+}
+
+/* A symbol that follows from the free ones must move as they make it move: a state by its equation, a parameter not at all; and
+ * the angle of a cosine of 1 or -1 must not move either. */
 static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio *slopes, const char *hint)
 {
     const ttc_symbol_entry *entry = &task->model->symbols[symbol];
     ttc_ratio value, rate;
     ttc_ratio_init(task->ring, &value);
     ttc_ratio_init(task->ring, &rate);
+    const bool by_angle = ttc_task_is_at_turn(task, entry);
     ttc_evaluate(task->field, &value, entry->node);
-    if (ttc_task_open(task)) ttc_ratio_derive(task->ring, &rate, &value, slopes);
-    ttc_evaluate(task->field, &value, ttc_derive_field(task->model, entry->node));
+    if (ttc_task_open(task) && !by_angle) ttc_ratio_derive(task->ring, &rate, &value, slopes);
+    ttc_evaluate(task->field, &value, ttc_derive_field(task->model, by_angle ? entry->definition : entry->node));
     ttc_ratio_subtract(task->ring, &rate, &value, &rate);
     if (ttc_task_open(task) && hint != NULL && !ttc_ratio_is_zero(task->ring, &rate))
         ttc_task_unsettle(task, "the flow does not keep the set of the condition on %s (%s)", entry->name, hint);
-    if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &rate)) refute_kept(task, entry, &rate);
+    if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &rate)) refute_kept(task, entry, &rate, by_angle);
     ttc_ratio_clear(task->ring, &rate);
     ttc_ratio_clear(task->ring, &value);
 }
@@ -92,7 +107,8 @@ void ttc_task_require_kept(ttc_task *task, const char *hint)
 {
     const ttc_model *model = task->model;
     if (task->is_hidden) {
-        if (task->has_point) ttc_task_unsettle(task, "real points of the level lie where a component of it has no others");
+        ttc_task_unsettle(task, task->has_point ? "real points of the level lie where a component of it has no others"
+                                                : "real points of the level may lie where a component of it has no others");
         return;
     }
     ttc_ratio *slopes = slopes_of(task);

@@ -323,6 +323,14 @@ static void descend(cover *c, const ttc_subcase *b)
     }
 }
 
+/* Leaves that may lie within others are not asked for the dimension of their image: so one must have been shown to have it. */
+static bool lacks_dimension(const ttc_task *task)
+{
+    const ttc_claim_kind kind = task->claim->kind;
+    const bool is_asked = kind == TTC_CLAIM_REDUCTION || kind == TTC_CLAIM_EMBEDDING;
+    return is_asked && task->claim->modulo_count > 0 && task->kept == 0;
+}
+
 static void draw_verdict(cover *c)
 {
     ttc_task *task = c->task;
@@ -345,6 +353,8 @@ static void draw_verdict(cover *c)
     } else if (task->status == TTC_PROVED && c->with_point == 0) {
         ttc_task_unsettle(task, "it says nothing: %s",
                           c->why_empty != NULL ? c->why_empty : "the zero level it is restricted to is empty");
+    } else if (task->status == TTC_PROVED && lacks_dimension(task)) {
+        ttc_task_unsettle(task, "no point of the level is known at which its image has the dimension that it should have");
     }
     if (task->status == TTC_UNSETTLED) {
         free(task->point);

@@ -30,7 +30,7 @@ static void trace(ttc_task *task, ttc_ratio *out)
 
 /* The values that a family gives to states obey what the records of the states, and of roots of them, say: for all values of
  * what is left free. */
-void ttc_prove_equilibria(ttc_task *task)
+static void require_records(ttc_task *task)
 {
     for (uint32_t i = 0; i < task->model->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
@@ -41,6 +41,11 @@ void ttc_prove_equilibria(ttc_task *task)
         }
         if (bound) ttc_domain_require_symbol(task, NULL, task->model, i, " on the family");
     }
+}
+
+void ttc_prove_equilibria(ttc_task *task)
+{
+    ttc_domain_require_twice(task, require_records);
     if (ttc_task_open(task)) field_vanishes(task);
 }
 

@@ -1,7 +1,8 @@
 /* A pole: at both ends of the state's interval a lifted root is zero, and orbits do not run through. In each time that lifts
- * such a root the rates of the root and of the state are ratios N/D; with way, the distance of the state from the end, and all
- * roots that vanish there, N lies in the ideal of these, and D is not zero for parameters in general. So where way and the root
- * are zero they stay so, and orbits of the lifted field come to the end only as its time goes to infinity. */
+ * such a root the rates of the root and of the state are ratios N/D; with way, the distance of the state from the end, and the
+ * roots that vanish there no more slowly than those lifted, N lies in the ideal of these, and D is not zero for parameters in
+ * general. So the rates are bounded by multiples of way and the root, which where they are zero stay so, and orbits of the lifted
+ * field come to the end only as its time goes to infinity. */
 #include "prove/prove_task.h"
 
 typedef struct {
@@ -19,15 +20,15 @@ static const fmpz_mpoly_ctx_struct *context_of(const pole_end *end) { return end
 
 static const char *side_of(const pole_end *end) { return end->is_high ? "upper" : "lower"; }
 
-/* Roots that vanish are put to zero. */
-static void drop_roots(const pole_end *end, fmpz_mpoly_t out, const fmpz_mpoly_t polynomial)
+/* These roots, of those that vanish, are put to zero. */
+static void drop(const pole_end *end, fmpz_mpoly_t out, const fmpz_mpoly_t polynomial, const bool *roots)
 {
     const ttc_ring *ring = end->task->ring;
     fmpz_t zero;
     fmpz_init(zero);
     fmpz_mpoly_set(out, polynomial, ring->context);
     for (size_t i = 0; i < ring->generator_count; i++)
-        if (end->vanishes[i]) fmpz_mpoly_evaluate_one_fmpz(out, out, ring->generators[i].variable, zero, ring->context);
+        if (roots[i]) fmpz_mpoly_evaluate_one_fmpz(out, out, ring->generators[i].variable, zero, ring->context);
     fmpz_clear(zero);
 }
 
@@ -38,18 +39,6 @@ static bool has_factor(const pole_end *end, const fmpz_mpoly_t polynomial)
     const bool has = fmpz_mpoly_divides(quotient, polynomial, end->way, context_of(end));
     fmpz_mpoly_clear(quotient, context_of(end));
     return has;
-}
-
-static void find_vanishing(pole_end *end)
-{
-    const ttc_ring *ring = end->task->ring;
-    fmpz_mpoly_t square;
-    fmpz_mpoly_init(square, ring->context);
-    for (size_t i = 0; i < ring->generator_count; i++) {
-        drop_roots(end, square, ring->generators[i].square.numerator); /* it uses earlier ones alone */
-        end->vanishes[i] = has_factor(end, square) && !has_factor(end, ring->generators[i].square.denominator);
-    }
-    fmpz_mpoly_clear(square, ring->context);
 }
 
 /* out = the polynomial, without roots that vanish, with the state at its end. Its resultant with way = b x + c is (-b)^degree
@@ -119,8 +108,22 @@ static bool is_followed(const pole_end *end, const fmpz_mpoly_t polynomial, bool
     return true;
 }
 
-/* Where a ratio goes as the end is neared. value: receives where, unless it is not followed. */
-static limit follow(const pole_end *end, ttc_ratio *value, const ttc_ratio *ratio)
+static void find_vanishing(pole_end *end)
+{
+    const ttc_ring *ring = end->task->ring;
+    fmpz_mpoly_t square;
+    fmpz_mpoly_init(square, ring->context);
+    for (size_t i = 0; i < ring->generator_count; i++) {
+        drop(end, square, ring->generators[i].square.numerator, end->vanishes); /* it uses earlier ones alone */
+        end->vanishes[i] = has_factor(end, square) && !has_factor(end, ring->generators[i].square.denominator) &&
+                           is_followed(end, ring->generators[i].square.numerator, false);
+    }
+    fmpz_mpoly_clear(square, ring->context);
+}
+
+/* Where a ratio goes as the end is neared. value: receives where, unless it is not followed. lifted: NULL, or roots that vanish:
+ * that it goes to zero is then followed only where it does with these and the way left, at least as fast as their sum. */
+static limit follow(const pole_end *end, ttc_ratio *value, const ttc_ratio *ratio, const bool *lifted)
 {
     ttc_task *task = end->task;
     ttc_ring *ring = task->ring;
@@ -130,12 +133,15 @@ static limit follow(const pole_end *end, ttc_ratio *value, const ttc_ratio *rati
     if (!ttc_task_open(task)) return found;
     fmpz_mpoly_init(top, ring->context);
     ttc_ratio_init(ring, &bottom);
-    drop_roots(end, top, ratio->numerator);
-    if (is_followed(end, top, false) && is_followed(end, ratio->denominator, false) && is_nonzero(end, ratio->denominator)) {
+    drop(end, top, ratio->numerator, end->vanishes);
+    if (is_followed(end, ratio->numerator, false) && is_followed(end, ratio->denominator, false) &&
+        is_nonzero(end, ratio->denominator)) {
         put_state(end, value, top);
         put_state(end, &bottom, ratio->denominator);
         ttc_ratio_divide(ring, value, value, &bottom);
         found = has_factor(end, top) ? GOES_TO_ZERO : GOES_ELSEWHERE;
+        if (lifted != NULL) drop(end, top, ratio->numerator, lifted);
+        if (found == GOES_TO_ZERO && !has_factor(end, top)) found = IS_NOT_FOLLOWED;
     }
     ttc_ratio_clear(ring, &bottom);
     fmpz_mpoly_clear(top, ring->context);
@@ -154,7 +160,7 @@ static bool add_at_end(const pole_end *end, const fmpz_mpoly_t polynomial, ttc_r
     fmpz_mpoly_init(rest, ring->context);
     fmpz_mpoly_init(quotient, ring->context);
     ttc_ratio_init(task->ring, &value);
-    drop_roots(end, rest, polynomial);
+    drop(end, rest, polynomial, end->vanishes);
     const bool is_whole = fmpz_mpoly_equal(rest, polynomial, ring->context);
     if (is_whole && fmpz_mpoly_degree_si(rest, end->variable, ring->context) < 1) goto done; /* the state says nothing of it */
     ok = ok && relation != TTC_IS_ZERO && (is_whole || !has_factor(end, rest)) && !fmpz_mpoly_is_zero(rest, ring->context);
@@ -191,15 +197,40 @@ static void refute(const pole_end *end, const ttc_symbol_entry *entry, const ttc
                       "was not shown", side_of(end), state, entry->name, time->name);
 }
 
+/* Of the roots that vanish, those that are bounded by one that the time lifts: others may go to zero more slowly, so that an end
+ * is come to although the rates vanish there. */
+static void find_lifted(const pole_end *end, bool *lifted, const ttc_time *time)
+{
+    ttc_task *task = end->task;
+    ttc_ratio root, quotient, value;
+    ttc_ratio_init(task->ring, &root);
+    ttc_ratio_init(task->ring, &quotient);
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < task->ring->generator_count; i++) {
+        lifted[i] = false;
+        for (size_t k = 0; end->vanishes[i] && !lifted[i] && k < time->lifted_count; k++) {
+            ttc_evaluate(task->field, &root, task->model->symbols[time->lifted[k]].node);
+            ttc_ratio_set_variable(task->ring, &quotient, task->ring->generators[i].variable);
+            ttc_ratio_divide(task->ring, &quotient, &quotient, &root);
+            lifted[i] = follow(end, &value, &quotient, NULL) != IS_NOT_FOLLOWED;
+        }
+    }
+    ttc_ratio_clear(task->ring, &value);
+    ttc_ratio_clear(task->ring, &quotient);
+    ttc_ratio_clear(task->ring, &root);
+}
+
 static void require_rest(const pole_end *end, const ttc_symbol_entry *entry, const ttc_time *time)
 {
     ttc_task *task = end->task;
     ttc_graph *graph = task->model->graph;
     ttc_ratio rate, value;
+    bool lifted[TTC_GENERATOR_LIMIT];
     ttc_ratio_init(task->ring, &rate);
     ttc_ratio_init(task->ring, &value);
+    find_lifted(end, lifted, time);
     ttc_evaluate(task->field, &rate, ttc_multiply(graph, time->factor, ttc_derive_field(task->model, entry->node)));
-    const limit found = follow(end, &value, &rate);
+    const limit found = follow(end, &value, &rate, lifted);
     if (found == GOES_ELSEWHERE) refute(end, entry, time, &value);
     if (found == IS_NOT_FOLLOWED)
         ttc_task_unsettle(task, "the rate of %s in the time %s could not be followed to the %s end of %s", entry->name,
@@ -219,7 +250,7 @@ static void require_first_order(const pole_end *end, const ttc_symbol_entry *ent
     ttc_evaluate(task->field, &factor, time->factor);
     ttc_evaluate(task->field, &root, entry->node);
     ttc_ratio_divide(task->ring, &factor, &factor, &root);
-    if (ttc_task_open(task) && follow(end, &value, &factor) != GOES_ELSEWHERE)
+    if (ttc_task_open(task) && follow(end, &value, &factor, NULL) != GOES_ELSEWHERE)
         ttc_task_unsettle(task, "at the %s end of %s dt/dtau in the time %s is not shown to be %s times what is not zero",
                           side_of(end), task->model->symbols[end->state].name, time->name, entry->name);
     ttc_ratio_clear(task->ring, &value);
@@ -235,25 +266,37 @@ static void require_rest_of_both(const pole_end *end, const ttc_symbol_entry *ro
     require_rest(end, end->task->model->symbols + end->state, time);
 }
 
+/* Whether a root goes to zero. One whose inverse has a limit, as where it grows without bounds, does not. */
+static limit follow_root(const pole_end *end, const ttc_symbol_entry *entry)
+{
+    ttc_task *task = end->task;
+    ttc_ratio root, value;
+    ttc_ratio_init(task->ring, &root);
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(task->field, &root, entry->node);
+    limit found = follow(end, &value, &root, NULL);
+    if (found == IS_NOT_FOLLOWED && ttc_task_open(task)) {
+        ttc_ratio_power(task->ring, &root, &root, -1);
+        if (follow(end, &value, &root, NULL) != IS_NOT_FOLLOWED) found = GOES_ELSEWHERE;
+    }
+    ttc_ratio_clear(task->ring, &value);
+    ttc_ratio_clear(task->ring, &root);
+    return found;
+}
+
 /* In every time in which a root that is zero at the end is a state of its own. */
 static void require_in_times(const pole_end *end, in_time require)
 {
     ttc_task *task = end->task;
     const ttc_model *model = task->model;
-    ttc_ratio root, value;
-    ttc_ratio_init(task->ring, &root);
-    ttc_ratio_init(task->ring, &value);
     for (size_t i = 0; i < model->time_count; i++)
         for (size_t k = 0; k < model->times[i].lifted_count && ttc_task_open(task); k++) {
             const ttc_symbol_entry *entry = model->symbols + model->times[i].lifted[k];
-            ttc_evaluate(task->field, &root, entry->node);
-            const limit found = follow(end, &value, &root);
+            const limit found = follow_root(end, entry);
             if (found == IS_NOT_FOLLOWED) ttc_task_unsettle(task, "%s could not be followed to the ends of %s", entry->name,
                                                             model->symbols[end->state].name);
             if (found == GOES_TO_ZERO) require(end, entry, &model->times[i]);
         }
-    ttc_ratio_clear(task->ring, &value);
-    ttc_ratio_clear(task->ring, &root);
 }
 
 static ttc_id at_end(void *context, uint32_t symbol)
@@ -264,27 +307,45 @@ static ttc_id at_end(void *context, uint32_t symbol)
     return end->is_high ? state->high : state->low;
 }
 
-/* Of the product of the radicands of all lifted roots one factor is zero. */
-static void require_root(pole_end *end, ttc_id product)
+/* out *= the radicand at the end; one that divides by zero there does not count. */
+static void times_radicand(pole_end *end, ttc_ratio *out, const ttc_symbol_entry *root)
 {
     ttc_task *task = end->task;
+    ttc_graph *graph = task->model->graph;
     ttc_ratio value;
+    ttc_graph_clear_error(graph);
+    const ttc_id there = ttc_substitute(graph, ttc_model_expand(task->model, root->definition), at_end, end);
+    if (there == TTC_NONE && ttc_graph_error(graph) == TTC_GRAPH_DIVISION_BY_ZERO) {
+        ttc_graph_clear_error(graph);
+        return;
+    }
     ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(task->field, &value, ttc_substitute(task->model->graph, product, at_end, end));
-    ttc_task_require_zero(task, &value, "at the %s end of %s no lifted root is zero: radicand", side_of(end),
-                          task->model->symbols[end->state].name);
+    ttc_evaluate(task->field, &value, there);
+    ttc_ratio_multiply(task->ring, out, out, &value);
     ttc_ratio_clear(task->ring, &value);
 }
 
-static ttc_id product_of_radicands(const ttc_model *model)
+/* Of the radicands of all lifted roots, those that have a value at the end, one is zero there. */
+static void require_root(pole_end *end)
 {
-    ttc_id product = TTC_NONE;
+    ttc_task *task = end->task;
+    const ttc_model *model = task->model;
+    ttc_ratio product;
+    ttc_ratio_init(task->ring, &product);
+    ttc_ratio_set_integer(task->ring, &product, 1);
     for (size_t i = 0; i < model->time_count; i++)
-        for (size_t k = 0; k < model->times[i].lifted_count; k++) {
-            const ttc_id radicand = ttc_model_expand(model, model->symbols[model->times[i].lifted[k]].definition);
-            product = product == TTC_NONE ? radicand : ttc_multiply(model->graph, product, radicand);
-        }
-    return product;
+        for (size_t k = 0; k < model->times[i].lifted_count && ttc_task_open(task); k++)
+            times_radicand(end, &product, model->symbols + model->times[i].lifted[k]);
+    ttc_task_require_zero(task, &product, "at the %s end of %s no lifted root is zero: product of radicands", side_of(end),
+                          model->symbols[end->state].name);
+    ttc_ratio_clear(task->ring, &product);
+}
+
+static bool lifts_roots(const ttc_model *model)
+{
+    bool lifts = false;
+    for (size_t i = 0; i < model->time_count; i++) lifts |= model->times[i].lifted_count > 0;
+    return lifts;
 }
 
 /* All roots come into the ring, before it is asked which of them vanish. */
@@ -302,12 +363,12 @@ static void evaluate_all(ttc_task *task, const ttc_symbol_entry *state)
     ttc_ratio_clear(task->ring, &value);
 }
 
-static void prove_end(pole_end *end, ttc_id product)
+static void prove_end(pole_end *end)
 {
     ttc_task *task = end->task;
     const ttc_symbol_entry *state = task->model->symbols + end->state;
     ttc_ratio way, bound;
-    require_root(end, product);
+    require_root(end);
     if (!ttc_task_open(task)) return;
     evaluate_all(task, state);
     if (!ttc_task_open(task)) return;
@@ -329,11 +390,10 @@ static void prove_end(pole_end *end, ttc_id product)
 void ttc_prove_pole(ttc_task *task)
 {
     const uint32_t state = task->model->poles[task->claim->family].state;
-    const ttc_id product = product_of_radicands(task->model);
-    if (product == TTC_NONE) ttc_task_unsettle(task, "no time lifts a root, which would be zero there");
+    if (!lifts_roots(task->model)) ttc_task_unsettle(task, "no time lifts a root, which would be zero there");
     for (int high = 0; high < 2 && ttc_task_open(task); high++) {
         const slong variable = ttc_valuation_variable(task->field, state);
         pole_end end = { .task = task, .state = state, .is_high = high, .variable = variable };
-        prove_end(&end, product);
+        prove_end(&end);
     }
 }

@@ -3,7 +3,6 @@
 #include "prove/domain.h"
 #include "prove/way_table.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression)
@@ -99,150 +98,6 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
         }
 }
 
-/* The rows of a matrix of ratios that are linearly independent, by elimination in the field; the matrix is used up.
- * minor *= the minor that shows it, up to its sign. */
-static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t columns, ttc_ratio *minor)
-{
-    size_t rank = 0;
-    ttc_ratio factor;
-    ttc_ratio_init(task->ring, &factor);
-    for (size_t j = 0; j < columns && rank < rows && ttc_task_open(task); j++) {
-        size_t pivot = rank;
-        while (pivot < rows && ttc_ratio_is_zero(task->ring, &matrix[pivot * columns + j])) pivot++;
-        if (pivot == rows) continue;
-        ttc_ratio_multiply(task->ring, minor, minor, &matrix[pivot * columns + j]);
-        for (size_t k = 0; k < columns && pivot != rank; k++) {
-            ttc_ratio moved = matrix[pivot * columns + k];
-            matrix[pivot * columns + k] = matrix[rank * columns + k];
-            matrix[rank * columns + k] = moved;
-        }
-        for (size_t i = rank + 1; i < rows && ttc_task_open(task); i++) {
-            if (ttc_ratio_is_zero(task->ring, &matrix[i * columns + j])) continue;
-            ttc_ratio_divide(task->ring, &factor, &matrix[i * columns + j], &matrix[rank * columns + j]);
-            ttc_ratio_scale(task->ring, &factor, &factor, task->ring->minus_one);
-            for (size_t k = j; k < columns; k++)
-                ttc_ratio_add_product(task->ring, &matrix[i * columns + k], &factor, &matrix[rank * columns + k]);
-        }
-        rank++;
-    }
-    ttc_ratio_clear(task->ring, &factor);
-    return rank;
-}
-
-/* Appends the gradient of an expression in the states. */
-static void add_gradient(ttc_task *task, ttc_ratio *row, ttc_id expression)
-{
-    for (size_t j = 0; j < task->model->state_count; j++)
-        ttc_evaluate(task->field, &row[j], ttc_derive_state(task->model, expression, j));
-}
-
-/* Sort the terms of a polynomial by what moves in them: the sum of those of the first term's kind goes to `same`, the others
- * stay. What does not move is left of the terms in `same`. */
-static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t polynomial, const bool *moves)
-{
-    const fmpz_mpoly_ctx_struct *context = task->ring->context;
-    slong count = (slong)task->ring->variable_count;
-    fmpz_mpoly_t rest, term, power;
-    fmpz_mpoly_init(rest, context);
-    fmpz_mpoly_init(term, context);
-    fmpz_mpoly_init(power, context);
-    fmpz_mpoly_zero(same, context);
-    for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
-        bool alike = true;
-        for (slong v = 0; alike && v < count; v++)
-            alike = !moves[v] || fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context)
-                                     == fmpz_mpoly_get_term_var_exp_ui(polynomial, 0, v, context);
-        fmpz_mpoly_get_term(term, polynomial, i, context);
-        for (slong v = 0; alike && v < count; v++) {
-            ulong exponent = moves[v] ? fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context) : 0;
-            if (exponent == 0) continue;
-            fmpz_mpoly_gen(power, v, context);
-            fmpz_mpoly_pow_ui(power, power, exponent, context);
-            fmpz_mpoly_divides(term, term, power, context);
-        }
-        fmpz_mpoly_struct *sum = alike ? same : rest;
-        fmpz_mpoly_add(sum, sum, term, context);
-    }
-    fmpz_mpoly_swap(polynomial, rest, context);
-    fmpz_mpoly_clear(power, context);
-    fmpz_mpoly_clear(term, context);
-    fmpz_mpoly_clear(rest, context);
-}
-
-/* Whatever the parameters, the minor is not zero at all states: its coefficients do not vanish together. */
-static void require_minor(ttc_task *task, const ttc_ratio *minor)
-{
-    bool *moves = calloc(task->ring->variable_count + 1, sizeof *moves);
-    fmpz_mpoly_t rest, coefficient;
-    ttc_ratio variable;
-    size_t mark = ttc_conditions_mark(&task->domain);
-    bool contradictory = task->domain.contradictory;
-    fmpz_mpoly_init(rest, task->ring->context);
-    fmpz_mpoly_init(coefficient, task->ring->context);
-    ttc_ratio_init(task->ring, &variable);
-    for (slong v = 0; moves != NULL && v < (slong)task->ring->variable_count; v++) {
-        ttc_ratio_set_variable(task->ring, &variable, v);
-        moves[v] = ttc_task_moves(task, &variable);
-    }
-    fmpz_mpoly_set(rest, minor->numerator, task->ring->context);
-    while (moves != NULL && !fmpz_mpoly_is_zero(rest, task->ring->context)) {
-        take_coefficient(task, coefficient, rest, moves);
-        ttc_ratio_set_polynomial(task->ring, &variable, coefficient);
-        ttc_conditions_add(&task->domain, &variable, TTC_IS_ZERO);
-    }
-    ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
-    ttc_conditions_rewind(&task->domain, mark, contradictory);
-    if (moves == NULL || (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED))
-        ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
-    ttc_ratio_clear(task->ring, &variable);
-    fmpz_mpoly_clear(coefficient, task->ring->context);
-    fmpz_mpoly_clear(rest, task->ring->context);
-    free(moves);
-}
-
-/* Onto: on a level of the parameters that are given by expressions, and of what the claim is restricted to, the images of the
- * states have the target's dimension, so that the rank of all gradients is that of the parameters' and the number of the target's
- * states. Into: the rank is ours. */
-static void require_dimension(ttc_task *task, const ttc_model *target)
-{
-    size_t n = task->model->state_count, count = 0, parameters = 0;
-    ttc_ratio minor;
-    ttc_ratio_init(task->ring, &minor);
-    ttc_ratio_set_integer(task->ring, &minor, 1);
-    size_t rows = task->claim->bindings.count + task->claim->modulo_count;
-    ttc_ratio *matrix = ttc_task_ratios(task, rows * n);
-    ttc_ratio *levels = ttc_task_ratios(task, rows * n);
-    for (size_t i = 0; matrix != NULL && levels != NULL && i < task->claim->bindings.count; i++) {
-        uint32_t symbol;
-        if (!ttc_model_find_symbol(target, task->claim->target_names[i], &symbol)) continue;
-        if (target->symbols[symbol].kind == TTC_ROOT) continue;
-        ttc_id image = task->claim->bindings.items[i].expression;
-        add_gradient(task, matrix + count++ * n, image);
-        if (target->symbols[symbol].kind == TTC_PARAM) add_gradient(task, levels + parameters++ * n, image);
-    }
-    for (size_t i = 0; matrix != NULL && levels != NULL && i < task->claim->modulo_count; i++) {
-        ttc_id level = task->model->claims[task->claim->modulo[i]].expression;
-        add_gradient(task, matrix + count++ * n, level);
-        add_gradient(task, levels + parameters++ * n, level);
-    }
-    if (matrix != NULL && levels != NULL) {
-        bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
-        size_t fixed = rank_of(task, levels, parameters, n, &minor);
-        ttc_ratio_set_integer(task->ring, &minor, 1);
-        size_t dimension = rank_of(task, matrix, count, n, &minor) - (onto ? fixed : 0);
-        size_t wanted = onto ? target->state_count : n;
-        if (ttc_task_open(task) && dimension != wanted)
-            ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu states", dimension,
-                            onto ? target->name : task->model->name, wanted);
-        if (ttc_task_open(task) && onto) require_minor(task, &minor);
-        if (ttc_task_open(task) && !onto && ttc_task_search(task, &minor, TTC_IS_NONZERO, NULL) != TTC_POINT_FOUND)
-            ttc_task_unsettle(task, "no point is known at which the image has the dimension of this table");
-    }
-    ttc_ratio_clear(task->ring, &minor);
-    ttc_task_free(task, levels, rows * n);
-    ttc_task_free(task, matrix, rows * n);
-}
-
 /* A root of the image may have got the sign that leaves none. */
 static bool has_points(ttc_task *task)
 {
@@ -270,7 +125,7 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
     }
     ttc_prove_chain_rule(task, task->claim, target, map);
     ttc_prove_same_observations(task, target, map);
-    if (ttc_task_open(task) && has_points(task)) require_dimension(task, target);
+    if (ttc_task_open(task) && has_points(task)) ttc_prove_dimension(task, target);
     ttc_task_leave_map(task);
     ttc_valuation_destroy(map);
 }

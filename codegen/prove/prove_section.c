@@ -1,7 +1,7 @@
 /* A section and its coordinates. In the ring of their table, its chart: every point of it is lifted into the section, the model's
  * domain and the levels, and the way back leads to it. In the ring of the model: what crosses the section, in the direction in
- * which lifted points do, is lifted from where the way back leads, on its own levels. So nothing is missed, but for points
- * at which an angle has no value, and for tangencies. */
+ * which lifted points do, is lifted from where the way back leads, on its own levels; and the way back does not divide by zero
+ * there. So nothing is missed, but for points at which an angle has no value, and for tangencies. */
 #include "prove/domain.h"
 #include "prove/prove_image.h"
 #include "prove/section_chart.h"
@@ -167,6 +167,34 @@ static void require_same(ttc_task *task, ttc_valuation *map)
     ttc_valuation_destroy(lifted);
 }
 
+/* The way back and the levels divide by nothing that is zero where the section is crossed: that would be missed. */
+static void require_way_back(ttc_task *task, const ttc_ratio *rate)
+{
+    const ttc_model *model = task->model;
+    unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
+    const ttc_conditions whole = task->domain;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    ttc_conditions_init(&task->domain, task->field);
+    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
+    ttc_conditions_add(&task->domain, rate, TTC_IS_NONZERO);
+    if (of_claim == NULL || task->domain.failed) ttc_task_unsettle(task, "out of memory");
+    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
+        char *point = NULL;
+        if (!of_claim[i]) continue;
+        ttc_evaluate(task->field, &value, model->divisors[i].divisor);
+        const ttc_search_result zero = ttc_task_search(task, &value, TTC_IS_ZERO, &point);
+        if (zero != TTC_POINT_IMPOSSIBLE && zero != TTC_POINT_EXCLUDED)
+            ttc_task_unsettle(task, "the way back divides by zero where the section is crossed%s%s",
+                              point != NULL ? ", as at " : ", or that was not excluded", point != NULL ? point : "");
+        free(point);
+    }
+    ttc_conditions_clear(&task->domain);
+    task->domain = whole;
+    ttc_ratio_clear(task->ring, &value);
+    free(of_claim);
+}
+
 /* In the model: what crosses the section comes from the chart. */
 static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section *section)
 {
@@ -185,6 +213,7 @@ static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section
     if (ttc_task_open(task)) ttc_domain_require_image(task, map, chart, " of the coordinates, where the section is crossed");
     if (ttc_task_open(task)) require_same(task, map);
     ttc_task_leave_map(task);
+    if (ttc_task_open(task)) require_way_back(task, &rate);
     ttc_ratio_clear(task->ring, &rate);
     ttc_valuation_destroy(map);
 }

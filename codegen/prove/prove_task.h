@@ -41,7 +41,7 @@ struct ttc_task {
     ttc_id apart;   /* not zero at points that belong to no other component, or TTC_NONE */
     ttc_valuation *maps[2]; /* other models, or ours elsewhere, seen from here: their roots are positive as well */
     size_t map_count;
-    size_t kept;    /* leaves that the flow was shown to keep */
+    size_t kept;    /* leaves that the flow was shown to keep, or whose image was shown to have its dimension */
     char why_empty[160]; /* what keeps the last empty leaf from having points; "" where that is not evident */
     /* the verdict so far */
     ttc_proof_status status;
@@ -98,9 +98,15 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count);
 void ttc_task_free(ttc_task *task, ttc_ratio *ratios, size_t count);
 
+/* The symbol is a cosine that is bound to 1 or -1: its rate, a multiple of the sine, is zero however its angle moves. */
+bool ttc_task_is_at_turn(ttc_task *task, const ttc_symbol_entry *entry);
+
 /* The flow keeps the set that this leaf describes: it is tangent to it. hint: NULL, or what to do about a condition that is not
  * kept, which then leaves the claim not settled. */
 void ttc_task_require_kept(ttc_task *task, const char *hint);
+
+/* The image of the leaf under a reduction to `target` has the dimension of the target, under an embedding that of the leaf. */
+void ttc_prove_dimension(ttc_task *task, const ttc_model *target);
 
 /* A parameter of another table, of that name, given as an expression is a quantity that our flow keeps. */
 void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression);

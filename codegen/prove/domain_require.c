@@ -1,0 +1,70 @@
+/* What the records of a table demand of values, here or at an image, is required of them. */
+#include "prove/domain.h"
+
+/* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
+static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction,
+                        const char *where)
+{
+    ttc_ratio value, limit;
+    if (end == TTC_NONE || !ttc_task_open(task)) return;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &limit);
+    ttc_evaluate(map, &value, entry->node);
+    ttc_evaluate(map, &limit, end);
+    if (direction > 0) ttc_ratio_subtract(task->ring, &value, &value, &limit);
+    else ttc_ratio_subtract(task->ring, &value, &limit, &value);
+    ttc_task_require(task, &value, TTC_IS_POSITIVE, "%s leaves its interval%s: %s", entry->name, where,
+                     direction > 0 ? "above the lower end by" : "below the upper end by");
+    ttc_ratio_clear(task->ring, &limit);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where)
+{
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    ttc_ratio value;
+    if (map == NULL) map = task->field;
+    if (entry->kind == TTC_STATE) {
+        require_end(task, map, entry, entry->low, 1, where);
+        require_end(task, map, entry, entry->high, -1, where);
+    } else if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG || (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN)) {
+        ttc_ratio_init(task->ring, &value);
+        bool of_definition = entry->kind != TTC_PARAM;
+        ttc_evaluate(map, &value, of_definition ? entry->definition : entry->node);
+        ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : ttc_domain_relation(entry->sign), "%s%s%s",
+                         of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ",
+                         entry->name, where);
+        ttc_ratio_clear(task->ring, &value);
+    }
+}
+
+void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) ttc_domain_require_symbol(task, map, model, i, where);
+    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
+        ttc_evaluate(map, &value, model->regions[i].expression);
+        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
+    }
+    unsigned char *used = ttc_model_uses(model);
+    if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
+    else ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_FIELD, 0, used, where);
+    free(used);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry)
+{
+    ttc_ratio root, radicand;
+    ttc_ratio_init(task->ring, &root);
+    ttc_ratio_init(task->ring, &radicand);
+    ttc_evaluate(map, &root, entry->node);
+    ttc_evaluate(map, &radicand, entry->definition);
+    ttc_task_require(task, &root, TTC_IS_POSITIVE, "not positive: the image of the root %s", entry->name);
+    ttc_ratio_multiply(task->ring, &root, &root, &root);
+    ttc_ratio_subtract(task->ring, &root, &root, &radicand);
+    ttc_task_require_zero(task, &root, "%s^2 - its radicand", entry->name);
+    ttc_ratio_clear(task->ring, &radicand);
+    ttc_ratio_clear(task->ring, &root);
+}

@@ -1,0 +1,229 @@
+/* The dimension of the image of a reduction or an embedding, leaf by leaf: by the rank of what is given, along the leaf. */
+#include "prove/tangent.h"
+
+#include <stdlib.h>
+
+/* The rows of a matrix of ratios that are linearly independent, by elimination in the field; the matrix is used up.
+ * minor *= the minor that shows it, up to its sign. */
+static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t columns, ttc_ratio *minor)
+{
+    size_t rank = 0;
+    ttc_ratio factor;
+    ttc_ratio_init(task->ring, &factor);
+    for (size_t j = 0; j < columns && rank < rows && ttc_task_open(task); j++) {
+        size_t pivot = rank;
+        while (pivot < rows && ttc_ratio_is_zero(task->ring, &matrix[pivot * columns + j])) pivot++;
+        if (pivot == rows) continue;
+        ttc_ratio_multiply(task->ring, minor, minor, &matrix[pivot * columns + j]);
+        for (size_t k = 0; k < columns && pivot != rank; k++) {
+            ttc_ratio moved = matrix[pivot * columns + k];
+            matrix[pivot * columns + k] = matrix[rank * columns + k];
+            matrix[rank * columns + k] = moved;
+        }
+        for (size_t i = rank + 1; i < rows && ttc_task_open(task); i++) {
+            if (ttc_ratio_is_zero(task->ring, &matrix[i * columns + j])) continue;
+            ttc_ratio_divide(task->ring, &factor, &matrix[i * columns + j], &matrix[rank * columns + j]);
+            ttc_ratio_scale(task->ring, &factor, &factor, task->ring->minus_one);
+            for (size_t k = j; k < columns; k++)
+                ttc_ratio_add_product(task->ring, &matrix[i * columns + k], &factor, &matrix[rank * columns + k]);
+        }
+        rank++;
+    }
+    ttc_ratio_clear(task->ring, &factor);
+    return rank;
+}
+
+/* Sort the terms of a polynomial by what moves in them: the sum of those of the first term's kind goes to `same`, the others
+ * stay. What does not move is left of the terms in `same`. */
+static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t polynomial, const bool *moves)
+{
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    slong count = (slong)task->ring->variable_count;
+    fmpz_mpoly_t rest, term, power;
+    fmpz_mpoly_init(rest, context);
+    fmpz_mpoly_init(term, context);
+    fmpz_mpoly_init(power, context);
+    fmpz_mpoly_zero(same, context);
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
+        bool alike = true;
+        for (slong v = 0; alike && v < count; v++)
+            alike = !moves[v] || fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context)
+                                     == fmpz_mpoly_get_term_var_exp_ui(polynomial, 0, v, context);
+        fmpz_mpoly_get_term(term, polynomial, i, context);
+        for (slong v = 0; alike && v < count; v++) {
+            ulong exponent = moves[v] ? fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context) : 0;
+            if (exponent == 0) continue;
+            fmpz_mpoly_gen(power, v, context);
+            fmpz_mpoly_pow_ui(power, power, exponent, context);
+            fmpz_mpoly_divides(term, term, power, context);
+        }
+        fmpz_mpoly_struct *sum = alike ? same : rest;
+        fmpz_mpoly_add(sum, sum, term, context);
+    }
+    fmpz_mpoly_swap(polynomial, rest, context);
+    fmpz_mpoly_clear(power, context);
+    fmpz_mpoly_clear(term, context);
+    fmpz_mpoly_clear(rest, context);
+}
+
+/* Whatever the parameters, the minor is not zero at all states: its coefficients do not vanish together. */
+static void require_minor(ttc_task *task, const ttc_ratio *minor)
+{
+    bool *moves = calloc(task->ring->variable_count + 1, sizeof *moves);
+    fmpz_mpoly_t rest, coefficient;
+    ttc_ratio variable;
+    size_t mark = ttc_conditions_mark(&task->domain);
+    bool contradictory = task->domain.contradictory;
+    fmpz_mpoly_init(rest, task->ring->context);
+    fmpz_mpoly_init(coefficient, task->ring->context);
+    ttc_ratio_init(task->ring, &variable);
+    for (slong v = 0; moves != NULL && v < (slong)task->ring->variable_count; v++) {
+        ttc_ratio_set_variable(task->ring, &variable, v);
+        moves[v] = ttc_task_moves(task, &variable);
+    }
+    fmpz_mpoly_set(rest, minor->numerator, task->ring->context);
+    while (moves != NULL && !fmpz_mpoly_is_zero(rest, task->ring->context)) {
+        take_coefficient(task, coefficient, rest, moves);
+        ttc_ratio_set_polynomial(task->ring, &variable, coefficient);
+        ttc_conditions_add(&task->domain, &variable, TTC_IS_ZERO);
+    }
+    ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    if (moves == NULL || (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED))
+        ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
+    ttc_ratio_clear(task->ring, &variable);
+    fmpz_mpoly_clear(coefficient, task->ring->context);
+    fmpz_mpoly_clear(rest, task->ring->context);
+    free(moves);
+}
+
+/* What has been found on a leaf: the rows given for states, those for parameters, and what is zero along the leaf. */
+typedef struct {
+    ttc_tangent tangent;
+    ttc_ratio *states, *params;
+    size_t state_rows, param_rows, rows; /* rows: that there is room for, of each */
+} leaf_image;
+
+static bool find_image(ttc_task *task, const ttc_model *target, leaf_image *image)
+{
+    const ttc_bindings *given = &task->claim->bindings;
+    *image = (leaf_image){ .rows = given->count };
+    bool ok = ttc_tangent_init(task, &image->tangent);
+    image->states = ttc_task_ratios(task, image->rows * image->tangent.columns);
+    image->params = ttc_task_ratios(task, image->rows * image->tangent.columns);
+    ok = ok && image->states != NULL && image->params != NULL;
+    for (size_t i = 0; ok && i < given->count; i++) {
+        uint32_t symbol;
+        if (!ttc_model_find_symbol(target, task->claim->target_names[i], &symbol)) continue;
+        if (target->symbols[symbol].kind == TTC_ROOT) continue;
+        const bool is_param = target->symbols[symbol].kind == TTC_PARAM;
+        const size_t row = is_param ? image->param_rows++ : image->state_rows++;
+        ttc_ratio *place = (is_param ? image->params : image->states) + row * image->tangent.columns;
+        ttc_tangent_gradient(task, &image->tangent, place, given->items[i].expression);
+    }
+    return ok;
+}
+
+static void clear_image(ttc_task *task, leaf_image *image)
+{
+    ttc_task_free(task, image->params, image->rows * image->tangent.columns);
+    ttc_task_free(task, image->states, image->rows * image->tangent.columns);
+    ttc_tangent_clear(task, &image->tangent);
+}
+
+static void copy_rows(ttc_task *task, ttc_ratio *out, const ttc_ratio *rows, size_t count)
+{
+    for (size_t i = 0; i < count; i++) ttc_ratio_set(task->ring, &out[i], &rows[i]);
+}
+
+/* The rank along the leaf's free states of what is zero along the leaf, with these rows; minor: that shows it. */
+static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bool params, ttc_ratio *minor)
+{
+    const size_t n = image->tangent.columns, most = 2 * image->rows + image->tangent.constraint_count;
+    size_t count = 0, rank = 0;
+    ttc_ratio *matrix = ttc_task_ratios(task, most * n);
+    ttc_ratio_set_integer(task->ring, minor, 1);
+    if (matrix == NULL) return 0;
+    if (states) copy_rows(task, matrix, image->states, image->state_rows * n);
+    count += states ? image->state_rows : 0;
+    if (params) copy_rows(task, matrix + count * n, image->params, image->param_rows * n);
+    count += params ? image->param_rows : 0;
+    copy_rows(task, matrix + count * n, image->tangent.constraints, image->tangent.constraint_count * n);
+    count += image->tangent.constraint_count;
+    rank = rank_of(task, matrix, count, n, minor);
+    ttc_task_free(task, matrix, most * n);
+    return rank;
+}
+
+/* A leaf along which the gradients of the levels have the rank of its codimension is a component of their common zeros, and one
+ * of codimension 1 is; else nothing is known. */
+static bool is_component(ttc_task *task, size_t codimension)
+{
+    const ttc_claim *claim = task->claim;
+    const size_t n = task->model->state_count;
+    ttc_ratio minor;
+    if (codimension <= 1) return true;
+    ttc_ratio *matrix = ttc_task_ratios(task, claim->modulo_count * n);
+    if (matrix == NULL) return false;
+    ttc_ratio_init(task->ring, &minor);
+    for (size_t i = 0; i < claim->modulo_count; i++)
+        for (size_t j = 0; j < n; j++)
+            ttc_evaluate(task->field, &matrix[i * n + j],
+                         ttc_derive_state(task->model, task->model->claims[claim->modulo[i]].expression, j));
+    const bool result = rank_of(task, matrix, claim->modulo_count, n, &minor) == codimension;
+    ttc_ratio_clear(task->ring, &minor);
+    ttc_task_free(task, matrix, claim->modulo_count * n);
+    return result;
+}
+
+/* A point at which the minor is not zero, and no square root by which the levels were solved: the leaf's real points are there of
+ * its dimension, and so is their image. */
+static bool has_dimension(ttc_task *task, const ttc_ratio *minor)
+{
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    for (size_t i = 0; i < task->ring->generator_count && task->claim->modulo_count > 0; i++)
+        if (!task->ring->generators[i].positive)
+            ttc_conditions_add(&task->domain, &task->ring->generators[i].square, TTC_IS_NONZERO);
+    const bool found = ttc_task_search(task, minor, TTC_IS_NONZERO, NULL) == TTC_POINT_FOUND;
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    return found;
+}
+
+/* Onto: on a level of the parameters that are given by expressions, the images of the states of the leaf have the target's
+ * dimension. Into: they have the leaf's. A leaf of more codimensions than there are levels is no component of them: its points
+ * are limits of others, and their images as well. */
+static void require_dimension(ttc_task *task, const ttc_model *target, const leaf_image *image)
+{
+    const bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
+    ttc_ratio minor;
+    ttc_ratio_init(task->ring, &minor);
+    const size_t cut = rank_with(task, image, false, false, &minor);
+    const size_t dimension = image->tangent.columns - cut, codimension = task->model->state_count - dimension;
+    const size_t fixed = onto ? rank_with(task, image, false, true, &minor) : cut;
+    const size_t found = rank_with(task, image, true, true, &minor) - fixed, wanted = onto ? target->state_count : dimension;
+    if (!ttc_task_open(task) || codimension > task->claim->modulo_count) goto done;
+    if (found != wanted) {
+        if (is_component(task, codimension))
+            ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu%s", found,
+                            onto ? target->name : task->model->name, wanted,
+                            onto || codimension == 0 ? " states" : " on the level");
+        ttc_task_unsettle(task, "a part of the level, which may lie in a larger one, has an image of dimension %zu, not %zu", found,
+                          wanted);
+        goto done;
+    }
+    if (onto) require_minor(task, &minor);
+    if (!ttc_task_open(task)) goto done;
+    const bool has = (onto && task->claim->modulo_count == 0) || has_dimension(task, &minor);
+    if (!onto && !has) ttc_task_unsettle(task, "no point is known at which the image has the dimension of this table");
+    task->kept += has;
+done:
+    ttc_ratio_clear(task->ring, &minor);
+}
+
+void ttc_prove_dimension(ttc_task *task, const ttc_model *target)
+{
+    leaf_image image;
+    if (find_image(task, target, &image) && ttc_task_open(task)) require_dimension(task, target, &image);
+    clear_image(task, &image);
+}
