@@ -66,7 +66,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     for (unsigned k = 0; k < level_count; k++)
         if (is_swept(options, names[k])) levels[k] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
-                                                method, options->flow.tolerance });
+                                                method, options->flow.tolerance, NULL });
     free(params);
     if (level_count > 0) {
         fputs("# levels", stream);
