@@ -91,4 +91,10 @@ anew
 sed -i '/^integral E = energy/a integral H = energy + v_nu' spherical_top.tt
 expect 0 '^# these rest on claims that are not proved: integral H$' jellett simulate ./spherical_top.tt --start $start --times 0,1
 grep -q '^# tier level' out && grep -q '"unproved":"integral H"' out || fail "the header: $(head -6 out)"
+
+# An end of an interval that is no pole is called by its name.
+anew
+sed -i 's/^state gamma3 in (-1, 1)/state gamma3 in (-1, 1\/2)/' spherical_top.tt
+expect 4 'gamma3 is at the end 0.5 of its interval' jellett simulate ./spherical_top.tt --times 0,5 \
+    --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3
 exit $status
