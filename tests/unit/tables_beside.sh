@@ -97,4 +97,8 @@ anew
 sed -i 's/^state gamma3 in (-1, 1)/state gamma3 in (-1, 1\/2)/' spherical_top.tt
 expect 4 'gamma3 is at the end 0.5 of its interval' jellett simulate ./spherical_top.tt --times 0,5 \
     --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3
+
+# A sweep tells how many of its points were refused.
+expect 0 '2 of 3 points refused what was asked, and have no rows' \
+    jellett simulate --sweep a3=0:0.2:3 --tier balanced --start $start --times 0,1
 exit $status
