@@ -101,4 +101,10 @@ expect 4 'gamma3 is at the end 0.5 of its interval' jellett simulate ./spherical
 # A sweep tells how many of its points were refused.
 expect 0 '2 of 3 points refused what was asked, and have no rows' \
     jellett simulate --sweep a3=0:0.2:3 --tier balanced --start $start --times 0,1
+
+# A larger table beside a copy of this one under another name: which one it is proved for, and what would have to be written.
+anew
+sed 's/^model spherical_top$/model my_top/' spherical_top.tt > my.tt
+expect 3 "another table, spherical_top, not for this one; a record 'reduction NAME : onto FILE with" \
+    jellett simulate ./my.tt --track --start $start --times 1
 exit $status
