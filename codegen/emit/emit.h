@@ -112,6 +112,14 @@ void ttc_emit_pole_member(ttc_text *text, const ttc_field *field);
  *  `sections`, and *count is its length. One whose table of coordinates does not fit is left out. False when memory is out. */
 bool ttc_emit_sections(ttc_text *text, ttc_kernels *kernels, size_t *count);
 
+/** What gives a parameter of another table, as jlt_source of kernel_abi.h says. In: name, of the parameter there; value, in this
+ *  table's names, or with is_root its square. -1: memory is out. */
+int ttc_emit_source(const ttc_model *model, const char *name, ttc_id value, bool is_root);
+
+/** The name, in the target, of a parameter that a reduction onto it gives by another name or none, see jlt_claim; NULL: there is
+ *  none, the claim is no such reduction, or memory is out. */
+const char *ttc_emit_renamed(const ttc_model *model, const ttc_claim *claim, const ttc_model *target);
+
 /** Kernels and table of the ways to tables that serve in place of the field's own, of the general field with all its states;
  *  the table is named `ways`, and *count is its length. One whose table does not fit is left out. False when memory is out. */
 bool ttc_emit_ways(ttc_text *text, ttc_kernels *kernels, size_t *count);

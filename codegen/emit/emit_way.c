@@ -83,6 +83,7 @@ typedef struct {
     ttc_field *field;        /* and its field, in the time of the same name */
     ttc_id *ids;             /* room for the outputs of any kernel */
     unsigned char *is_root;  /* by parameter of the other table */
+    unsigned char *sources;
 } way_emitter;
 
 static bool emit_kernel(way_emitter *e, const char *name, ttc_field *field, size_t count)
@@ -106,6 +107,10 @@ static bool emit_params(way_emitter *e)
     for (size_t i = 0; i < count; i++) {
         bool is_root;
         const ttc_id value = ttc_image_param(e->kernels->field->model, e->claim, &e->way->image, e->table, i, &is_root);
+        const char *name = e->table->symbols[e->table->params[i]].name;
+        const int source = ttc_emit_source(e->kernels->field->model, name, value, is_root);
+        if (source < 0) return false;
+        e->sources[i] = (unsigned char)source;
         e->is_root[i] = is_root;
         e->ids[i] = ttc_field_specialise(e->kernels->field, value);
     }
@@ -162,6 +167,7 @@ static bool add_forms(way_emitter *e)
         is_angle[i] = e->way->image.forms[ttc_image_state(&e->way->image, e->table, i)] == TTC_GIVEN_ANGLE;
     if (is_angle != NULL) add_flags(e, "is_angle", n, is_angle);
     add_flags(e, "is_root", e->table->param_count, e->is_root);
+    add_flags(e, "sources", e->table->param_count, e->sources);
     free(is_angle);
     return is_angle != NULL;
 }
@@ -178,7 +184,7 @@ static void add_entry(ttc_text *table, const way_emitter *e)
                     params, e->table->state_count);
     ttc_text_format(table, "      .is_angle = way%zu_is_angle,\n      .coordinates = way%zu_coordinates,\n"
                            "      .back = way%zu_back,\n", k, k, k);
-    if (params > 0) ttc_text_format(table, "      .is_root = way%zu_is_root,\n", k);
+    if (params > 0) ttc_text_format(table, "      .is_root = way%zu_is_root, .sources = way%zu_sources,\n", k, k);
     ttc_text_format(table, "      .params = way%zu_params,\n", k);
     if (conditions > 0)
         ttc_text_format(table, "      .condition_count = %zu, .conditions = way%zu_conditions,\n"
@@ -199,7 +205,8 @@ static bool emit_way(way_emitter *e)
     e->ids = calloc(own->state_count + 2 * e->table->state_count + e->table->param_count + condition_count(e) + 1,
                     sizeof *e->ids);
     e->is_root = calloc(e->table->param_count + 1, 1);
-    if (e->ids == NULL || e->is_root == NULL ||
+    e->sources = calloc(e->table->param_count + 1, 1);
+    if (e->ids == NULL || e->is_root == NULL || e->sources == NULL ||
         ttc_field_create(&e->field, e->table, NULL, time_of(e->table, own), NULL) != TTC_FIELD_OK)
         return false;
     ttc_text_format(e->text, "/* The %s %s, to the table %s, SHA-256\n * %s. */\n", ttc_claim_kind_name(e->claim->kind),
@@ -229,6 +236,7 @@ bool ttc_emit_ways(ttc_text *text, ttc_kernels *kernels, size_t *count)
         ttc_model_destroy(e.table);
         free(e.ids);
         free(e.is_root);
+        free(e.sources);
     }
     if (*count > 0) ttc_text_format(text, "static const jlt_way ways[] = {\n%s};\n\n", ttc_text_string(&table));
     text->failed |= table.failed;

@@ -173,6 +173,8 @@ typedef struct {
     jlt_proof verdict;
     const char *reason;      /* refuted: what is not zero; not settled: why; "" when proved */
     const char *target;      /* of what leads to another table: its SHA-256; NULL of other kinds */
+    const char *renames;     /* of a reduction onto another table: a parameter of that table whose value here has another name, or
+                                none (see jlt_source); NULL: there is none, or the claim is of another kind */
 } jlt_claim;
 
 typedef struct {
@@ -233,6 +235,10 @@ typedef struct {
     int is_zero;      /* 1: its value must be 0; 0: > 0 */
 } jlt_way_condition;
 
+/* What gives a parameter of another table: the parameter of its name here; other parameters; states, that is the level of the
+ * integral of its name here, or of one whose name nothing has; states, though something else has its name. */
+typedef enum { JLT_SOURCE_OWN, JLT_SOURCE_PARAMS, JLT_SOURCE_LEVEL, JLT_SOURCE_OTHER_LEVEL } jlt_source;
+
 /** A way to another table that may serve in place of this one, and back: from a record `reduction NAME : by FILE` (the other
  *  table has fewer states), or `lift NAME : into FILE` (it has more). Kernels take unprepared parameters. The other table's
  *  field is meant in the time of the same name as this field's where it has one, else in its own; y are all its states
@@ -246,6 +252,7 @@ typedef struct {
     unsigned coordinate_count;         /* the first of which are not lifted roots */
     const unsigned char *is_angle;     /* (coordinates,): 1 where it is an atan2 of the two values */
     const unsigned char *is_root;      /* (params,): 1 where the value is the parameter's square */
+    const unsigned char *sources;      /* (params,): a jlt_source each */
     jlt_kernel_function coordinates;   /* x, params -> (coordinates, 2): sine and cosine of an angle times one positive
                                           number; else the state, and 1 */
     jlt_kernel_function params;        /* x, params -> the other table's parameters, (params,) */

@@ -955,6 +955,8 @@ static const unsigned char way0_is_angle[] = { 0, 0, 0, 0 };
 
 static const unsigned char way0_is_root[] = { 0, 0, 0, 0, 0, 0, 0 };
 
+static const unsigned char way0_sources[] = { 0, 0, 0, 0, 0, 0, 2 };
+
 /* The reduction momentum, to the table spherical_top_balanced, SHA-256
  * 24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33. */
 static void way1_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
@@ -1096,6 +1098,8 @@ static const unsigned char way1_is_angle[] = { 0, 0, 1 };
 
 static const unsigned char way1_is_root[] = { 0, 0, 0, 0, 0, 1 };
 
+static const unsigned char way1_sources[] = { 0, 0, 0, 0, 2, 2 };
+
 /* The lift track, to the table spherical_top_track, SHA-256
  * 625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735. */
 static void way2_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
@@ -1146,6 +1150,8 @@ static void way2_back(const double *restrict x, const double *restrict params, d
 static const unsigned char way2_is_angle[] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 
 static const unsigned char way2_is_root[] = { 0, 0, 0, 0, 0, 0 };
+
+static const unsigned char way2_sources[] = { 0, 0, 0, 0, 0, 0 };
 
 /* The lift full, to the table spherical_top_full, SHA-256
  * 5de9745ff1945082f709f85b1765ec2e95addd9d5431b2def563648618d9e642. */
@@ -1262,6 +1268,8 @@ static const unsigned char way3_is_angle[] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 
 
 static const unsigned char way3_is_root[] = { 0, 0, 0, 0, 0, 0 };
 
+static const unsigned char way3_sources[] = { 0, 0, 0, 0, 0, 0 };
+
 static const jlt_way ways[] = {
     { .name = "level", .kind = "reduction", .model = "spherical_top_level", .file = "spherical_top_level.tt",
       .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
@@ -1270,7 +1278,7 @@ static const jlt_way ways[] = {
       .is_angle = way0_is_angle,
       .coordinates = way0_coordinates,
       .back = way0_back,
-      .is_root = way0_is_root,
+      .is_root = way0_is_root, .sources = way0_sources,
       .params = way0_params,
     },
     { .name = "momentum", .kind = "reduction", .model = "spherical_top_balanced", .file = "spherical_top_balanced.tt",
@@ -1280,7 +1288,7 @@ static const jlt_way ways[] = {
       .is_angle = way1_is_angle,
       .coordinates = way1_coordinates,
       .back = way1_back,
-      .is_root = way1_is_root,
+      .is_root = way1_is_root, .sources = way1_sources,
       .params = way1_params,
       .condition_count = 3, .conditions = way1_conditions,
       .condition_values = way1_condition_values,
@@ -1292,7 +1300,7 @@ static const jlt_way ways[] = {
       .is_angle = way2_is_angle,
       .coordinates = way2_coordinates,
       .back = way2_back,
-      .is_root = way2_is_root,
+      .is_root = way2_is_root, .sources = way2_sources,
       .params = way2_params,
     },
     { .name = "full", .kind = "lift", .model = "spherical_top_full", .file = "spherical_top_full.tt",
@@ -1302,7 +1310,7 @@ static const jlt_way ways[] = {
       .is_angle = way3_is_angle,
       .coordinates = way3_coordinates,
       .back = way3_back,
-      .is_root = way3_is_root,
+      .is_root = way3_is_root, .sources = way3_sources,
       .params = way3_params,
       .condition_count = 1, .conditions = way3_conditions,
       .condition_values = way3_condition_values,

@@ -577,6 +577,8 @@ static const unsigned char way0_is_angle[] = { 0, 0 };
 
 static const unsigned char way0_is_root[] = { 0, 0, 0, 0, 0, 0, 0 };
 
+static const unsigned char way0_sources[] = { 0, 0, 0, 0, 0, 0, 2 };
+
 static const jlt_way ways[] = {
     { .name = "half", .kind = "reduction", .model = "spherical_top_plane", .file = "spherical_top_plane.tt",
       .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
@@ -585,7 +587,7 @@ static const jlt_way ways[] = {
       .is_angle = way0_is_angle,
       .coordinates = way0_coordinates,
       .back = way0_back,
-      .is_root = way0_is_root,
+      .is_root = way0_is_root, .sources = way0_sources,
       .params = way0_params,
       .condition_count = 1, .conditions = way0_conditions,
       .condition_values = way0_condition_values,

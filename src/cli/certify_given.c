@@ -57,6 +57,11 @@ static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor 
 
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < surface->count; i++) {
         const unsigned entry = surface->entries[i];
+        if (entry == JLT_SURFACE_COMPUTED)
+            return jlt_command_fail(JLT_EXIT_INPUT,
+                                    "a theorem is one of %s, whose parameters are computed here from %s of %s: ask %s itself, with "
+                                    "exact values",
+                                    d->model, surface->names[i], surface->asked->model, d->model);
         char *text = value_of(surface->names[i], options, tables, 3);
         code = entry < d->param_count
                    ? put(params, d->params[entry].name, surface->names[i], text, spread)

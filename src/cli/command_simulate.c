@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/swept.h"
 #include "dynamics/section.h"
+#include "kernel/descriptor.h"
 #include "report/csv.h"
 
 enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK, PROJECT };
@@ -163,6 +164,15 @@ static jlt_exit open_courses(jlt_simulate_request *r)
 
 /* ---- rows ---- */
 
+/* What the kernel rests on without a proof, and the integrals of the asked table whose drifts are shown; NULL: nothing. */
+static const char *list_unproved(char *claims, size_t size, const jlt_simulate_request *r, const jlt_descriptor *told)
+{
+    snprintf(claims, size, "%s", told->unproved != NULL ? told->unproved : "");
+    for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
+        jlt_descriptor_add_unproved(claims, size, r->session.descriptor, "integral", jlt_course_integral(r->courses[0], i));
+    return *claims != '\0' ? claims : NULL;
+}
+
 static void write_header(FILE *file, const jlt_simulate_request *r)
 {
     const jlt_session *s = &r->session;
@@ -174,13 +184,15 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
 
     /* tiers, and their levels, change over a sweep */
     const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor;
+    char claims[512];
     double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
     if (params != NULL)
         jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command,
                                                   .descriptor = told,
                                                   .params = params,
                                                   .method = s->method->name,
-                                                  .tolerance = s->tolerance });
+                                                  .tolerance = s->tolerance,
+                                                  .unproved = list_unproved(claims, sizeof claims, r, told) });
     free(params);
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\nt", jlt_plan_tier(plan),
             plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance, r->project ? ", projected" : "");

@@ -239,6 +239,7 @@ static json_t *row_json(const jlt_eigen_row *row)
         return o;
     }
     json_object_set_new(o, "variant", json_string(r->descriptor->variant));
+    if (d->unproved != NULL) json_object_set_new(o, "unproved", json_string(d->unproved));
     json_object_set_new(o, "family", jlt_json_string(r->family == NULL ? NULL : r->family->name));
     json_object_set_new(o, "residual", jlt_json_number(r->residual));
     json_object_set_new(o, "residual_relative", jlt_json_number(r->residual_ratio));

@@ -68,13 +68,16 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
     if (status == JLT_ERR_EMPTY) return refuse_empty(surface, values, where);
     if (status == JLT_ERR_UNSUPPORTED) return refuse_large(surface);
     for (unsigned i = 0; status == JLT_ERR_DOMAIN && i < surface->params; i++) {
-        const jlt_quantity *q = &surface->table->params[surface->entries[i]];
+        const jlt_descriptor *table = surface->entries[i] == JLT_SURFACE_COMPUTED ? surface->asked : surface->table;
+        size_t entry = surface->entries[i];
+        if (table == surface->asked && !jlt_descriptor_param(table, surface->names[i], &entry)) continue;
+        const jlt_quantity *q = &table->params[entry];
         const double v = values[i];
         const bool fits = q->sign == JLT_ANY_SIGN || v > 0 || (q->sign == JLT_NONNEGATIVE && v == 0)
                           || (q->sign == JLT_NONZERO && v != 0);
         if (!fits)
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, surface->table->model,
-                                    q->name, conditions[q->sign]);
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, table->model, q->name,
+                                     conditions[q->sign]);
     }
     if (status == JLT_ERR_ARG)
         return jlt_command_fail(
@@ -109,13 +112,25 @@ jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
                             used > 0 ? text : "");
 }
 
+/* The section of a smaller table whose levels have other names, or other values under these names. */
+static jlt_exit refuse_renamed(const jlt_surface *surface, const jlt_claim *claim, const char *name)
+{
+    return jlt_command_fail(JLT_EXIT_INPUT,
+                            "the %s %s gives %s of %s otherwise than by what is called %s in this table: ask for the section %s of "
+                            "%s itself, or for one of this table, --section %s=%.10g, with all other states as coordinates",
+                            claim->kind, claim->name, name, surface->table->model, name, surface->section->name,
+                            surface->table->model, surface->table->states[surface->section->column].name, surface->section->level);
+}
+
 /* A section is one of motion while what its levels fix are integrals, and its table stands for the asked one. */
 static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
+    const char *renamed = broken->verdict == JLT_PROVED ? jlt_link_renames(asked, broken, table) : NULL;
     bool told = false;
     char levels[256];
 
+    if (renamed != NULL) return refuse_renamed(surface, broken, renamed);
     for (unsigned i = surface->params; i < surface->count; i++) {
         const jlt_claim *claim = jlt_descriptor_claim(asked, "integral", surface->names[i]);
         if (claim == NULL || claim->verdict == JLT_PROVED) continue;
@@ -156,6 +171,39 @@ static jlt_exit refuse_lost(const jlt_descriptor *asked, const jlt_way_tables *o
             jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table: %s", claim->name, claim->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section that a table describes, then: ask for one of the table itself, "
                                             "--section STATE=VALUE, with all other states as coordinates");
+}
+
+enum { EMBEDDINGS_MAX = 4 };
+
+/* The larger table that this one is embedded into, by one claim or several, and that leads to a section; NULL: there is none. */
+static const jlt_descriptor *embedded_into(jlt_surface *surface, const jlt_descriptor *of, const jlt_way_tables *others,
+                                           const char *name, unsigned depth)
+{
+    const jlt_descriptor *found = NULL;
+
+    for (const jlt_claim *claim = of->claims; claim->kind != NULL && found == NULL && depth > 0; claim++) {
+        const jlt_claim *broken;
+        if (claim->target == NULL || strcmp(claim->kind, "embedding") != 0) continue;
+        const jlt_descriptor *larger = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
+        if (larger == NULL) continue;
+        if (jlt_surface_find(surface, &broken, larger, others, name) == JLT_OK && broken == NULL) found = larger;
+        else found = embedded_into(surface, larger, others, name, depth - 1);
+    }
+    return found;
+}
+
+/* Of a larger table the parameters are what the embedding says, and its orbits are not those of this one alone. */
+static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables *others, const char *name)
+{
+    jlt_surface surface;
+    const jlt_descriptor *larger = embedded_into(&surface, asked, others, name, EMBEDDINGS_MAX);
+
+    if (larger == NULL) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_INPUT,
+                            "%s describes no section, and leads to no smaller table that does; the larger one that it is embedded "
+                            "into has the section %s: ask %s, with the parameters that the embedding says, or for one of this "
+                            "table, --section STATE=VALUE, with all other states as coordinates",
+                            asked->model, surface.section->name, larger->model);
 }
 
 /* Orbits on the section are followed in its own table, which must know where the model asked for ends to hold, and nothing more of
@@ -250,6 +298,10 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     if (!is_plane) st = jlt_surface_find(surface, &broken, asked, &others, options->section);
     *has = st == JLT_OK;
     if (!is_plane && !*has && surface->table != NULL) return refuse_large(surface);
+    if (!is_plane && !*has) {
+        const jlt_exit code = refuse_larger(asked, &others, options->section);
+        if (code != JLT_EXIT_DONE) return code;
+    }
     if (!is_plane && !*has && options->section == NULL) return refuse_lost(asked, &others);
     if (!is_plane && !*has)
         return jlt_command_fail(JLT_EXIT_USAGE,

@@ -19,6 +19,17 @@ static bool is_swept(const jlt_motion_options *options, const char *name)
     return jlt_common_runs(&options->common, name);
 }
 
+/* Whether one value of a parameter of the table holds for all rows. */
+static bool is_one(const jlt_motion_options *options, const jlt_surface *surface, const jlt_descriptor *d, unsigned param)
+{
+    const char *name = d->params[param].name;
+
+    if (surface == NULL || jlt_link_source(&surface->link, name) != JLT_SOURCE_PARAMS) return !is_swept(options, name);
+    for (unsigned i = 0; i < surface->params; i++)
+        if (is_swept(options, surface->names[i])) return false;
+    return true;
+}
+
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values)
 {
     const jlt_surface *surface = system->surface;
@@ -51,11 +62,11 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
 
     if (params == NULL) return;
     for (unsigned k = 0; k < d->param_count; k++)
-        params[k] = is_swept(options, d->params[k].name) ? NAN : system->instance->params[k];
+        params[k] = is_one(options, system->surface, d, k) ? system->instance->params[k] : NAN;
     for (unsigned k = 0; k < level_count; k++)
         if (is_swept(options, names[k])) levels[k] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
-                                                method, options->flow.tolerance });
+                                                method, options->flow.tolerance, NULL });
     free(params);
     if (level_count > 0) {
         fputs("# levels", stream);

@@ -7,6 +7,7 @@
 #include "cli/table.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "scene/course_more.h"
 
 static void kernel_name(char *out, size_t size, const jlt_descriptor *d)
 {
@@ -193,6 +194,23 @@ static jlt_exit refuse_all(const jlt_plan *plan, const jlt_descriptor *asked)
                             asked->model, own->tier.name, refusal);
 }
 
+/* Where a larger table tells more, but is proved of another table alone: a copy of this one, or what this one was. */
+static jlt_exit refuse_more(const jlt_plan *plan, const jlt_descriptor *asked)
+{
+    for (unsigned i = 0; i < plan->count; i++) {
+        const jlt_candidate *c = &plan->candidates[i];
+        const bool is_lift = c->tier.way_count == 1 && strcmp(c->tier.ways[0]->kind, "lift") == 0;
+        if (!is_lift || c->refusal[0] == '\0' || c->broken != NULL || !jlt_course_more_is_told(c->tier.table, asked)) continue;
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--track: %s observes more than this table: %s; a record 'reduction NAME : onto FILE with ...' "
+                                "there, FILE the file of this table, says that it serves for %s",
+                                c->tier.table->model, c->refusal, asked->model);
+    }
+    return jlt_command_fail(
+        JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
+        asked->model);
+}
+
 jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, jlt_status status, bool show)
 {
     const jlt_descriptor *asked = question->model;
@@ -200,10 +218,7 @@ jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, 
 
     if (status == JLT_ERR_ARG) return refuse_name(asked, question->tier);
     if (show) jlt_planned_show(plan, NULL);
-    if (question->tier == NULL && question->more)
-        return jlt_command_fail(
-            JLT_EXIT_INPUT, "--track: no table that observes more than this one serves for %s (jellett plan simulate ... says why)",
-            asked->model);
+    if (question->tier == NULL && question->more) return refuse_more(plan, asked);
     if (question->tier == NULL) return refuse_all(plan, asked);
     jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
     return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", question->tier, refusal);

@@ -39,7 +39,7 @@ typedef struct {
     size_t all;   /* points */
     jlt_worker worker;
     char *told;   /* words of the last point that were shown */
-    size_t lost;  /* points whose process was ended */
+    size_t lost, refused; /* points whose process was ended, or which refused their input */
     jlt_exit worst;
 } sweep;
 
@@ -125,7 +125,8 @@ static jlt_exit compute(sweep *self, size_t point)
         return JLT_EXIT_DONE;
     }
     if (status == JLT_EXIT_USAGE || status == JLT_EXIT_IO) return status;
-    if (status != JLT_EXIT_INPUT && status > self->worst) self->worst = status;
+    if (status == JLT_EXIT_INPUT) self->refused++;
+    else if (status > self->worst) self->worst = status;
     return jlt_swept_rows_take(&self->rows, point, self->worker.rows);
 }
 
@@ -186,6 +187,8 @@ static jlt_exit compute_all(sweep *self)
     if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0)
         code = self->lost > 0 ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     if (code != JLT_EXIT_DONE || self->rows.names == NULL) return code;
+    if (self->refused > 0)
+        fprintf(stderr, "jellett: %zu of %zu points refused what was asked, and have no rows\n", self->refused, self->all);
     code = jlt_common_save(self->common);
     if (code == JLT_EXIT_DONE && *interrupt != 0)
         fprintf(stderr, "jellett: interrupted; whole points are saved in %s\n", self->common->table.path);

@@ -7,7 +7,6 @@
 #include "dynamics/section_points.h"
 #include "dynamics/surface_crossing.h"
 #include "kernel/descriptor.h"
-#include "kernel/link.h"
 
 /* The base comes first, so that jlt_system_destroy frees it all. */
 typedef struct {
@@ -40,31 +39,55 @@ static jlt_status add(jlt_surface *out, const jlt_quantity *quantity, double val
     return JLT_OK;
 }
 
-/* Parameters with the defaults of the asked table; then the record's levels, and the parameters that the asked table has not. */
-static jlt_status list_values(jlt_surface *out, const jlt_descriptor *asked)
+/* What gives a parameter of the table; where nothing proved leads there, what seems to. */
+static jlt_source source_of(const jlt_surface *surface, const char *name)
+{
+    size_t index;
+
+    if (surface->link.count > 0) return jlt_link_source(&surface->link, name);
+    return jlt_descriptor_param(surface->asked, name, &index) ? JLT_SOURCE_OWN : JLT_SOURCE_LEVEL;
+}
+
+/* Parameters of the table that have this source, with the defaults of the asked table or its own. */
+static jlt_status add_params(jlt_surface *out, jlt_source source)
 {
     const jlt_descriptor *table = out->table;
     jlt_status st = JLT_OK;
     size_t index;
 
-    for (unsigned i = 0; i < table->param_count; i++)
-        if (jlt_descriptor_param(asked, table->params[i].name, &index))
-            JLT_TRY(add(out, &table->params[i], asked->params[index].value, i));
+    for (unsigned i = 0; i < table->param_count; i++) {
+        const jlt_quantity *q = &table->params[i];
+        if (source_of(out, q->name) != source) continue;
+        const bool own = source == JLT_SOURCE_OWN && jlt_descriptor_param(out->asked, q->name, &index);
+        JLT_TRY(add(out, q, own ? out->asked->params[index].value : q->value, i));
+    }
+done:
+    return st;
+}
+
+static jlt_status list_values(jlt_surface *out)
+{
+    const jlt_descriptor *asked = out->asked, *table = out->table;
+    jlt_status st = table->param_count + out->section->level_count <= JLT_CHART_VALUES_MAX ? JLT_OK : JLT_ERR_UNSUPPORTED;
+
+    JLT_TRY(st);
+    JLT_TRY(add_params(out, JLT_SOURCE_OWN));
+    for (unsigned i = 0; jlt_link_computes(&out->link) && i < asked->param_count; i++)
+        if (jlt_surface_value(out, asked->params[i].name) == out->count)
+            JLT_TRY(add(out, &asked->params[i], asked->params[i].value, JLT_SURFACE_COMPUTED));
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)
         JLT_TRY(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
-    for (unsigned i = 0; i < table->param_count; i++)
-        if (!jlt_descriptor_param(asked, table->params[i].name, &index))
-            JLT_TRY(add(out, &table->params[i], table->params[i].value, i));
+    JLT_TRY(add_params(out, JLT_SOURCE_LEVEL));
 done:
     return st;
 }
 
 /* Whether the table has such a section that stands for the asked one; *claim: what is not proved of that. */
-static bool serves(const jlt_claim **claim, const jlt_descriptor *asked, const jlt_way_tables *others, const jlt_descriptor *table,
-                   const jlt_section_chart *section)
+static bool serves(jlt_link *link, const jlt_claim **claim, const jlt_descriptor *asked, const jlt_way_tables *others,
+                   const jlt_descriptor *table, const jlt_section_chart *section)
 {
-    if (!jlt_link_holds(claim, asked, table, others)) return false;
+    if (!jlt_link_find(link, claim, asked, table, others)) return false;
     *claim = &table->claims[section->claim];
     if ((*claim)->verdict != JLT_PROVED) return false;
     *claim = NULL;
@@ -88,6 +111,7 @@ jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jl
 {
     const size_t count = 1 + (others != NULL ? others->count : 0) + jlt_descriptor_count();
     const jlt_claim *claim = NULL;
+    jlt_link link = { .count = 0 };
     bool found = false;
 
     *out = (jlt_surface){ .asked = asked };
@@ -97,14 +121,15 @@ jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jl
         for (unsigned k = 0; table != NULL && k < table->section_count && !found; k++) {
             const jlt_section_chart *section = &table->sections[k];
             if (name != NULL && strcmp(section->name, name) != 0) continue;
-            found = serves(&claim, asked, others, table, section);
+            found = serves(&link, &claim, asked, others, table, section);
             if (!found && (claim == NULL || *broken != NULL)) continue;
             *broken = claim;
             out->table = table;
             out->section = section;
+            out->link = link;
         }
     }
-    return out->table != NULL ? list_values(out, asked) : JLT_ERR_UNSUPPORTED;
+    return out->table != NULL ? list_values(out) : JLT_ERR_UNSUPPORTED;
 }
 
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name)
@@ -119,10 +144,41 @@ enum { HALVINGS = 60 };
 
 /* ---- the system ---- */
 
-/* As kernels of the section take them. */
-static void arrange(double *out, const jlt_surface *surface, const double *values)
+/* Parameters of the asked table, with its defaults where the surface does not know them. */
+static void ask(double *out, const jlt_surface *surface, const double *values)
 {
-    for (unsigned i = 0; i < surface->count; i++) out[surface->entries[i]] = values[i];
+    for (unsigned i = 0; i < surface->asked->param_count; i++) {
+        const unsigned value = jlt_surface_value(surface, surface->asked->params[i].name);
+        out[i] = value < surface->params ? values[value] : surface->asked->params[i].value;
+    }
+}
+
+void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *values)
+{
+    double params[JLT_WAY_VALUES_MAX];
+
+    if (jlt_link_computes(&surface->link)) {
+        ask(params, surface, values);
+        jlt_link_params(&surface->link, out, params);
+    }
+    for (unsigned i = 0; i < surface->count; i++)
+        if (surface->entries[i] != JLT_SURFACE_COMPUTED) out[surface->entries[i]] = values[i];
+}
+
+/* Of the asked table, where others are computed from them, and of the section's. */
+static jlt_status check_params(const jlt_surface *surface, const double *values, const double *arranged)
+{
+    double params[JLT_WAY_VALUES_MAX];
+    size_t index;
+    jlt_status st = JLT_OK;
+
+    if (jlt_link_computes(&surface->link)) {
+        ask(params, surface, values);
+        JLT_TRY(jlt_descriptor_check_params(surface->asked, params, &index));
+    }
+    JLT_TRY(jlt_descriptor_check_params(surface->table, arranged, &index));
+done:
+    return st;
 }
 
 /* The largest rate of a state at points of the section: that of the largest size of each. */
@@ -186,12 +242,11 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     const jlt_descriptor *descriptor;
     double values[JLT_CHART_VALUES_MAX] = { 0 };
     bool scales = false;
-    size_t index;
     jlt_units units;
     jlt_status st = JLT_OK;
 
-    arrange(values, &self->surface, self->values);
-    JLT_TRY(jlt_descriptor_check_params(self->surface.table, values, &index));
+    jlt_surface_arrange(values, &self->surface, self->values);
+    JLT_TRY(check_params(&self->surface, self->values, values));
     JLT_TRY(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
     units = units_of(&self->rows);
@@ -274,7 +329,7 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
     double arranged[JLT_CHART_VALUES_MAX], size = fmax(1e-3, fabs(given)), empty = given, full = NAN;
     jlt_chart_section chart;
 
-    arrange(arranged, surface, values);
+    jlt_surface_arrange(arranged, surface, values);
     if (surface->count == surface->params || jlt_chart_section_init(&chart, surface->table, surface->section, arranged) != JLT_OK)
         return false;
     double *entry = &chart.values[surface->entries[surface->params]];

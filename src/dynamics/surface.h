@@ -1,38 +1,49 @@
 /** Surfaces of section that tables describe by the record `section`: which one an asked table leads to, what it is made from, and
  *  the system of a flow with that section.
  *
- *  Where the record stands in another table than the asked one, a chain of proved claims leads there (kernel/link.h). Parameters of
- *  that table which the asked one has not are values of integrals of the latter: levels, like those that the record names. */
+ *  Where the record stands in another table than the asked one, a chain of proved reductions leads there (kernel/link.h).
+ *  Parameters of that table are those of the asked one by their names, or computed from them, as the reductions say; or they are
+ *  values of integrals of the asked one: levels, like those that the record names. */
 #ifndef JLT_DYNAMICS_SURFACE_H
 #define JLT_DYNAMICS_SURFACE_H
 
 #include "dynamics/chart_section.h"
 #include "dynamics/system.h"
+#include "kernel/link.h"
 #include "kernel/way.h"
 
 /* Starts with the default values, by the names of the records: of a regular orbit, of a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
-/** Plain data. Its values are the parameters of the table that are no levels, in the table's order, then the levels. */
+enum { JLT_SURFACE_COMPUTED = ~0u >> 1 }; /* instead of an entry: others are computed from this value */
+
+/** Plain data. Its values are the parameters of the table that go by equal names, in the table's order, those of the asked table
+ *  from which others are computed, then the levels. */
 typedef struct jlt_surface {
     const jlt_descriptor *asked;      /* the general field from which it was found */
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */
     const jlt_section_chart *section;
+    jlt_link link;                    /* from the asked table to the section's */
     unsigned count, params;           /* of values: the parameters stand first, levels after them */
     const char *names[JLT_CHART_VALUES_MAX];   /* (count,) */
     double defaults[JLT_CHART_VALUES_MAX];     /* (count,); NaN where the tables have none */
-    unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels */
+    unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels, or
+                                                  JLT_SURFACE_COMPUTED */
 } jlt_surface;
 
 /** Find the section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those
- *  that are built in, NULL for none. *broken: where there is none but a claim would lead to it that is not proved, that claim, and
- *  *out the section all the same; else NULL.
+ *  that are built in, NULL for none. *broken: where there is none but a claim would lead to it that is not proved, or whose
+ *  parameters and levels cannot be followed, that claim, and *out the section all the same; else NULL.
  *  Errors: UNSUPPORTED, none, or one with more values than there is room for. */
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
                                         const jlt_way_tables *others, const char *name);
 
 /** The index of a value; surface->count where there is none of this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
+
+/** Values, shape (count,), as the section's kernels take them: out, shape (JLT_CHART_VALUES_MAX,), the table's parameters, then the
+ *  levels of the record. */
+void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *values);
 
 /** Make the system of the most special kernel that serves, in units of the problem. Out: *out, NULL on failure; destroy with
  *  jlt_system_destroy. In: surface; values, shape (count,), both copied; options, of which chart, field and rhs_jacobian are not

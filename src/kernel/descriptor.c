@@ -144,6 +144,16 @@ bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of
     return claims[0] != '\0';
 }
 
+void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(of, kind, name);
+    char one[256];
+
+    if (claim == NULL || claim->verdict == JLT_PROVED) return;
+    snprintf(one, sizeof one, "%s %s", kind, name);
+    join_claims(claims, size, one);
+}
+
 static bool position(const jlt_quantity *quantities, unsigned count, const char *name, size_t *index)
 {
     for (unsigned i = 0; i < count; i++)

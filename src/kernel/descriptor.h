@@ -44,6 +44,9 @@ const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
  *  `size` bytes. False, and "", when everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);
 
+/** Add the claim of this kind and name to a list of that form, unless it is proved or there already. */
+void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
+
 /* The index of a state or parameter of this name; false when there is none, *index then stays. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);
 bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index);

@@ -6,22 +6,45 @@
 
 enum { TABLES_MAX = 64 };
 
-/* The claim by which motions of one table are motions of the other; NULL when it makes none. A lift says where to begin there, and
- * nothing of motion; what holds under a condition on parameters leads nowhere in general. */
-static const jlt_claim *leads(const jlt_descriptor *from, const jlt_descriptor *to)
+/* The way of a claim; NULL where it has none. */
+static const jlt_way *way_of(const jlt_descriptor *from, const jlt_claim *claim)
 {
-    for (const jlt_claim *claim = from->claims; claim->kind != NULL; claim++)
-        if (claim->target != NULL && strcmp(claim->target, to->sha256) == 0 && strcmp(claim->kind, "lift") != 0
-            && claim->condition[0] == '\0')
-            return claim;
+    for (unsigned i = 0; i < from->way_count; i++)
+        if (&from->claims[from->ways[i].claim] == claim) return &from->ways[i];
     return NULL;
 }
 
-static bool linked(const jlt_descriptor *from, const jlt_descriptor *to)
+static bool has_source(const jlt_way *way, jlt_source source)
 {
-    const jlt_claim *there = leads(from, to);
+    for (unsigned i = 0; i < way->param_count; i++)
+        if (way->sources[i] == source) return true;
+    return false;
+}
 
-    return there != NULL && there->verdict == JLT_PROVED;
+const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to)
+{
+    const jlt_way *way = way_of(from, claim);
+
+    for (unsigned i = 0; way != NULL && i < way->param_count; i++)
+        if (way->sources[i] == JLT_SOURCE_OTHER_LEVEL) return to->params[i].name;
+    return claim->renames;
+}
+
+/* The claim by which motions of one table are motions of the other, the first that serves if there is any; NULL when it makes none.
+ * What holds under a condition on parameters leads nowhere in general. */
+static const jlt_claim *leads(bool *serves, const jlt_descriptor *from, const jlt_descriptor *to)
+{
+    const jlt_claim *first = NULL;
+
+    *serves = false;
+    for (const jlt_claim *claim = from->claims; claim->kind != NULL && !*serves; claim++) {
+        if (claim->target == NULL || strcmp(claim->target, to->sha256) != 0 || strcmp(claim->kind, "reduction") != 0
+            || claim->condition[0] != '\0')
+            continue;
+        *serves = claim->verdict == JLT_PROVED && jlt_link_renames(from, claim, to) == NULL;
+        if (*serves || first == NULL) first = claim;
+    }
+    return first;
 }
 
 /* The general fields of all tables that are built in or among others, and of `first`. */
@@ -39,23 +62,98 @@ static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_de
     return count;
 }
 
-bool jlt_link_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to, const jlt_way_tables *others)
+/* Whether a parameter there is no parameter here. */
+static bool has_levels(const jlt_link_step *step)
+{
+    size_t index;
+
+    if (step->way != NULL) return has_source(step->way, JLT_SOURCE_LEVEL);
+    for (unsigned i = 0; i < step->to->param_count; i++)
+        if (!jlt_descriptor_param(step->from, step->to->params[i].name, &index)) return true;
+    return false;
+}
+
+/* Append a step. What is computed from levels of a table between would be unknown. */
+static bool append(jlt_link *out, const jlt_link *link, const jlt_descriptor *from, const jlt_descriptor *to)
+{
+    bool serves, levels = false;
+    const jlt_claim *claim = leads(&serves, from, to);
+
+    if (!serves || link->count == JLT_LINK_STEPS_MAX || to->param_count > JLT_WAY_VALUES_MAX) return false;
+    const jlt_way *way = way_of(from, claim);
+    for (unsigned i = 0; i < link->count; i++) levels |= has_levels(&link->steps[i]);
+    if (levels && way != NULL && has_source(way, JLT_SOURCE_PARAMS)) return false;
+    *out = *link;
+    out->steps[out->count++] = (jlt_link_step){ from, to, claim, way };
+    return true;
+}
+
+bool jlt_link_find(jlt_link *link, const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to,
+                   const jlt_way_tables *others)
 {
     const jlt_descriptor *tables[TABLES_MAX];
-    bool reached[TABLES_MAX] = { true }, grown = true;
-    const size_t count = list_tables(tables, from, others);
-    const jlt_claim *there = leads(from, to);
+    jlt_link links[TABLES_MAX];
+    bool serves, reached[TABLES_MAX] = { true };
+    const size_t count = list_tables(tables, from->family[0], others);
 
     *broken = NULL;
-    if (strcmp(from->sha256, to->sha256) == 0) return true;
-    while (grown) {
-        grown = false;
-        for (size_t i = 0; i < count; i++)
-            for (size_t k = 1; reached[i] && k < count; k++)
-                if (!reached[k] && linked(tables[i], tables[k])) reached[k] = grown = true;
-    }
-    for (size_t k = 0; k < count; k++)
-        if (reached[k] && strcmp(tables[k]->sha256, to->sha256) == 0) return true;
-    *broken = there;
+    link->count = 0;
+    links[0].count = 0;
+    for (unsigned length = 0; length <= JLT_LINK_STEPS_MAX; length++)
+        for (size_t i = 0; i < count; i++) {
+            if (!reached[i] || links[i].count != length) continue;
+            if (strcmp(tables[i]->sha256, to->sha256) == 0) {
+                *link = links[i];
+                return true;
+            }
+            for (size_t k = 1; k < count; k++) reached[k] = reached[k] || append(&links[k], &links[i], tables[i], tables[k]);
+        }
+    *broken = leads(&serves, from, to);
     return false;
+}
+
+jlt_source jlt_link_source(const jlt_link *link, const char *name)
+{
+    jlt_source source = JLT_SOURCE_OWN;
+    size_t here, there;
+
+    for (unsigned i = link->count; i-- > 0 && source == JLT_SOURCE_OWN;) {
+        const jlt_link_step *step = &link->steps[i];
+        const bool has = jlt_descriptor_param(step->from, name, &here);
+        if (!jlt_descriptor_param(step->to, name, &there)) return JLT_SOURCE_LEVEL;
+        source = step->way != NULL ? (jlt_source)step->way->sources[there] : has ? JLT_SOURCE_OWN : JLT_SOURCE_LEVEL;
+    }
+    return source;
+}
+
+bool jlt_link_computes(const jlt_link *link)
+{
+    for (unsigned i = 0; i < link->count; i++)
+        if (link->steps[i].way != NULL && has_source(link->steps[i].way, JLT_SOURCE_PARAMS)) return true;
+    return false;
+}
+
+/* Of one step that has no way: by equal names. */
+static void take_names(const jlt_link_step *step, double *out, const double *params)
+{
+    size_t index;
+
+    for (unsigned i = 0; i < step->to->param_count; i++)
+        out[i] = jlt_descriptor_param(step->from, step->to->params[i].name, &index) ? params[index] : step->to->params[i].value;
+}
+
+void jlt_link_params(const jlt_link *link, double *out, const double *params)
+{
+    double now[JLT_WAY_VALUES_MAX], next[JLT_WAY_VALUES_MAX];
+    const jlt_descriptor *last = NULL;
+
+    if (link->count > 0) memcpy(now, params, link->steps[0].from->param_count * sizeof *now);
+    for (unsigned i = 0; i < link->count; i++) {
+        const jlt_link_step *step = &link->steps[i];
+        if (step->way != NULL) jlt_way_params(step->way, next, NULL, now);
+        else take_names(step, next, now);
+        last = step->to;
+        memcpy(now, next, last->param_count * sizeof *now);
+    }
+    if (last != NULL) memcpy(out, now, last->param_count * sizeof *out);
 }

@@ -19,6 +19,8 @@ static json_t *text_or_null(const char *text)
     return string != NULL ? string : json_null();
 }
 
+static const char *unproved(const jlt_csv_settings *s) { return s->unproved != NULL ? s->unproved : s->descriptor->unproved; }
+
 static void write_json(FILE *stream, const jlt_csv_settings *s)
 {
     const jlt_descriptor *d = s->descriptor;
@@ -33,7 +35,7 @@ static void write_json(FILE *stream, const jlt_csv_settings *s)
                       "elimination", text_or_null(d->elimination), "table", d->sha256, "generator", d->generator, "parameters",
                       params, "levels", levels, "method", text_or_null(s->method), "tolerance",
                       s->method != NULL ? jlt_json_number(s->tolerance) : json_null());
-    if (d->unproved != NULL) (void)json_object_set_new(whole, "unproved", text_or_null(d->unproved));
+    if (unproved(s) != NULL) (void)json_object_set_new(whole, "unproved", text_or_null(unproved(s)));
     char *text = whole != NULL ? json_dumps(whole, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
     if (text != NULL) fprintf(stream, "# %s\n", text);
     free(text);
@@ -50,7 +52,7 @@ void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)
     if (descriptor->time[0] != '\0') fprintf(stream, ", time %s", descriptor->time);
     if (descriptor->elimination[0] != '\0') fprintf(stream, ", %s", descriptor->elimination);
     fprintf(stream, " (table %s, %s)\n", descriptor->sha256, descriptor->generator);
-    if (descriptor->unproved != NULL) fprintf(stream, "# these rest on claims that are not proved: %s\n", descriptor->unproved);
+    if (unproved(settings) != NULL) fprintf(stream, "# these rest on claims that are not proved: %s\n", unproved(settings));
     fputc('#', stream);
     jlt_decimal_write_named(stream, descriptor->params, settings->params, descriptor->param_count);
     fputc('\n', stream);

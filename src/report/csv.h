@@ -16,6 +16,7 @@ typedef struct {
     size_t level_count;
     const char *method;  /* of integration; NULL: none */
     double tolerance;    /* of the method */
+    const char *unproved; /* claims on which the columns rest, and which are not proved; NULL: what the descriptor says of itself */
 } jlt_csv_settings;
 
 /** Write lines that begin with "# ": the command, the version, the kernel with the hash of its table, and the parameters

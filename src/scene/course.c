@@ -319,13 +319,15 @@ static jlt_status change_tier(jlt_course *self)
     return st;
 }
 
-/* Whether a state of the asked model is within a ten thousandth of its interval from a pole. */
+/* Whether a state of the asked model is within a ten thousandth of its interval from a pole that is proved to be one. */
 static bool is_near_pole(const jlt_course *self)
 {
     const jlt_descriptor *model = self->question.model;
 
     for (unsigned i = 0; i < model->pole_count; i++) {
         const jlt_quantity *q = &model->states[model->poles[i].state];
+        const jlt_claim *claim = jlt_descriptor_claim(model, "pole", q->name);
+        if (claim == NULL || claim->verdict != JLT_PROVED) continue;
         const double x = ldexp(self->x[model->poles[i].state], jlt_units_exponent(&self->units, q->unit));
         if (fmin(x - q->low, q->high - x) < 1e-4 * (q->high - q->low)) return true;
     }

@@ -29,7 +29,7 @@ static jlt_status lift(double *x, const jlt_way *way, const jlt_system *system, 
     const jlt_status st = chart->base.lift(&chart->base, on_level, NULL, q);
 
     if (st != JLT_OK) return st;
-    for (unsigned i = 0; i < surface->count; i++) values[surface->entries[i]] = system->values[i];
+    jlt_surface_arrange(values, surface, system->values);
     way->back(on_level, values, x);
     return JLT_OK;
 }

@@ -7,25 +7,44 @@
 #include "scene/course_more.h"
 #include "top/rod.h"
 
-/* What a claim lacks. */
-static const char *want_of(const jlt_claim *claim)
+/* The model for which a larger table serves by proof, if its table is known. */
+static const char *served_by(const jlt_descriptor *larger, const jlt_way_tables *others)
 {
-    if (claim == NULL) return "it is proved to serve for another table of this name, not for this one";
-    return claim->verdict == JLT_REFUTED ? "a claim that it rests on is refuted" : "a claim that it rests on is not settled";
+    for (const jlt_claim *claim = larger->claims; claim->kind != NULL; claim++) {
+        if (claim->target == NULL || strcmp(claim->kind, "reduction") != 0) continue;
+        const jlt_descriptor *served = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
+        if (served != NULL) return served->model;
+    }
+    return NULL;
 }
 
-/* Why nothing proved leads to the tier's table; NULL where it does. */
-static const char *unproved(const jlt_claim **broken, const jlt_tier *tier)
+/* What a claim lacks. NULL: there is none, by which the larger table would reduce onto `from`. */
+static void say_lack(char *text, size_t size, const jlt_claim *claim, const jlt_descriptor *from, const jlt_descriptor *larger,
+                     const jlt_way_tables *others)
+{
+    const char *served = claim == NULL ? served_by(larger, others) : NULL;
+
+    if (claim != NULL)
+        snprintf(text, size, "a claim that it rests on is %s", claim->verdict == JLT_REFUTED ? "refuted" : "not settled");
+    else if (served == NULL || strcmp(served, from->model) == 0)
+        snprintf(text, size, "it is proved to serve for another table%s, not for this one", served != NULL ? " of this name" : "");
+    else snprintf(text, size, "it is proved to serve for another table, %s, not for this one", served);
+}
+
+/* Say why nothing proved leads to the tier's table; "" where it does. */
+static void say_unproved(char *text, size_t size, const jlt_claim **broken, const jlt_tier *tier, const jlt_way_tables *others)
 {
     *broken = NULL;
-    for (unsigned i = 0; i < tier->way_count; i++)
-        if (!jlt_way_holds(broken, tier->from[i], tier->ways[i], i + 1 < tier->way_count ? tier->from[i + 1] : tier->table))
-            return want_of(*broken);
-    if (tier->elimination == NULL || tier->elimination[0] == '\0') return NULL;
+    for (unsigned i = 0; i < tier->way_count; i++) {
+        const jlt_descriptor *to = i + 1 < tier->way_count ? tier->from[i + 1] : tier->table;
+        if (jlt_way_holds(broken, tier->from[i], tier->ways[i], to)) continue;
+        say_lack(text, size, *broken, tier->from[i], to, others);
+        return;
+    }
+    if (tier->elimination == NULL || tier->elimination[0] == '\0') return;
     *broken = jlt_descriptor_claim(tier->asked, "eliminate", tier->elimination);
-    if (*broken != NULL && (*broken)->verdict != JLT_PROVED) return want_of(*broken);
-    *broken = NULL;
-    return NULL;
+    if (*broken != NULL && (*broken)->verdict != JLT_PROVED) say_lack(text, size, *broken, tier->asked, NULL, others);
+    else *broken = NULL;
 }
 
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
@@ -68,8 +87,8 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
     else if (c.refusal[0] == '\0' && refusal == NULL && question->more
              && (tier->elimination[0] != '\0' || !jlt_course_more_is_told(tier->table, question->model)))
         refusal = "its table observes no more than the model's";
-    if (c.refusal[0] == '\0' && refusal == NULL) refusal = unproved(&c.broken, tier);
     if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
+    if (c.refusal[0] == '\0') say_unproved(c.refusal, sizeof c.refusal, &c.broken, tier, question->others);
     *out = c;
 done:
     return st;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A section that stands in a smaller table of the user's own: found, planned, in batches, and refused where the smaller table does
-# not know what the model's conditions are.
+# not know what the model's conditions are. Its parameters and levels are what the reduction says, by whatever names; what cannot be
+# followed so is refused, as is the section of a larger table, which may have other parameters.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -72,4 +73,63 @@ expect 0 'lost_near' jellett section ./big.tt --section p=0 --start x=-3,z=1 --c
 echo 'valid near : 4 - x^2 > 0' >> small.tt
 expect 0 '^0,0,0,-3,lost_near$' jellett section ./big.tt --start x=-3 --contact end --returns 1
 expect 0 '^0,1,.*,alive$' jellett section ./big.tt --start x=-1 --contact end --returns 1
+
+# The spring's other constant is half of J here, and c there: in the section's table it is computed from J.
+cat > mapped.tt <<'TABLE'
+model mapped
+param J > 0
+default J = 2
+state x
+state p
+state z in (0, inf)
+eq x = p
+eq p =
+    - z*x
+    - J*x^3/2
+eq z = 0*z
+integral K = z
+reduction held : by hard.tt with x = x, p = p, K = K, c = J/2
+TABLE
+cat > hard.tt <<'TABLE'
+model hard
+param c > 0
+param K > 0
+default K = 1, c = 5
+state x
+state p
+eq x = p
+eq p =
+    - K*x
+    - c*x^3
+integral E = p^2/2 + K*x^2/2 + c*x^4/4
+embedding whole : into mapped.tt with x = x, p = p, z = K, J = 2*c
+section turning : by spots.tt at p = 0 with x = x
+TABLE
+printf 'model spots\nparam c > 0\nparam K > 0\ndefault K = 1, c = 5\nstate x\nlift into hard.tt with x = x, p = 0\n' > spots.tt
+row='NR > 1 && /^0,1,/ { exit !(($3 - T)^2 < 1e-22) } END { if (NR < 2) exit 1 }'
+expect 0 '^# c=1 K=1$' jellett section ./mapped.tt --start x=-1 --returns 1
+awk -F, -v T="$(period 1 1)" "$row" out || fail "c from the default of J: $(tail -1 out)"
+expect 0 '^# c=2 K=2$' jellett section ./mapped.tt --set J=4 --level K=2 --start x=-1 --returns 1
+awk -F, -v T="$(period 2 1.4142135623730951)" "$row" out || fail "c from J=4: $(tail -1 out)"
+expect 0 '^2,0,1,' jellett section ./mapped.tt --sweep J=2:4:2 --start x=-1 --returns 1
+expect 0 '^# K=1$' jellett section ./mapped.tt --sweep J=2:4:2 --start x=-1 --returns 1
+expect 3 "there is no parameter 'c'; there are J" jellett section ./mapped.tt --set c=1 --start x=-1 --returns 1
+expect 3 'J = -1: mapped needs J > 0' jellett section ./mapped.tt --set J=-1 --start x=-1 --returns 1
+expect 0 'hard' jellett orbits ./mapped.tt --start x=-1 --period 1
+expect 3 'ask hard itself' jellett certify sink ./mapped.tt --start x=-1
+
+# Another quantity is called K here: the level of the section's table has no name.
+sed 's/integral K = z/integral K = 2*z/; s/K = K,/K = K\/2,/' mapped.tt > other.tt
+sed 's/model mapped/model other/' -i other.tt
+for command in 'section --returns 1' 'orbits --period 1' lyapunov 'certify sink'; do
+    expect 3 'the reduction held gives K of hard otherwise than by what is called K' jellett $command --start x=-1 ./other.tt
+done
+# A claim that is refuted hides none that is proved.
+sed 's/^reduction held/reduction wrong : by hard.tt with x = -x, p = p, K = K, c = J\/2\n&/' mapped.tt > first.tt
+expect 0 '^# c=1 K=1$' jellett section ./first.tt --start x=-1 --returns 1
+# The balanced sphere is embedded into the top with a3 = 0, and describes no section.
+for model in balanced plane; do
+    expect 3 'ask spherical_top' jellett section spherical_top_$model --start eta=0.44,gamma3=-0.62 --returns 1
+    expect 3 'ask spherical_top' jellett orbits spherical_top_$model --start eta=0.44,gamma3=-0.62
+done
 exit $status

@@ -86,4 +86,25 @@ expect 3 'the reduction momentum of ./spherical_top.tt leads to another one, sph
 anew
 sed -i 's/^measure rho = s\*(I1 + m/measure rho = s*(I1 + 2*m/' spherical_top.tt
 expect 1 'the density rho is not invariant' jellett measure ./spherical_top.tt --set I3=0
+# Headers name what is no integral of the table asked for, whichever table serves.
+anew
+sed -i '/^integral E = energy/a integral H = energy + v_nu' spherical_top.tt
+expect 0 '^# these rest on claims that are not proved: integral H$' jellett simulate ./spherical_top.tt --start $start --times 0,1
+grep -q '^# tier level' out && grep -q '"unproved":"integral H"' out || fail "the header: $(head -6 out)"
+
+# An end of an interval that is no pole is called by its name.
+anew
+sed -i 's/^state gamma3 in (-1, 1)/state gamma3 in (-1, 1\/2)/' spherical_top.tt
+expect 4 'gamma3 is at the end 0.5 of its interval' jellett simulate ./spherical_top.tt --times 0,5 \
+    --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3
+
+# A sweep tells how many of its points were refused.
+expect 0 '2 of 3 points refused what was asked, and have no rows' \
+    jellett simulate --sweep a3=0:0.2:3 --tier balanced --start $start --times 0,1
+
+# A larger table beside a copy of this one under another name: which one it is proved for, and what would have to be written.
+anew
+sed 's/^model spherical_top$/model my_top/' spherical_top.tt > my.tt
+expect 3 "another table, spherical_top, not for this one; a record 'reduction NAME : onto FILE with" \
+    jellett simulate ./my.tt --track --start $start --times 1
 exit $status
