@@ -145,13 +145,27 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
                             table->states[surface->section->column].name, surface->section->level);
 }
 
-/* Tell the claims of a table that would lead to a section, and are not proved. Returns whether there are any. */
-static bool tell_lost(const jlt_descriptor *table, const char *of)
+/* Where a proved reduction gives a parameter that cannot be followed: tell it. Returns whether it does. */
+static bool tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, const jlt_way_tables *others)
+{
+    const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0 && claim->condition[0] == '\0';
+    const jlt_descriptor *to = leads ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others) : NULL;
+    const char *renamed = to != NULL ? jlt_link_renames(table, claim, to) : NULL;
+
+    if (renamed == NULL) return false;
+    jlt_command_fail(JLT_EXIT_INPUT, "the reduction %s gives %s of %s otherwise than by what is called %s in %s", claim->name,
+                     renamed, to->model, renamed, table->model);
+    return true;
+}
+
+/* Tell the claims of a table that would lead to a section, and are not proved or not followed. Returns whether there are any. */
+static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way_tables *others)
 {
     bool is_lost = false;
 
     for (const jlt_claim *claim = table->claims; claim->kind != NULL; claim++) {
         const bool leads = strcmp(claim->kind, "reduction") == 0 || strcmp(claim->kind, "section") == 0;
+        if (claim->verdict == JLT_PROVED) is_lost |= tell_renamed(table, claim, others);
         if (!leads || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", claim->kind, claim->name, of, claim->reason);
         is_lost = true;
@@ -162,9 +176,9 @@ static bool tell_lost(const jlt_descriptor *table, const char *of)
 /* Where a section of this table, or of one beside it, would serve if a claim were proved. */
 static jlt_exit refuse_lost(const jlt_descriptor *asked, const jlt_way_tables *others)
 {
-    bool is_lost = tell_lost(asked, "this table");
+    bool is_lost = tell_lost(asked, "this table", others);
 
-    for (unsigned i = 0; i < others->count; i++) is_lost |= tell_lost(others->tables[i], others->tables[i]->model);
+    for (unsigned i = 0; i < others->count; i++) is_lost |= tell_lost(others->tables[i], others->tables[i]->model, others);
     if (!is_lost) return JLT_EXIT_DONE;
     for (const jlt_claim *claim = asked->claims; claim->kind != NULL; claim++)
         if (claim->verdict != JLT_PROVED && strcmp(claim->kind, "integral") == 0 && claim->condition[0] == '\0')
