@@ -133,20 +133,9 @@ static bool depends_on_states(const ttc_model *model, ttc_id id)
     return result;
 }
 
-void ttc_domain_require_tested(ttc_task *task)
+bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id)
 {
-    const ttc_model *model = task->model;
-    ttc_ratio value;
-    for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
-        ttc_domain_require_symbol(task, NULL, model, task->tested->items[i].symbol, " in the variant");
-    ttc_ratio_init(task->ring, &value);
-    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
-        ttc_id region = model->regions[i].expression;
-        if (!depends_on_tested(task, region) || depends_on_states(model, region)) continue;
-        ttc_evaluate(task->field, &value, region);
-        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken in the variant", model->regions[i].name);
-    }
-    ttc_ratio_clear(task->ring, &value);
+    return depends_on_tested(task, id) && !depends_on_states(task->model, id);
 }
 
 /* Divisors in the definition of an angle are kept with one name of the pair. */

@@ -38,6 +38,9 @@ void ttc_domain_require_twice(ttc_task *task, ttc_prover require);
 /* Requires of a variant's parameters what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task);
 
+/* Whether an expression depends on symbols under test, and on no state. */
+bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id);
+
 /* The symbols that the claim and the domain use, as the table is written: by symbol, for free(); NULL when memory is out. */
 unsigned char *ttc_domain_support(const ttc_task *task, ttc_domain_extent extent);
 

@@ -68,3 +68,19 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
     ttc_ratio_clear(task->ring, &radicand);
     ttc_ratio_clear(task->ring, &root);
 }
+
+void ttc_domain_require_tested(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio value;
+    for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
+        ttc_domain_require_symbol(task, NULL, model, task->tested->items[i].symbol, " in the variant");
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
+        ttc_id region = model->regions[i].expression;
+        if (!ttc_domain_is_of_tested(task, region)) continue;
+        ttc_evaluate(task->field, &value, region);
+        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken in the variant", model->regions[i].name);
+    }
+    ttc_ratio_clear(task->ring, &value);
+}

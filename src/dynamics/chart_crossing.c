@@ -9,7 +9,8 @@ static size_t steps_of(const jlt_orbit *orbit)
     return jlt_orbit_stepper(orbit)->steps + jlt_orbit_stepper(orbit)->rejected;
 }
 
-jlt_status jlt_chart_cross(const jlt_crossing_search *self, jlt_orbit *orbit, double t_end, int time_direction, jlt_outcome *out)
+jlt_status jlt_chart_crossing_find(const jlt_crossing_search *self, jlt_orbit *orbit, double t_end, int time_direction,
+                                   jlt_outcome *out)
 {
     const size_t spent = steps_of(orbit);
     double x[JLT_VARIED_DIM_MAX];

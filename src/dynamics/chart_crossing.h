@@ -17,7 +17,7 @@ typedef struct {
 /** Follow an orbit that was started in this direction of time to the next crossing that counts, to t_end, or to another end; *out
  *  as of jlt_orbit_next. Where a section's state is an angle the orbit is turned back by whole turns on the way, so that no
  *  crossing is missed however far it turns. Errors: as jlt_orbit_next and jlt_orbit_start; BUDGET. */
-JLT_CHECKED jlt_status jlt_chart_cross(const jlt_crossing_search *self, jlt_orbit *orbit, double t_end, int time_direction,
-                                       jlt_outcome *out);
+JLT_CHECKED jlt_status jlt_chart_crossing_find(const jlt_crossing_search *self, jlt_orbit *orbit, double t_end, int time_direction,
+                                               jlt_outcome *out);
 
 #endif

@@ -105,7 +105,7 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
-    st = jlt_chart_cross(&search, self->orbit, time_direction * t_max, time_direction, outcome);
+    st = jlt_chart_crossing_find(&search, self->orbit, time_direction * t_max, time_direction, outcome);
     if (st != JLT_OK) return st;
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;

@@ -326,8 +326,8 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     const jlt_crossing_search search = { self->flow.chart, self->flow.direction, self->events, self->crossings, self->event_count,
                                          self->flow.field->dim, self->flow.max_steps };
     if (st == JLT_OK)
-        st = jlt_chart_cross(&search, self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->time_direction,
-                             &outcome);
+        st = jlt_chart_crossing_find(&search, self->orbit, self->t_start + self->time_direction * self->flow.t_max,
+                                     self->time_direction, &outcome);
     if (st != JLT_OK) {
         if (!jlt_section_fate_of(&fate, st)) return st;
         end(self, row, outcome.t, outcome.x, fate);
