@@ -20,8 +20,9 @@ ttc_place ttc_catalogue_place(const ttc_catalogue_entry *entry, const ttc_model 
     return model->equation_count > 0 ? model->equations[0].place : (ttc_place){ 1, 1 };
 }
 
-static const char *reason_of(const ttc_model *model)
+static const char *reason_of(const ttc_model *model, const ttc_catalogue_entry *entry)
 {
+    if (entry->status == TTC_FIELD_DIVIDES_BY_ZERO) return "the equations divide by what is zero everywhere";
     ttc_graph_status error = ttc_graph_error(model->graph);
     return error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out, or a number is divided by zero";
 }
@@ -47,14 +48,15 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
                 entry->variant = v == 0 ? NULL : model->variants + v - 1;
                 entry->time = t == 0 ? NULL : model->times + t - 1;
                 entry->elimination = e == 0 ? NULL : model->eliminations + e - 1;
-                if (make_kernels(entry, model, effort)) continue;
-                ttc_catalogue failed = { .failed_at = ttc_catalogue_place(entry, model), .failure = reason_of(model) };
+                const bool is_made = make_kernels(entry, model, effort);
+                if (is_made && (entry->kernels != NULL || catalogue->count > 1)) continue;
+                ttc_catalogue failed = { .failed_at = ttc_catalogue_place(entry, model), .failure = reason_of(model, entry) };
                 ttc_catalogue_clear(catalogue);
                 *catalogue = failed;
                 return false;
             }
     if (keep_digits(catalogue, effort)) return true;
-    ttc_catalogue failed = { .failed_at = ttc_catalogue_place(&catalogue->fields[0], model), .failure = reason_of(model) };
+    ttc_catalogue failed = { .failed_at = ttc_catalogue_place(&catalogue->fields[0], model), .failure = reason_of(model, &catalogue->fields[0]) };
     ttc_catalogue_clear(catalogue);
     *catalogue = failed;
     return false;

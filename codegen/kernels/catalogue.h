@@ -23,9 +23,9 @@ typedef struct {
 /* Which fields a catalogue has. */
 typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_catalogue_extent;
 
-/** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped.
- *  Returns false when memory is out or an expression outgrows the graph; the catalogue is then empty but
- *  for the failure. */
+/** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped, but for the
+ *  equations' own. Returns false where these do, when memory is out or an expression outgrows the graph; the catalogue is then
+ *  empty but for the failure. */
 bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_catalogue_extent extent, ttc_effort effort);
 /* The record that asks for a field: its elimination, its time, its variant, or the first equation. */
 ttc_place ttc_catalogue_place(const ttc_catalogue_entry *entry, const ttc_model *model);

@@ -68,6 +68,8 @@ divides small 'r - w + x'
 refuses "--start: outside the domain of small: a division needs -w + r + x != 0, and it is 0 here" \
     simulate ./small.tt --set w=0.3 --start x=0,y=1 --times 1
 jellett simulate ./small.tt --set w=1e-150 --start x=1e-155,y=0 --times 1 > rows.csv 2> err || fail "small numbers: $(cat err)"
+printf 'model zero\nstate x\nlet d = 0\neq x = x/d\n' > zero.tt
+refuses "the equations divide by what is zero everywhere" simulate ./zero.tt --start x=1 --times 1
 # What follows from an interval has no kernel.
 ttc cost --json between.tt > cost.json 2> err
 grep -q domain_values cost.json && fail "a condition that follows from an interval has a kernel"
