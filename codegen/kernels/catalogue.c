@@ -56,7 +56,8 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
                 return false;
             }
     if (keep_digits(catalogue, effort)) return true;
-    ttc_catalogue failed = { .failed_at = ttc_catalogue_place(&catalogue->fields[0], model), .failure = reason_of(model, &catalogue->fields[0]) };
+    ttc_catalogue failed = { .failed_at = ttc_catalogue_place(&catalogue->fields[0], model),
+                             .failure = reason_of(model, &catalogue->fields[0]) };
     ttc_catalogue_clear(catalogue);
     *catalogue = failed;
     return false;
