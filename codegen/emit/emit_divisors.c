@@ -74,17 +74,12 @@ static bool find_factors(factor_list *list)
     return !list->failed;
 }
 
-static bool add_text(ttc_text *text, const ttc_model *model, ttc_id id)
+/* A divisor too long to be printed is refused without it. */
+static void add_text(ttc_text *text, const ttc_model *model, ttc_id id)
 {
-    char *written = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&written, &size);
-    if (stream == NULL) return false;
-    const bool printed = ttc_print(stream, model, id, TTC_NOTATION_TEXT);
-    const bool good = fclose(stream) == 0 && printed;
-    if (good) ttc_text_add_escaped(text, written);
+    char *written = ttc_print_relation(model, id, " != 0");
+    ttc_text_add_escaped(text, written != NULL ? written : "what it divides by to be other than 0");
     free(written);
-    return good;
 }
 
 static bool add_factors(ttc_text *text, factor_list *list)
@@ -98,8 +93,8 @@ static bool add_factors(ttc_text *text, factor_list *list)
     ttc_text_add(text, "static const jlt_region divisors[] = {\n");
     for (size_t i = 0; good && i < list->count; i++) {
         ttc_text_add(text, "    { \"a division\", \"");
-        good = add_text(text, field->model, list->factors[i].written);
-        ttc_text_format(text, " != 0\", %d },\n", ttc_field_is_constant(field, list->factors[i].outputs[0]));
+        add_text(text, field->model, list->factors[i].written);
+        ttc_text_format(text, "\", %d },\n", ttc_field_is_constant(field, list->factors[i].outputs[0]));
     }
     ttc_text_add(text, "};\n\n");
     return good;

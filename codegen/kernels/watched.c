@@ -53,13 +53,9 @@ static bool add_record(ttc_watched *condition, const ttc_region *region)
 
 static bool add_end(ttc_watched *condition, const ttc_field *field, uint32_t state, bool is_high)
 {
-    size_t size;
     const ttc_id value = ttc_model_inside(field->model, state, is_high);
-    *condition = (ttc_watched){ field->model->symbols[state].name, NULL, value };
-    FILE *stream = open_memstream(&condition->text, &size);
-    if (stream == NULL) return false;
-    const bool printed = ttc_print(stream, field->model, value, TTC_NOTATION_TEXT) && fputs(" > 0", stream) >= 0;
-    return fclose(stream) == 0 && printed;
+    *condition = (ttc_watched){ field->model->symbols[state].name, ttc_print_relation(field->model, value, " > 0"), value };
+    return condition->text != NULL;
 }
 
 bool ttc_watched_find(ttc_watched **list, size_t *count, ttc_field *field)

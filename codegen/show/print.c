@@ -188,3 +188,15 @@ bool ttc_print(FILE *stream, const ttc_model *model, ttc_id id, ttc_notation not
     print_sum(&p, id);
     return true;
 }
+
+char *ttc_print_relation(const ttc_model *model, ttc_id id, const char *relation)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
+    if (stream == NULL) return NULL;
+    const bool printed = ttc_print(stream, model, id, TTC_NOTATION_TEXT) && fputs(relation, stream) >= 0;
+    if (fclose(stream) == 0 && printed) return text;
+    free(text);
+    return NULL;
+}
