@@ -1,6 +1,8 @@
 /* What the records of a table demand of values, here or at an image, is required of them. */
 #include "prove/domain.h"
 
+#include <stdlib.h>
+
 /* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
 static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction,
                         const char *where)

@@ -30,6 +30,6 @@ jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, c
 
 jlt_exit jlt_top_unproved(const jlt_claim *broken, const char *of, const char *what)
 {
-    return jlt_command_fail(JLT_EXIT_FAILED, "%s: the claim '%s %s' of %s, on which this would rest, is not proved: %s", what,
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: the claim '%s %s' of %s, on which this would rest, is not proved: %s", what,
                             broken->kind, broken->name, of, broken->reason);
 }

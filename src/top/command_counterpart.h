@@ -9,7 +9,7 @@
  *  table lacks, or which claim of it is not proved; what: "M^2". */
 jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, const char *shared, const char *what);
 
-/** Say that a claim of the table `of` is not proved, on which `what` would rest, and why. Returns JLT_EXIT_FAILED. */
+/** Say that a claim of the table `of` is not proved, on which `what` would rest, and why. Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_top_unproved(const jlt_claim *broken, const char *of, const char *what);
 
 #endif

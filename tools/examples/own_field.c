@@ -1,5 +1,6 @@
 /* A field of one's own: Kepler's problem with eccentricity 0.6, and when it comes back to its pericentre. */
 #include <jellett.h>
+#include <math.h>
 #include <stdio.h>
 
 static void kepler(const double *restrict x, const double *restrict p, double *restrict out)

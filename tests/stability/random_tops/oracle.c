@@ -18,7 +18,7 @@ static const long double still = 1e-16L; /* slower than this an orbit is at rest
 #define ORDER 24
 #define PART 1e-21L
 #define EPSILON 1e-30L
-#include "stability/random_tops/oracle_real.h"
+#include "stability/random_tops/oracle_real.inc"
 #undef REAL
 #undef NAME
 #undef ORDER
@@ -30,7 +30,7 @@ static const long double still = 1e-16L; /* slower than this an orbit is at rest
 #define ORDER 18
 #define PART 1e-18L
 #define EPSILON 1e-18L
-#include "stability/random_tops/oracle_real.h"
+#include "stability/random_tops/oracle_real.inc"
 
 void oracle_follow(oracle_orbit *out, const oracle_question *question, oracle_noise noise, jlt_random *random)
 {
