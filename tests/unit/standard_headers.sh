@@ -7,13 +7,15 @@ python3 - << 'END'
 import os, re, sys
 
 FUNCTIONS = {  # followed by a parenthesis
-    "stdlib.h": "malloc calloc realloc free qsort bsearch strtod strtol strtoul strtoll strtoull getenv setenv exit abort mkstemp mkdtemp",
-    "string.h": "memcpy memmove memset memcmp memchr strlen strcmp strncmp strchr strrchr strstr strdup strndup strspn strcspn strpbrk "
-                "strerror strsignal strtok_r",
-    "math.h": "sqrt fabs sin cos tan exp log pow floor ceil fmax fmin hypot ldexp frexp isnan isfinite isinf signbit copysign nextafter "
-              "fma atan atan2 remainder fmod round trunc lround llround log2 log10 ilogb scalbn cbrt expm1 log1p",
-    "stdio.h": "printf fprintf snprintf vfprintf vsnprintf fputs fputc puts fopen fdopen fclose fread fwrite fflush fseek ftell getline "
-               "ferror fileno perror sscanf open_memstream rename remove",
+    "stdlib.h": "malloc calloc realloc free qsort bsearch strtod strtol strtoul strtoll strtoull getenv setenv exit "
+                "abort mkstemp mkdtemp",
+    "string.h": "memcpy memmove memset memcmp memchr strlen strcmp strncmp strchr strrchr strstr strdup strndup "
+                "strspn strcspn strpbrk strerror strsignal strtok_r",
+    "math.h": "sqrt fabs sin cos tan exp log pow floor ceil fmax fmin hypot ldexp frexp isnan isfinite isinf signbit "
+              "copysign nextafter fma atan atan2 remainder fmod round trunc lround llround log2 log10 ilogb scalbn "
+              "cbrt expm1 log1p",
+    "stdio.h": "printf fprintf snprintf vfprintf vsnprintf fputs fputc puts fopen fdopen fclose fread fwrite fflush "
+               "fseek ftell getline ferror fileno perror sscanf open_memstream rename remove",
     "ctype.h": "isalpha isdigit isalnum isspace isprint tolower toupper",
     "stdarg.h": "va_start",
     "assert.h": "assert",
