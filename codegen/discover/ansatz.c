@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A monomial with what its block goes by. */
+/* A monomial with what its sector goes by. */
 typedef struct {
     long weight;
     uint32_t signs;
@@ -41,7 +41,7 @@ void ttc_ansatz_measure(double *total, double *largest, const ttc_flow *flow, in
     for (size_t i = 0; i < flow->count; i++)
         if (weight_of(grading, i) > most) most = weight_of(grading, i);
     const size_t weights = (size_t)(most * degree) + 1, kinds = (size_t)1 << change_count, plane = weights * kinds;
-    double *counts = flint_calloc(((size_t)degree + 1) * plane, sizeof *counts), *block = flint_calloc(plane, sizeof *block);
+    double *counts = flint_calloc(((size_t)degree + 1) * plane, sizeof *counts), *sector = flint_calloc(plane, sizeof *sector);
     counts[0] = 1;
     for (size_t i = 0; i < flow->count; i++) {
         const int step = flow->degrees[i];
@@ -57,11 +57,11 @@ void ttc_ansatz_measure(double *total, double *largest, const ttc_flow *flow, in
     }
     *total = *largest = 0;
     for (size_t b = 0; b < plane; b++) {
-        for (int at = 0; at <= degree; at++) block[b] += counts[(size_t)at * plane + b];
-        *total += block[b];
-        if (block[b] > *largest) *largest = block[b];
+        for (int at = 0; at <= degree; at++) sector[b] += counts[(size_t)at * plane + b];
+        *total += sector[b];
+        if (sector[b] > *largest) *largest = sector[b];
     }
-    flint_free(block);
+    flint_free(sector);
     flint_free(counts);
 }
 
@@ -97,7 +97,7 @@ static void extend(list *l, unsigned char *exponents, size_t at, int degree, int
     exponents[at] = 0;
 }
 
-static int by_block(const void *left, const void *right)
+static int by_sector(const void *left, const void *right)
 {
     const entry *a = left, *b = right;
     if (a->weight != b->weight) return a->weight < b->weight ? -1 : 1;
@@ -106,7 +106,7 @@ static int by_block(const void *left, const void *right)
     return a->index < b->index ? -1 : 1;
 }
 
-static bool same_block(const entry *a, const entry *b) { return a->weight == b->weight && a->signs == b->signs; }
+static bool same_sector(const entry *a, const entry *b) { return a->weight == b->weight && a->signs == b->signs; }
 
 void ttc_ansatz_create(ttc_ansatz *out, const ttc_flow *flow, int degree, const ttc_sign_changes *changes, size_t change_count,
                        const ttc_grading *grading)
@@ -114,19 +114,19 @@ void ttc_ansatz_create(ttc_ansatz *out, const ttc_flow *flow, int degree, const 
     list l = { .flow = flow, .changes = changes, .change_count = change_count, .grading = grading };
     unsigned char *exponents = flint_calloc(flow->count + 1, 1);
     extend(&l, exponents, 0, 0, degree);
-    qsort(l.entries, l.count, sizeof *l.entries, by_block);
+    qsort(l.entries, l.count, sizeof *l.entries, by_sector);
     *out = (ttc_ansatz){ .width = flow->count, .total = l.count };
-    for (size_t i = 0; i < l.count; i++) out->block_count += i == 0 || !same_block(&l.entries[i - 1], &l.entries[i]);
-    out->blocks = flint_calloc(out->block_count, sizeof *out->blocks);
-    ttc_ansatz_block *block = out->blocks;
-    for (size_t i = 0; i < l.count; block++) {
+    for (size_t i = 0; i < l.count; i++) out->sector_count += i == 0 || !same_sector(&l.entries[i - 1], &l.entries[i]);
+    out->sectors = flint_calloc(out->sector_count, sizeof *out->sectors);
+    ttc_ansatz_sector *sector = out->sectors;
+    for (size_t i = 0; i < l.count; sector++) {
         size_t end = i;
-        while (end < l.count && same_block(&l.entries[i], &l.entries[end])) end++;
-        block->count = end - i;
-        block->exponents = flint_calloc(block->count, flow->count + 1);
+        while (end < l.count && same_sector(&l.entries[i], &l.entries[end])) end++;
+        sector->count = end - i;
+        sector->exponents = flint_calloc(sector->count, flow->count + 1);
         for (size_t k = 0; i < end; i++, k++)
-            memcpy(block->exponents + k * flow->count, l.exponents + l.entries[i].index * flow->count, flow->count);
-        if (block->count > out->largest) out->largest = block->count;
+            memcpy(sector->exponents + k * flow->count, l.exponents + l.entries[i].index * flow->count, flow->count);
+        if (sector->count > out->largest) out->largest = sector->count;
     }
     flint_free(exponents);
     flint_free(l.entries);
@@ -135,7 +135,7 @@ void ttc_ansatz_create(ttc_ansatz *out, const ttc_flow *flow, int degree, const 
 
 void ttc_ansatz_clear(ttc_ansatz *ansatz)
 {
-    for (size_t i = 0; i < ansatz->block_count; i++) flint_free(ansatz->blocks[i].exponents);
-    flint_free(ansatz->blocks);
+    for (size_t i = 0; i < ansatz->sector_count; i++) flint_free(ansatz->sectors[i].exponents);
+    flint_free(ansatz->sectors);
     *ansatz = (ttc_ansatz){ .width = 0 };
 }

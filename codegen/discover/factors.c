@@ -88,16 +88,16 @@ static int ascending(const void *left, const void *right)
     return a < b ? -1 : a > b;
 }
 
-/* All cofactors that some block of this degree may have, but 0. False: of some block they are not known. */
+/* All cofactors that some sector of this degree may have, but 0. False: of some sector they are not known. */
 static bool cofactors_of(ulong **out, size_t *kept, ttc_discovery *d, const ttc_ansatz *ansatz)
 {
     size_t count = 0;
     bool good = true;
     *kept = 0;
     *out = flint_calloc(ansatz->total + 1, sizeof **out);
-    for (size_t b = 0; b < ansatz->block_count; b++) {
+    for (size_t b = 0; b < ansatz->sector_count; b++) {
         size_t more = 0;
-        good &= ttc_solution_cofactors(*out + count, &more, d->flow, &ansatz->blocks[b], d->parameters, &d->source);
+        good &= ttc_solution_cofactors(*out + count, &more, d->flow, &ansatz->sectors[b], d->parameters, &d->source);
         count += more;
     }
     qsort(*out, count, sizeof **out, ascending);

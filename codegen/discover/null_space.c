@@ -19,12 +19,12 @@ static void tables_clear(tables *t)
     flint_free(t->powers);
 }
 
-static void tables_fill(tables *t, const ttc_flow *flow, const ttc_ansatz_block *block, const ulong *values,
+static void tables_fill(tables *t, const ttc_flow *flow, const ttc_ansatz_sector *sector, const ulong *values,
                         const ulong *logarithmic)
 {
     unsigned most = 0;
-    for (size_t i = 0; i < block->count * flow->count; i++)
-        if (block->exponents[i] > most) most = block->exponents[i];
+    for (size_t i = 0; i < sector->count * flow->count; i++)
+        if (sector->exponents[i] > most) most = sector->exponents[i];
     for (size_t q = 0; q < flow->count; q++) {
         ulong *power = t->powers + q * EXPONENTS, *multiple = t->multiples + q * EXPONENTS;
         power[0] = 1;
@@ -43,21 +43,21 @@ static ulong monomial(const tables *t, const ttc_flow *flow, const unsigned char
     return value;
 }
 
-void ttc_null_space_values(ulong *out, const ttc_flow *flow, const ttc_ansatz_block *block, const ulong *values)
+void ttc_null_space_values(ulong *out, const ttc_flow *flow, const ttc_ansatz_sector *sector, const ulong *values)
 {
     tables t;
     tables_init(&t, flow);
-    tables_fill(&t, flow, block, values, NULL);
-    for (size_t j = 0; j < block->count; j++) out[j] = monomial(&t, flow, block->exponents + j * flow->count);
+    tables_fill(&t, flow, sector, values, NULL);
+    for (size_t j = 0; j < sector->count; j++) out[j] = monomial(&t, flow, sector->exponents + j * flow->count);
     tables_clear(&t);
 }
 
 /* m' + c m = m (sum of exponents times logarithmic rates + c). values may be NULL. */
-static void fill_row(mp_limb_t *values, mp_limb_t *rates, const tables *t, const ttc_flow *flow, const ttc_ansatz_block *block,
+static void fill_row(mp_limb_t *values, mp_limb_t *rates, const tables *t, const ttc_flow *flow, const ttc_ansatz_sector *sector,
                      ulong c)
 {
-    for (size_t j = 0; j < block->count; j++) {
-        const unsigned char *exponents = block->exponents + j * flow->count;
+    for (size_t j = 0; j < sector->count; j++) {
+        const unsigned char *exponents = sector->exponents + j * flow->count;
         const ulong value = monomial(t, flow, exponents);
         ulong factor = c;
         for (size_t q = 0; q < flow->count; q++)
@@ -80,7 +80,7 @@ static bool draw(ulong *c, const ttc_flow *flow, ttc_twist twist, ulong *values,
     return false;
 }
 
-static bool fill(nmod_mat_struct *values, nmod_mat_t rates, const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist,
+static bool fill(nmod_mat_struct *values, nmod_mat_t rates, const ttc_flow *flow, const ttc_ansatz_sector *sector, ttc_twist twist,
                  ulong *parameters, uint64_t *source)
 {
     bool good = true;
@@ -91,28 +91,28 @@ static bool fill(nmod_mat_struct *values, nmod_mat_t rates, const ttc_flow *flow
         ulong c = 0;
         good = draw(&c, flow, twist, parameters, logarithmic, source);
         if (!good) break;
-        tables_fill(&t, flow, block, parameters, logarithmic);
-        fill_row(values == NULL ? NULL : &nmod_mat_entry(values, i, 0), &nmod_mat_entry(rates, i, 0), &t, flow, block, c);
+        tables_fill(&t, flow, sector, parameters, logarithmic);
+        fill_row(values == NULL ? NULL : &nmod_mat_entry(values, i, 0), &nmod_mat_entry(rates, i, 0), &t, flow, sector, c);
     }
     tables_clear(&t);
     flint_free(logarithmic);
     return good;
 }
 
-bool ttc_null_space_rows(nmod_mat_t values, nmod_mat_t rates, const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist,
-                         ulong *parameters, uint64_t *source)
+bool ttc_null_space_rows(nmod_mat_t values, nmod_mat_t rates, const ttc_flow *flow, const ttc_ansatz_sector *sector,
+                         ttc_twist twist, ulong *parameters, uint64_t *source)
 {
-    return fill(values, rates, flow, block, twist, parameters, source);
+    return fill(values, rates, flow, sector, twist, parameters, source);
 }
 
-slong ttc_null_space_bound(const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist, ulong *parameters,
+slong ttc_null_space_bound(const ttc_flow *flow, const ttc_ansatz_sector *sector, ttc_twist twist, ulong *parameters,
                            uint64_t *source)
 {
-    const slong count = (slong)block->count;
+    const slong count = (slong)sector->count;
     slong bound = -1;
     nmod_mat_t rates;
     nmod_mat_init(rates, count + ROWS_TO_SPARE, count, flow->mod.n);
-    if (fill(NULL, rates, flow, block, twist, parameters, source)) {
+    if (fill(NULL, rates, flow, sector, twist, parameters, source)) {
         slong *order = flint_calloc((size_t)(count + ROWS_TO_SPARE), sizeof *order);
         bound = count - nmod_mat_lu(order, rates, 0);
         flint_free(order);
@@ -121,13 +121,13 @@ slong ttc_null_space_bound(const ttc_flow *flow, const ttc_ansatz_block *block, 
     return bound;
 }
 
-slong ttc_null_space(nmod_mat_t null, const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist, ulong *parameters,
+slong ttc_null_space(nmod_mat_t null, const ttc_flow *flow, const ttc_ansatz_sector *sector, ttc_twist twist, ulong *parameters,
                      uint64_t *source)
 {
-    const slong count = (slong)block->count;
+    const slong count = (slong)sector->count;
     nmod_mat_t rates;
     nmod_mat_init(rates, count + ROWS_TO_SPARE, count, flow->mod.n);
-    if (!fill(NULL, rates, flow, block, twist, parameters, source)) {
+    if (!fill(NULL, rates, flow, sector, twist, parameters, source)) {
         nmod_mat_clear(rates);
         nmod_mat_init(null, 0, count, flow->mod.n);
         return -1;

@@ -1,4 +1,4 @@
-/** Polynomials P in the quantities of a block with P' + c P = 0, c a given function: linear algebra over a prime field, one row a
+/** Polynomials P in the quantities of a sector with P' + c P = 0, c a given function: linear algebra over a prime field, one row a
  *  random point.
  *
  *  Why a rank proves something. Let M be the matrix whose row i holds m' + c m at point i, for each monomial m. A polynomial P with
@@ -26,19 +26,19 @@ typedef struct {
 /** Dimension bound of the solutions, by the rank alone.
  *  parameters: shape (ring->variable_count,), with values of parameters; others are overwritten. -1: no points were found.
  *  Cost: count^3/3 multiplications in the field, 8 count^2 bytes. */
-slong ttc_null_space_bound(const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist, ulong *parameters,
+slong ttc_null_space_bound(const ttc_flow *flow, const ttc_ansatz_sector *sector, ttc_twist twist, ulong *parameters,
                            uint64_t *source);
 
 /** The same, and a basis of the null space: null is initialized here, shape (bound, count), also where there is none. */
-slong ttc_null_space(nmod_mat_t null, const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist, ulong *parameters,
+slong ttc_null_space(nmod_mat_t null, const ttc_flow *flow, const ttc_ansatz_sector *sector, ttc_twist twist, ulong *parameters,
                      uint64_t *source);
 
 /** Values of monomials, and of m' + c m, at `count` points: shape (points, count), both initialized by the caller. False: no
  *  points. */
-bool ttc_null_space_rows(nmod_mat_t values, nmod_mat_t rates, const ttc_flow *flow, const ttc_ansatz_block *block, ttc_twist twist,
-                         ulong *parameters, uint64_t *source);
+bool ttc_null_space_rows(nmod_mat_t values, nmod_mat_t rates, const ttc_flow *flow, const ttc_ansatz_sector *sector,
+                         ttc_twist twist, ulong *parameters, uint64_t *source);
 
-/* Values of the monomials of a block at a point that was drawn: shape (block->count,). */
-void ttc_null_space_values(ulong *out, const ttc_flow *flow, const ttc_ansatz_block *block, const ulong *values);
+/* Values of the monomials of a sector at a point that was drawn: shape (sector->count,). */
+void ttc_null_space_values(ulong *out, const ttc_flow *flow, const ttc_ansatz_sector *sector, const ulong *values);
 
 #endif

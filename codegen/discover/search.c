@@ -5,15 +5,15 @@
 
 enum { POINTS_TO_SPARE = 6, POINTS_FOR_OTHERS = 400, TRIED_MAX = 12 };
 
-static void tell(ttc_discovery *d, const ttc_question *question, size_t block, const ttc_ansatz *ansatz)
+static void tell(ttc_discovery *d, const ttc_question *question, size_t sector, const ttc_ansatz *ansatz)
 {
     char text[120];
-    snprintf(text, sizeof text, "degree %d: block %zu of %zu, %zu columns", question->degree, block + 1, ansatz->block_count,
-             ansatz->blocks[block].count);
+    snprintf(text, sizeof text, "degree %d: sector %zu of %zu, %zu columns", question->degree, sector + 1, ansatz->sector_count,
+             ansatz->sectors[sector].count);
     d->host.progress(d->host.context, text);
 }
 
-/* The changes of sign that keep blocks apart: a number as cofactor changes its sign with time. */
+/* The changes of sign that keep sectors apart: a number as cofactor changes its sign with time. */
 static size_t changes_of(const ttc_discovery *d, const ttc_question *question)
 {
     return !question->keeps_signs ? 0 : d->changes.count - (question->has_cofactor && d->changes.last_is_backwards);
@@ -49,17 +49,17 @@ static bool make_ansatz(ttc_ansatz *ansatz, ttc_discovery *d, const ttc_question
 
 /* Dimension of the solutions at most: of the leading part, weight by weight, or of the motion itself. The leading part, that of
  * greatest weight, of a solution solves the equation of the leading part of the motion; solutions with independent leading parts
- * are all there are. by_block: receives the bounds, shape (block_count,), for the caller to free; NULL: it is not wanted. */
-static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, bool graded, slong **by_block)
+ * are all there are. by_sector: receives the bounds, shape (sector_count,), for the caller to free; NULL: it is not wanted. */
+static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, bool graded, slong **by_sector)
 {
     slong sum = 0;
     ulong *parameters = graded ? d->leading : d->parameters;
-    if (by_block != NULL) *by_block = flint_calloc(ansatz->block_count + 1, sizeof **by_block);
-    for (size_t b = 0; b < ansatz->block_count && sum >= 0; b++) {
+    if (by_sector != NULL) *by_sector = flint_calloc(ansatz->sector_count + 1, sizeof **by_sector);
+    for (size_t b = 0; b < ansatz->sector_count && sum >= 0; b++) {
         tell(d, question, b, ansatz);
-        const slong bound = ttc_null_space_bound(d->flow, &ansatz->blocks[b], (ttc_twist){ question->twist, question->shift },
+        const slong bound = ttc_null_space_bound(d->flow, &ansatz->sectors[b], (ttc_twist){ question->twist, question->shift },
                                                  parameters, &d->source);
-        if (by_block != NULL) (*by_block)[b] = bound;
+        if (by_sector != NULL) (*by_sector)[b] = bound;
         sum = bound < 0 ? -1 : sum + bound;
     }
     return sum;
@@ -105,18 +105,18 @@ static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *
 }
 
 /* Values of a solution at the points. False: the factor has a pole at one. */
-static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *question, const ttc_ansatz_block *block,
+static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *question, const ttc_ansatz_sector *sector,
                       const mp_limb_t *vector,
                       const ttc_points *points)
 {
     bool good = true;
-    ulong *monomials = flint_calloc(block->count + 1, sizeof *monomials);
+    ulong *monomials = flint_calloc(sector->count + 1, sizeof *monomials);
     for (size_t i = 0; i < points->count && good; i++) {
         const ulong *values = points->values + i * points->width;
         ulong factor = 1;
-        ttc_null_space_values(monomials, d->flow, block, values);
+        ttc_null_space_values(monomials, d->flow, sector, values);
         out[i] = 0;
-        for (size_t j = 0; j < block->count; j++)
+        for (size_t j = 0; j < sector->count; j++)
             if (vector[j] != 0) out[i] = nmod_add(out[i], nmod_mul(vector[j], monomials[j], d->flow->mod), d->flow->mod);
         if (question->factor != NULL) good = ttc_modular_ratio_value(&factor, question->factor, values, d->flow->mod);
         out[i] = nmod_mul(out[i], factor, d->flow->mod);
@@ -128,7 +128,7 @@ static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *qu
 /* Of the candidates that are new, sparsest first, the one whose polynomial has the fewest terms when it is lifted. Returns its
  * number, or -1 where none is new; `best` is then empty, as where none can be lifted. */
 static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, const ttc_question *question,
-                    const ttc_ansatz_block *block,
+                    const ttc_ansatz_sector *sector,
                     const nmod_mat_t candidates, ttc_span *span, const ttc_points *points)
 {
     const fmpz_mpoly_ctx_struct *context = d->flow->ring->context;
@@ -139,11 +139,11 @@ static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, co
     for (slong i = 0; i < candidates->r && tried < TRIED_MAX; i++) {
         ttc_solution_exact exact;
         const mp_limb_t *vector = &nmod_mat_entry(candidates, i, 0);
-        if (!values_of(values, d, question, block, vector, points) || !ttc_span_add(span, values)) continue;
+        if (!values_of(values, d, question, sector, vector, points) || !ttc_span_add(span, values)) continue;
         ttc_span_drop_last(span);
         tried++;
         if (chosen < 0) chosen = i;
-        const bool good = ttc_solution_lift(&exact, d->flow, block, vector, question->twist,
+        const bool good = ttc_solution_lift(&exact, d->flow, sector, vector, question->twist,
                                             question->has_cofactor ? question->shift : 0, &d->source);
         const bool better = good && (!*lifted || fmpz_mpoly_length(exact.polynomial.numerator, context)
                                                      < fmpz_mpoly_length(best->polynomial.numerator, context));
@@ -154,14 +154,14 @@ static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, co
             chosen = i;
         } else ttc_solution_clear(&exact, d->flow);
     }
-    if (chosen >= 0 && values_of(values, d, question, block, &nmod_mat_entry(candidates, chosen, 0), points)) ttc_span_add(span,
+    if (chosen >= 0 && values_of(values, d, question, sector, &nmod_mat_entry(candidates, chosen, 0), points)) ttc_span_add(span,
                                                                                                                            values);
     flint_free(values);
     return chosen;
 }
 
-/* New solutions of one block: each that is independent of what is known, and of those before it. */
-static void take_block(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_block *block, const nmod_mat_t null,
+/* New solutions of one sector: each that is independent of what is known, and of those before it. */
+static void take_sector(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_sector *sector, const nmod_mat_t null,
                         ttc_span *span,
                         const ttc_points *points, ttc_search_taker take, void *context)
 {
@@ -169,7 +169,7 @@ static void take_block(ttc_discovery *d, const ttc_question *question, const ttc
     nmod_mat_t candidates;
     ttc_solution_exact exact;
     ttc_solution_sparse(candidates, null, &d->source);
-    while (choose(&exact, &lifted, d, question, block, candidates, span, points) >= 0) {
+    while (choose(&exact, &lifted, d, question, sector, candidates, span, points) >= 0) {
         if (!lifted) {
             d->unproved += !question->has_cofactor; /* most of those are irrational */
             continue;
@@ -195,13 +195,13 @@ static void take_all(ttc_discovery *d, const ttc_question *question, const ttc_a
     }
     ttc_span_init(&span, points.count, d->flow->mod);
     explain(&span, d, question, &points, true);
-    for (size_t b = 0; b < ansatz->block_count; b++) {
+    for (size_t b = 0; b < ansatz->sector_count; b++) {
         nmod_mat_t null;
         if (bounds[b] <= 0) continue;
         tell(d, question, b, ansatz);
-        ttc_null_space(null, d->flow, &ansatz->blocks[b], (ttc_twist){ question->twist, question->shift }, d->parameters,
+        ttc_null_space(null, d->flow, &ansatz->sectors[b], (ttc_twist){ question->twist, question->shift }, d->parameters,
                        &d->source);
-        if (null->r > 0) take_block(d, question, &ansatz->blocks[b], null, &span, &points, take, context);
+        if (null->r > 0) take_sector(d, question, &ansatz->sectors[b], null, &span, &points, take, context);
         nmod_mat_clear(null);
     }
     ttc_span_clear(&span);

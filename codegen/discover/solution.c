@@ -82,16 +82,16 @@ void ttc_solution_sparse(nmod_mat_t out, const nmod_mat_t null, uint64_t *source
     flint_free(order);
 }
 
-bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, const ttc_ansatz_block *block, ulong *parameters,
+bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, const ttc_ansatz_sector *sector, ulong *parameters,
                             uint64_t *source)
 {
-    const slong size = (slong)block->count;
+    const slong size = (slong)sector->count;
     nmod_mat_t values, rates, cut;
     *count = 0;
     nmod_mat_init(values, size, size, flow->mod.n);
     nmod_mat_init(rates, size, size, flow->mod.n);
     nmod_mat_init(cut, size, size, flow->mod.n);
-    const bool good = ttc_null_space_rows(values, rates, flow, block, (ttc_twist){ NULL, 0 }, parameters, source)
+    const bool good = ttc_null_space_rows(values, rates, flow, sector, (ttc_twist){ NULL, 0 }, parameters, source)
                       && nmod_mat_solve(cut, values, rates) != 0;
     if (good) {
         nmod_poly_t polynomial;
@@ -116,7 +116,7 @@ bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, con
 /* The polynomial at any parameters: its monomials alone are kept. */
 typedef struct {
     const ttc_flow *flow;
-    ttc_ansatz_block block;
+    ttc_ansatz_sector sector;
     const ttc_modular_ratio *twist;
     bool has_cofactor;
     ulong cofactor;   /* where there are no parameters that it could depend on */
@@ -128,10 +128,10 @@ typedef struct {
 static bool coefficients_at(const family *f, ulong *out, ulong *parameters, ulong shift)
 {
     nmod_mat_t null;
-    const slong dimension = ttc_null_space(null, f->flow, &f->block, (ttc_twist){ f->twist, shift }, parameters, f->source);
+    const slong dimension = ttc_null_space(null, f->flow, &f->sector, (ttc_twist){ f->twist, shift }, parameters, f->source);
     bool good = dimension == 1;
-    for (size_t j = 0; good && j < f->block.count; j++) good = nmod_mat_entry(null, 0, (slong)j) != 0;
-    for (size_t j = 0; good && j < f->block.count; j++)
+    for (size_t j = 0; good && j < f->sector.count; j++) good = nmod_mat_entry(null, 0, (slong)j) != 0;
+    for (size_t j = 0; good && j < f->sector.count; j++)
         out[j] = nmod_div(nmod_mat_entry(null, 0, (slong)j), nmod_mat_entry(null, 0, (slong)f->reference), f->flow->mod);
     nmod_mat_clear(null);
     return good;
@@ -142,15 +142,15 @@ static bool sample(void *context, ulong *out, ulong *parameters)
     const family *f = context;
     if (!f->has_cofactor) return coefficients_at(f, out, parameters, 0);
     if (f->flow->parameter_count == 0) {
-        out[f->block.count] = f->cofactor;
+        out[f->sector.count] = f->cofactor;
         return coefficients_at(f, out, parameters, f->cofactor);
     }
-    ulong *shifts = flint_calloc(f->block.count + 1, sizeof *shifts);
+    ulong *shifts = flint_calloc(f->sector.count + 1, sizeof *shifts);
     size_t matches = 0, count = 0;
-    ttc_solution_cofactors(shifts, &count, f->flow, &f->block, parameters, f->source);
+    ttc_solution_cofactors(shifts, &count, f->flow, &f->sector, parameters, f->source);
     for (size_t i = 0; i < count && matches < 2; i++) {
         if (!coefficients_at(f, out, parameters, shifts[i])) continue;
-        out[f->block.count] = shifts[i];
+        out[f->sector.count] = shifts[i];
         matches++;
     }
     flint_free(shifts);
@@ -168,11 +168,11 @@ static bool assemble(ttc_solution_exact *out, const family *f, const ttc_ratio *
     ttc_ratio_init(ring, &term);
     ttc_ratio_init(ring, &factor);
     fmpz_mpoly_init(content, ring->context);
-    for (size_t j = 0; j < f->block.count; j++) {
+    for (size_t j = 0; j < f->sector.count; j++) {
         ttc_ratio_set(ring, &term, &coefficients[j]);
         for (size_t q = 0; q < flow->count; q++) {
             ttc_ratio_set_variable(ring, &factor, flow->variables[q]);
-            ttc_ratio_power(ring, &factor, &factor, f->block.exponents[j * flow->count + q]);
+            ttc_ratio_power(ring, &factor, &factor, f->sector.exponents[j * flow->count + q]);
             ttc_ratio_multiply(ring, &term, &term, &factor);
         }
         ttc_ratio_add(ring, &out->polynomial, &out->polynomial, &term);
@@ -194,32 +194,32 @@ static bool assemble(ttc_solution_exact *out, const family *f, const ttc_ratio *
     }
     if (negative > 0) ttc_ratio_scale(ring, &out->polynomial, &out->polynomial, ring->minus_one);
     fmpz_clear(coefficient);
-    if (good && f->has_cofactor) ttc_ratio_set(ring, &out->cofactor, &coefficients[f->block.count]);
+    if (good && f->has_cofactor) ttc_ratio_set(ring, &out->cofactor, &coefficients[f->sector.count]);
     fmpz_mpoly_clear(content, ring->context);
     ttc_ratio_clear(ring, &factor);
     ttc_ratio_clear(ring, &term);
     return good;
 }
 
-bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_ansatz_block *block, const ulong *vector,
+bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_ansatz_sector *sector, const ulong *vector,
                        const ttc_modular_ratio *twist, ulong cofactor, uint64_t *source)
 {
     const bool has_cofactor = cofactor != 0;
     family f = { .flow = flow, .twist = twist, .has_cofactor = has_cofactor, .cofactor = cofactor, .source = source };
     ttc_ratio_init(flow->ring, &out->polynomial);
     ttc_ratio_init(flow->ring, &out->cofactor);
-    f.block.exponents = flint_calloc(block->count + 1, flow->count + 1);
-    for (size_t j = 0; j < block->count; j++)
+    f.sector.exponents = flint_calloc(sector->count + 1, flow->count + 1);
+    for (size_t j = 0; j < sector->count; j++)
         if (vector[j] != 0)
-            memcpy(f.block.exponents + f.block.count++ * flow->count, block->exponents + j * flow->count, flow->count);
-    const size_t count = f.block.count + has_cofactor;
-    f.reference = f.block.count - 1;
+            memcpy(f.sector.exponents + f.sector.count++ * flow->count, sector->exponents + j * flow->count, flow->count);
+    const size_t count = f.sector.count + has_cofactor;
+    f.reference = f.sector.count - 1;
     ttc_ratio *coefficients = flint_calloc(count, sizeof *coefficients);
     for (size_t j = 0; j < count; j++) ttc_ratio_init(flow->ring, &coefficients[j]);
     const bool good = ttc_dependence_find(coefficients, count, flow, sample, &f, source) && assemble(out, &f, coefficients);
     for (size_t j = 0; j < count; j++) ttc_ratio_clear(flow->ring, &coefficients[j]);
     flint_free(coefficients);
-    flint_free(f.block.exponents);
+    flint_free(f.sector.exponents);
     return good;
 }
 

@@ -1,5 +1,5 @@
 /** Changes of sign, and weights, under which the motion is homogeneous: by exponents of its exact ratios. They sort the
- *  monomials of an ansatz into blocks that are solved apart. */
+ *  monomials of an ansatz into sectors that are solved apart. */
 #ifndef TTC_SYMMETRY_H
 #define TTC_SYMMETRY_H
 

@@ -103,7 +103,7 @@ static bool move_to_prepared(ttc_program **program, const ttc_prepared *from, tt
 }
 
 /* Drop prepared values that no program needs any more. */
-static bool clear_up_block(ttc_kernels *k)
+static bool clear_up_prepared(ttc_kernels *k)
 {
     ttc_prepared prepared = { .field = k->field };
     bool ok = true;
@@ -122,5 +122,5 @@ bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort)
 {
     bool changed = false;
     kernels->field->keeps_digits = true;
-    return replace_all(kernels, effort, &changed) && (!changed || clear_up_block(kernels));
+    return replace_all(kernels, effort, &changed) && (!changed || clear_up_prepared(kernels));
 }

@@ -1,4 +1,4 @@
-/* The parts of a discovery: symmetries, blocks, ranks, and functions of parameters from values in a prime field. */
+/* The parts of a discovery: symmetries, sectors, ranks, and functions of parameters from values in a prime field. */
 #include "parsed_model.h"
 
 #include "discover/dependence.h"
@@ -93,10 +93,10 @@ static void ranks_leave_known_integrals(void **unused)
     ttc_sign_changes_find(&changes, flow);
     ttc_flow_draw_parameters(flow, values, -1, &source);
     ttc_ansatz_create(&ansatz, flow, 4, &changes, changes.count, NULL);
-    for (size_t b = 0; b < ansatz.block_count; b++) {
+    for (size_t b = 0; b < ansatz.sector_count; b++) {
         nmod_mat_t null;
-        const slong of_block = ttc_null_space_bound(flow, &ansatz.blocks[b], (ttc_twist){ NULL, 0 }, values, &source);
-        assert_int_equal(ttc_null_space(null, flow, &ansatz.blocks[b], (ttc_twist){ NULL, 0 }, values, &source), of_block);
+        const slong of_block = ttc_null_space_bound(flow, &ansatz.sectors[b], (ttc_twist){ NULL, 0 }, values, &source);
+        assert_int_equal(ttc_null_space(null, flow, &ansatz.sectors[b], (ttc_twist){ NULL, 0 }, values, &source), of_block);
         nmod_mat_clear(null);
         bound += of_block;
     }

@@ -1,3 +1,4 @@
+/* Times of a computation, which is repeated, and the numbers of the diagrams that they go into. */
 #include "bench.h"
 
 #include <math.h>

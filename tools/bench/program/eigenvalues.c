@@ -1,3 +1,4 @@
+/* What the eigenvalues at equilibria cost by each method, and how far they are from known ones. */
 #include "bench.h"
 
 #include <math.h>

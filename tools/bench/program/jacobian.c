@@ -1,3 +1,4 @@
+/* What the Jacobian of the reduced system costs by each method, and how far its entries are from true ones. */
 #include "bench.h"
 
 #include <complex.h>

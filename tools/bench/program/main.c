@@ -1,3 +1,4 @@
+/* The command line of jellett-bench: it picks the kind of question, and opens the table that is written. */
 #include "bench.h"
 #include "cli/common.h"
 #include "cli/program.h"

@@ -1,3 +1,4 @@
+/* References are read: files of numbers, row by row. */
 #include "bench.h"
 
 #include <errno.h>

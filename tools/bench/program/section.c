@@ -1,3 +1,4 @@
+/* What returns to the section cost by each tier and method, at each tolerance, and how far they are off. */
 #include "bench.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* What the derivative of the return map costs by each method, at each tolerance, and how far it is off. */
 #include "bench.h"
 
 #include <math.h>

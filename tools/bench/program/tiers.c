@@ -1,3 +1,4 @@
+/* What one orbit costs in each tier that serves it, and how far its states are off. */
 #include "bench.h"
 
 #include <math.h>
