@@ -22,7 +22,7 @@ bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_
 void ttc_solution_clear(ttc_solution_exact *solution, const ttc_flow *flow);
 
 /** Numbers of the field, other than 0, that may be the cofactor of a polynomial of the sector, at these parameters: eigenvalues of
- *  the rates, cut off at the sector's degree. out: shape (sector->count,); count: how many. False: no points were found, and nothing
+ *  the rates, cut off at its degree. out: shape (sector->count,); count: how many. False: no points were found, and nothing
  *  is known of cofactors. Cost: about count^3 operations. */
 bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, const ttc_ansatz_sector *sector, ulong *parameters,
                             uint64_t *source);

@@ -190,7 +190,7 @@ done:
 }
 
 /* The question, with boxes around the orbit, refined in balls. */
-static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, const jlt_system *system)
+static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, jlt_system *system)
 {
     double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX];
     int *turns = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *turns);
@@ -200,6 +200,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     jlt_status st = JLT_OK;
     jlt_exit code = x == NULL || turns == NULL ? jlt_command_no_memory() : jlt_motion_start(q, system, o->motion.starts[0]);
 
+    if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, q, NULL);
     if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, system, q, o->period);
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);

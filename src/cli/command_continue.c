@@ -1,6 +1,7 @@
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
 #include "cli/swept.h"
+#include "dynamics/scale.h"
 #include "dynamics/tree.h"
 #include "report/csv.h"
 
@@ -243,13 +244,14 @@ static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
 
 /* The orbit that the run begins with. */
 static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *family, const jlt_grid_axis *axis,
-                           const options *o, const jlt_system *system)
+                           const options *o, jlt_system *system)
 {
     double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
     jlt_status st;
     jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
 
+    if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, q, NULL);
     if (code != JLT_EXIT_DONE) return code;
     *first = (jlt_continuation_point){ .value = *family->entries[0] };
     if (!(first->value >= axis->low && first->value <= axis->high))
@@ -266,7 +268,9 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
                         const options *o, const jlt_system *system)
 {
     const jlt_family maps = { jlt_system_map_at, &family->systems };
-    const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
+    const double range = axis->high - axis->low, largest = fmax(fabs(axis->low), fabs(axis->high));
+    const jlt_continuation_options run = { .scale = jlt_scale_of(fmax(range, fmin(1, largest))), .step = o->step,
+                                           .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
                                            .points_max = o->points, .interrupt = o->motion.flow.interrupt };
     const jlt_tree_sink sink = { take, tell_end, to };
     jlt_tree_left left;

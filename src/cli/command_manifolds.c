@@ -217,7 +217,8 @@ static jlt_exit run(int argc, char **argv)
         code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
         goto done;
     }
-    code = jlt_common_write(&o.motion.common);
+    code = jlt_motion_scale(system, q, NULL);
+    if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
     if (code != JLT_EXIT_DONE) goto done;
     st = jlt_map_create(&map, &system->flow);

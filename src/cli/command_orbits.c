@@ -130,7 +130,7 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
 }
 
 /* Newton from one point, or the zeros on one line through it. */
-static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, const jlt_system *system)
+static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     unsigned char held[JLT_CHART_DIM_MAX] = { 0 };
@@ -142,6 +142,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_exit code = jlt_motion_start(line.base, system, o->motion.starts[0]);
 
     if (code == JLT_EXIT_DONE) code = held_mask(held, o, chart);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, line.base, NULL);
     if (code != JLT_EXIT_DONE) return code;
     if (o->line == NULL) {
         st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
@@ -199,7 +200,7 @@ static const char default_grid[] = "40x40";
 /* Of no point of a grid, but of symmetric orbits alone. */
 static bool searches_nowhere(const options *o) { return o->grid != NULL && strcmp(o->grid, "0x0") == 0; }
 
-static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, const jlt_system *system)
+static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     const bool no_grid = searches_nowhere(o);
@@ -217,6 +218,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_grid_whole(axes, "--grid");
     if (code == JLT_EXIT_DONE && !no_grid) code = jlt_motion_check_grid(axes, system);
+    if (code == JLT_EXIT_DONE && !no_grid) code = jlt_motion_scale(system, NULL, axes);
     if (code != JLT_EXIT_DONE) return code;
     for (unsigned k = 0; k < chart->dim; k++) {
         search.low[k] = axes[k].low;

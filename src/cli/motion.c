@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
+#include "dynamics/scale.h"
 #include "kernel/descriptor.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
@@ -282,6 +283,21 @@ jlt_exit jlt_motion_check_grid(const jlt_grid_axis *axes, const jlt_system *syst
         if (chart->lift(chart, x, NULL, q) != JLT_ERR_EMPTY) return JLT_EXIT_DONE;
     }
     return jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
+}
+
+jlt_exit jlt_motion_scale(jlt_system *system, const double *q, const jlt_grid_axis *axes)
+{
+    enum { STARTS = 32 }; /* of a grid */
+    const unsigned dim = system->flow.chart->dim;
+    const size_t all = axes != NULL ? jlt_motion_grid_size(axes, system) : 1, count = all < STARTS ? all : STARTS;
+    double starts[STARTS * JLT_CHART_DIM_MAX], extents[JLT_CHART_DIM_MAX];
+    jlt_status st;
+
+    for (size_t i = 0; axes != NULL && i < count; i++)
+        jlt_motion_grid_point(starts + i * dim, axes, system, (2 * i + 1) * all / (2 * count));
+    for (unsigned k = 0; axes != NULL && k < dim; k++) extents[k] = axes[k].count > 1 ? (axes[k].high - axes[k].low) / 2 : 0;
+    st = axes != NULL ? jlt_scale_find(system, starts, count, extents) : jlt_scale_find(system, q, 1, NULL);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "the map");
 }
 
 void jlt_motion_one_start(jlt_motion_options *options, const char *text)

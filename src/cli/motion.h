@@ -111,6 +111,10 @@ jlt_exit jlt_motion_check_grid(const jlt_grid_axis *axes, const jlt_system *syst
 jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, const jlt_grid_axis *axes, const jlt_system *system,
                               size_t index);
 
+/** Find the typical sizes of the section's coordinates (dynamics/scale.h), for commands that compare lengths on it: from one start
+ *  q, shape (dim,), or from points all over a grid; axes: shape (dim,), NULL: q is given. */
+jlt_exit jlt_motion_scale(jlt_system *system, const double *q, const jlt_grid_axis *axes);
+
 /** Write the comment lines that a table begins with: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
 

@@ -1,13 +1,17 @@
 #include "cli/motion_family.h"
 
+#include "dynamics/scale.h"
 #include "kernel/descriptor.h"
 
 #include <string.h>
 
 jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
 {
-    return self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow)
-                                 : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
+    const jlt_status st = self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow)
+                                                : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
+
+    if (st == JLT_OK) jlt_scale_copy(*out, self->system);
+    return st;
 }
 
 static jlt_status make_at(void *context, jlt_system **out, double value)
@@ -75,7 +79,7 @@ jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system
     const jlt_descriptor *d = system->instance->descriptor;
     jlt_exit code = JLT_EXIT_DONE;
 
-    *out = (jlt_motion_family){ .surface = system->surface, .flow = options->flow };
+    *out = (jlt_motion_family){ .system = system, .surface = system->surface, .flow = options->flow };
     out->systems = (jlt_system_family){ .make = make_at, .context = out };
     if (out->surface != NULL) memcpy(out->values, system->values, out->surface->count * sizeof *out->values);
     else code = jlt_motion_plane_read(&out->plane, options, jlt_descriptor_sibling(d, NULL, d->time, NULL), axes, count);

@@ -8,6 +8,7 @@ enum { JLT_FAMILY_AXES_MAX = 3 };
 
 typedef struct {
     jlt_motion_plane plane;     /* of a section STATE=VALUE */
+    const jlt_system *system;   /* the one it was opened for: coordinates have its sizes */
     const jlt_surface *surface; /* of a section that tables describe; NULL: `plane` is in use, and the next two are not */
     double values[JLT_CHART_VALUES_MAX];
     jlt_flow flow;

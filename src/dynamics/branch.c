@@ -13,7 +13,7 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_periodic orbit = *saddle;
     jlt_branch self = { .map = map, .time_direction = stable ? -1 : 1, .seed = seed };
-    double multiplier, turn;
+    double multiplier, turn, slope[4];
     jlt_status st;
 
     if (chart->dim != 2 || (side != 1 && side != -1) || !(seed >= 1e-8 && seed <= 1e-2)) return JLT_ERR_ARG;
@@ -23,9 +23,11 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
         if (st != JLT_OK) return st;
     }
     multiplier = stable ? orbit.re[1] : orbit.re[0];
-    jlt_linear_eigenvector(self.v, orbit.slope, multiplier);
+    jlt_chart_scaled_slope(chart, slope, orbit.slope);
+    jlt_linear_eigenvector(self.v, slope, multiplier);
     turn = fabs(self.v[0]) > fabs(self.v[1]) ? self.v[0] : self.v[1];
     if ((turn < 0) != (side < 0)) self.v[0] = -self.v[0], self.v[1] = -self.v[1];
+    jlt_chart_unscaled(chart, self.v, self.v);
     self.returns = orbit.period;
     self.lambda = stable ? 1 / multiplier : multiplier;
     if (multiplier < 0) {

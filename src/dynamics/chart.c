@@ -166,12 +166,46 @@ void jlt_chart_wrap(const jlt_chart *self, double *q)
     for (k = 0; k < self->dim; k++) q[k] = reduce(q[k], self->period[k]);
 }
 
+void jlt_chart_scaled(const jlt_chart *self, double *out, const double *q)
+{
+    for (unsigned k = 0; k < self->dim; k++) out[k] = ldexp(q[k], -self->scale[k]);
+}
+
+void jlt_chart_unscaled(const jlt_chart *self, double *out, const double *q)
+{
+    for (unsigned k = 0; k < self->dim; k++) out[k] = ldexp(q[k], self->scale[k]);
+}
+
+void jlt_chart_scaled_slope(const jlt_chart *self, double *out, const double *slope)
+{
+    for (unsigned i = 0; i < self->dim; i++)
+        for (unsigned j = 0; j < self->dim; j++)
+            out[i * self->dim + j] = ldexp(slope[i * self->dim + j], self->scale[j] - self->scale[i]);
+}
+
+double jlt_chart_speed(const jlt_chart *self, const double *x, const double *f)
+{
+    double q[JLT_CHART_DIM_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
+    const double across = ldexp(f[self->column], -self->column_scale);
+    double sum = across * across;
+
+    self->lower(self, q, slope, x);
+    for (unsigned k = 0; k < self->dim; k++) {
+        double rate = 0;
+        for (unsigned i = 0; i < self->states; i++) rate += slope[k * self->states + i] * f[i];
+        rate = ldexp(rate, -self->scale[k]);
+        sum += rate * rate;
+    }
+    return sqrt(sum);
+}
+
 double jlt_chart_distance(const jlt_chart *self, const double *q, const double *p)
 {
     double difference[JLT_CHART_DIM_MAX], sum = 0;
     unsigned k;
 
     jlt_chart_difference(self, difference, q, p);
+    jlt_chart_scaled(self, difference, difference);
     for (k = 0; k < self->dim; k++) sum += difference[k] * difference[k];
     return sqrt(sum);
 }

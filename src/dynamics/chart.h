@@ -34,6 +34,8 @@ struct jlt_chart {
     const jlt_domain *domain;            /* whose conditions hold at a lift; NULL: none */
     bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
     int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
+    int scale[JLT_CHART_DIM_MAX],        /* binary exponents of the typical sizes of coordinates, */
+        column_scale;                    /* and of x[column]: lengths are counted in these; 0: as it stands (dynamics/scale.h) */
 
     /* x (states,), and when tangent is not NULL dx/dq (states, dim), row-major. Errors: EMPTY, the levels have no state
      * there; DOMAIN, q is at or beyond a pole or a bound; NONFINITE. */
@@ -93,7 +95,16 @@ void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, c
 /** Bring the angles of q, shape (dim,), into (-period/2, period/2], in place. */
 void jlt_chart_wrap(const jlt_chart *self, double *q);
 
-/** Euclidean length of jlt_chart_difference. */
+/** q, shape (dim,), in the typical sizes of its coordinates, and back from them; a derivative of coordinates by coordinates, shape
+ *  (dim, dim), in these. out may be what is given. Exact. */
+void jlt_chart_scaled(const jlt_chart *self, double *out, const double *q);
+void jlt_chart_unscaled(const jlt_chart *self, double *out, const double *q);
+void jlt_chart_scaled_slope(const jlt_chart *self, double *out, const double *slope);
+
+/** Scaled length of the velocity f of a state x on the section: of its coordinates and of x[column]. Both of shape (states,). */
+double jlt_chart_speed(const jlt_chart *self, const double *x, const double *f);
+
+/** Euclidean length of jlt_chart_difference, scaled. */
 double jlt_chart_distance(const jlt_chart *self, const double *q, const double *p);
 
 /** Image under the reversor; out may be q. */

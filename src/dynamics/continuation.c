@@ -97,14 +97,14 @@ static bool halves(const runner *self, const jlt_continuation_point *before, con
 {
     const unsigned d = self->d;
     const size_t half = self->period / 2;
+    const jlt_chart *chart = &self->chart;
     double first[JLT_CHART_DIM_MAX], second[JLT_CHART_DIM_MAX], sum = 0, size = 0;
-    const jlt_chart *chart;
-    jlt_map *map;
 
-    if (self->period % 2 != 0 || self->family->map_at(self->family->context, &map, after->value) != JLT_OK) return false;
-    chart = jlt_map_flow(map)->chart;
+    if (self->period % 2 != 0) return false;
     jlt_chart_difference(chart, first, before->orbit.points + half * d, before->orbit.points);
+    jlt_chart_scaled(chart, first, first);
     jlt_chart_difference(chart, second, after->orbit.points + half * d, after->orbit.points);
+    jlt_chart_scaled(chart, second, second);
     for (unsigned i = 0; i < d; i++) sum += first[i] * second[i], size = fmax(size, fabs(first[i]));
     return sum < 0 && size < 0.5; /* an angle's difference turns over at pi as well */
 }
@@ -152,13 +152,14 @@ static bool follows(const runner *self, const place *from, const place *to, doub
 static bool closes(const runner *self, const place *from, double step, const jlt_continuation_point *first)
 {
     const unsigned d = self->d;
-    jlt_map *map;
+    double here[JLT_CHART_DIM_MAX];
     place at;
 
-    if (self->family->map_at(self->family->context, &map, first->value) != JLT_OK) return false;
+    jlt_chart_unscaled(&self->chart, here, from->u);
     for (size_t k = 0; k < self->period; k++) {
         double way[JLT_CONTINUATION_U], along = 0, off = 0;
-        jlt_chart_difference(jlt_map_flow(map)->chart, way, first->orbit.points + k * d, from->u);
+        jlt_chart_difference(&self->chart, way, first->orbit.points + k * d, here);
+        jlt_chart_scaled(&self->chart, way, way);
         way[d] = first->value / self->options.scale - from->u[d];
         for (unsigned i = 0; i <= d; i++) along += way[i] * from->tangent[i];
         for (unsigned i = 0; i <= d; i++) off = fmax(off, fabs(way[i] - along * from->tangent[i]));
@@ -234,15 +235,13 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
 {
     runner self = { .family = family, .options = jlt_continuation_step_defaults(options), .period = start->orbit.period };
     jlt_continuation_point first, last;
-    jlt_map *map;
     place here, next;
     double step = self.options.step;
     bool ends = false, leaves;
     jlt_status st = JLT_OK;
 
     if ((direction != 1 && direction != -1) || start->orbit.period == 0) return JLT_ERR_ARG;
-    JLT_TRY(family->map_at(family->context, &map, start->value));
-    self.d = jlt_map_flow(map)->chart->dim;
+    JLT_TRY(jlt_continuation_step_open(&self, start->value));
     JLT_TRY(jlt_continuation_step_begin(&self, &here, start, direction));
     JLT_TRY(jlt_continuation_step_measure(&self, &first, here.u, here.tangent, 0, JLT_BIFURCATION_NONE));
     last = first;

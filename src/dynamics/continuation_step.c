@@ -12,11 +12,13 @@ static const double same_point = 1e-7;
 
 static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image, const double *u, bool with_slope)
 {
+    double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
     jlt_status st = self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale);
 
     if (st != JLT_OK) return st;
-    return with_slope ? jlt_map_apply(map, image, u, self->period, 1) : jlt_map_point(map, image, u, self->period, 1);
+    jlt_chart_unscaled(&self->chart, q, u);
+    return with_slope ? jlt_map_apply(map, image, q, self->period, 1) : jlt_map_point(map, image, q, self->period, 1);
 }
 
 /* A little off in the value; where the model ends before that, at u itself, and *off becomes 0. */
@@ -38,9 +40,8 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
 {
     const unsigned d = self->d;
     const double range = (self->options.high - self->options.low) / self->options.scale;
-    double up = 1e-5 * fmin(1, range > 0 ? range : 1), down = up, difference[JLT_CHART_DIM_MAX];
+    double up = 1e-5 * fmin(1, range > 0 ? range : 1), down = up, difference[JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
     jlt_image image, above, below;
-    jlt_map *map;
     jlt_status st = JLT_OK;
     unsigned i, j;
 
@@ -48,16 +49,18 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     down = -down;
     JLT_TRY(image_beside(self, &below, u, &down));
     JLT_TRY(image_at(self, &image, u, true));
-    JLT_TRY(self->family->map_at(self->family->context, &map, u[d] * self->options.scale));
-    jlt_chart_difference(jlt_map_flow(map)->chart, out->f, image.q, u);
-    jlt_chart_difference(jlt_map_flow(map)->chart, difference, above.q, below.q);
-    memcpy(out->slope, image.slope, sizeof *out->slope * d * d);
+    jlt_chart_unscaled(&self->chart, q, u);
+    jlt_chart_difference(&self->chart, out->f, image.q, q);
+    jlt_chart_scaled(&self->chart, out->f, out->f);
+    jlt_chart_difference(&self->chart, difference, above.q, below.q);
+    jlt_chart_scaled(&self->chart, difference, difference);
+    jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
     out->scale = 1;
-    out->noise = fmax(1e-10, jlt_map_flow(map)->tolerance);
+    out->noise = fmax(1e-10, self->tolerance);
     for (i = 0; i < d; i++) {
         for (j = 0; j < d; j++) {
-            out->jacobian[i * (d + 1) + j] = image.slope[i * d + j] - (i == j);
-            out->scale = fmax(out->scale, fabs(image.slope[i * d + j]));
+            out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
+            out->scale = fmax(out->scale, fabs(out->slope[i * d + j]));
         }
         out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
     }
@@ -146,7 +149,7 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
 
     JLT_TRY(self->family->map_at(self->family->context, &map, point.value));
     point.orbit.period = self->period;
-    memcpy(point.orbit.points, u, d * sizeof *u);
+    jlt_chart_unscaled(&self->chart, point.orbit.points, u);
     jlt_chart_wrap(jlt_map_flow(map)->chart, point.orbit.points);
     for (k = 0; k + 1 < self->period; k++) {
         JLT_TRY(jlt_map_point(map, &image, point.orbit.points + k * d, 1, 1));
@@ -204,25 +207,34 @@ jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_o
     return options;
 }
 
+jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value)
+{
+    jlt_map *map;
+    const jlt_status st = self->family->map_at(self->family->context, &map, value);
+
+    if (st != JLT_OK) return st;
+    self->chart = *jlt_map_flow(map)->chart;
+    self->d = self->chart.dim;
+    self->tolerance = jlt_map_flow(map)->tolerance;
+    return JLT_OK;
+}
+
 jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_continuation_place *out,
                                        const jlt_continuation_point *start, int direction)
 {
     const unsigned d = self->d;
     jlt_continuation_place first = { .symmetric = start->orbit.symmetric };
     double guess[U], mirror[JLT_CHART_DIM_MAX], sum = 0;
-    const jlt_chart *chart;
-    jlt_map *map;
+    const jlt_chart *chart = &self->chart;
     jlt_status st = JLT_OK;
     unsigned i;
 
-    JLT_TRY(self->family->map_at(self->family->context, &map, start->value));
-    chart = jlt_map_flow(map)->chart;
     if (start->orbit.symmetric) {
         jlt_chart_mirror(chart, mirror, start->orbit.points);
         if (jlt_chart_distance(chart, mirror, start->orbit.points) < same_point)
             for (i = 0; i < d; i++) self->held[i] = chart->mirror[i] < 0;
     }
-    memcpy(first.u, start->orbit.points, sizeof *first.u * d);
+    jlt_chart_scaled(chart, first.u, start->orbit.points);
     first.u[d] = start->value / self->options.scale;
     JLT_TRY(jlt_continuation_step_evaluate(self, &first.at, first.u));
     memcpy(guess, start->tangent, sizeof guess);

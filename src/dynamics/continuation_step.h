@@ -12,10 +12,12 @@ typedef struct {
     jlt_continuation_options options;
     size_t period;
     unsigned d;
+    double tolerance; /* of the start's flow */
+    jlt_chart chart; /* a copy of the start's: it says how u is scaled */
     bool held[JLT_CHART_DIM_MAX]; /* coordinates that the mirror image fixes along a branch of symmetric orbits */
 } jlt_continuation_runner;
 
-/* F(u) = P^period(q) - q with its Jacobian (d, d + 1). */
+/* F(u) = P^period(q) - q with its Jacobian (d, d + 1), where u is q, scaled, and the value over options.scale. */
 typedef struct {
     double f[JLT_CHART_DIM_MAX], jacobian[JLT_CHART_DIM_MAX * JLT_CONTINUATION_U], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
     double scale, /* max(1, largest |entry| of DP^period) */
@@ -43,6 +45,9 @@ JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_run
 JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u,
                                                      jlt_continuation_equation *at, const double *tangent,
                                                      unsigned *iterations);
+
+/* Take d, chart and tolerance from the map at a value. Errors: as map_at. */
+JLT_CHECKED jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value);
 
 /* The place where a run begins. A symmetric orbit whose first point is its own mirror image holds those coordinates: no step
  * leaves the branch for one that breaks the symmetry. */

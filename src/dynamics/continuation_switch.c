@@ -37,16 +37,14 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
                                      .period = at->orbit.period };
     double u[U] = { 0 }, origin[U], direction[U] = { 0 };
     jlt_continuation_equation here;
-    jlt_map *map;
     jlt_status st = JLT_OK;
     unsigned i;
 
     if ((side != 1 && side != -1) || !(offset > 0)) return JLT_ERR_ARG;
     if (at->kind != JLT_BIFURCATION_BRANCH && at->kind != JLT_BIFURCATION_DOUBLING) return JLT_ERR_ARG;
-    JLT_TRY(family->map_at(family->context, &map, at->value));
-    self.d = jlt_map_flow(map)->chart->dim;
+    JLT_TRY(jlt_continuation_step_open(&self, at->value));
     if (self.d != 2) return JLT_ERR_ARG;
-    memcpy(u, at->orbit.points, 2 * sizeof *u);
+    jlt_chart_scaled(&self.chart, u, at->orbit.points);
     u[2] = at->value / self.options.scale;
     JLT_TRY(jlt_continuation_step_evaluate(&self, &here, u));
     other_direction(direction, &here, at);

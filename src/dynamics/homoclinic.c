@@ -48,7 +48,7 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
     double gap[2];
 
     jlt_chart_difference(chart, gap, q[1], q[0]);
-    const double residual = hypot(gap[0], gap[1]);
+    const double residual = hypot(ldexp(gap[0], -chart->scale[0]), ldexp(gap[1], -chart->scale[1]));
     self->goes_on = residual < best->residual && residual > self->enough;
     if (!(residual < best->residual)) return;
     best->residual = residual;

@@ -41,6 +41,8 @@ static double turn_at(const jlt_manifold *self, const jlt_chart *chart, const do
     if (self->count < 2) return 0;
     jlt_chart_difference(chart, before, self->points + 2 * (self->count - 1), self->points + 2 * (self->count - 2));
     jlt_chart_difference(chart, after, q, self->points + 2 * (self->count - 1));
+    jlt_chart_scaled(chart, before, before);
+    jlt_chart_scaled(chart, after, after);
     return fabs(atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]));
 }
 

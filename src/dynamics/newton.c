@@ -9,9 +9,10 @@
 
 enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
 
-static const double longest_step = 0.5;    /* in section coordinates */
+static const double longest_step = 0.5;    /* scaled */
 static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
-static const double accepted_most = 1e-9;  /* and absolute */
+static const double accepted_most = 1e-9;  /* and absolute; */
+static const double fallen = 1e-6;         /* and relative to the first one, unless that was a tolerance, the error of a map */
 static const double null_cutoff = 1e-11;   /* singular values of I - DP under this, relative to I or to itself, are a family's */
 
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
@@ -52,13 +53,14 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     return JLT_OK;
 }
 
-jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart, const double *points, size_t period,
-                             const unsigned char *held)
+jlt_status jlt_newton_create(jlt_newton *out, const jlt_flow *flow, const double *points, size_t period, const unsigned char *held)
 {
+    const jlt_chart *chart = flow->chart;
     const size_t size = period * chart->dim;
     jlt_status st = JLT_ERR_NOMEM;
 
     *out = (jlt_newton){ .chart = chart, .held = held, .period = period };
+    out->noise = flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE;
     out->points = calloc(3 * size, sizeof *out->points);
     if (out->points == NULL) goto done;
     out->trial = out->points + size;
@@ -89,16 +91,21 @@ static bool end(jlt_newton *self, jlt_status status)
 /* Whether the last points are an orbit; else the status of what was looked at last. */
 static bool judge(jlt_newton *self, jlt_status looked)
 {
-    if (self->now.residual <= fmin(accepted * self->now.scale, accepted_most)) return end(self, JLT_OK);
+    const bool is_small = self->now.residual <= fmin(accepted * self->now.scale, accepted_most);
+    const bool fell = self->now.residual <= fmax(fallen * self->first, self->noise * self->now.scale);
+
+    if (is_small && fell) return end(self, JLT_OK);
     return end(self, looked != JLT_OK ? looked : JLT_ERR_NO_CONVERGENCE);
 }
 
 static bool try_step(jlt_newton *self)
 {
     const unsigned d = self->chart->dim;
+    double move[D];
 
     for (size_t k = 0; k < self->period; k++) {
-        for (unsigned i = 0; i < d; i++) self->trial[k * d + i] = self->points[k * d + i] + self->factor * self->delta[k * d + i];
+        jlt_chart_unscaled(self->chart, move, self->delta + k * d);
+        for (unsigned i = 0; i < d; i++) self->trial[k * d + i] = self->points[k * d + i] + self->factor * move[i];
         jlt_chart_wrap(self->chart, self->trial + k * d);
     }
     return true;
@@ -127,6 +134,7 @@ bool jlt_newton_next(jlt_newton *self, jlt_status looked)
         self->factor /= 2;
         return ++self->halving == HALVINGS ? judge(self, looked) : try_step(self);
     }
+    if (!self->has_begun) self->first = self->then.residual;
     self->has_begun = true;
     memcpy(self->points, self->trial, self->period * self->chart->dim * sizeof *self->points);
     self->now = self->then;

@@ -10,16 +10,18 @@ typedef struct {
     const jlt_chart *chart;
     const unsigned char *held;
     size_t period;
-    double *points, *trial, *delta; /* (period, d) each, in one block; owned. trial: the points whose images are asked for */
+    double *points, *trial, *delta; /* (period, d) each, in one block; owned. trial: the points whose images are asked for; delta:
+                                       the step, scaled */
     jlt_shooting now, then;         /* at points; at trial, to be filled */
     unsigned iteration, halving;
     double factor;
+    double first, noise;            /* the residual at the first points; what one may be by errors of the map, relative to |DP| */
     bool has_begun;
     jlt_status status;              /* of the whole search, once it has ended */
 } jlt_newton;
 
 /** Begin at points, shape (period, d); held: as jlt_periodic_find, which must live as long. Errors: NOMEM; *out is then empty. */
-JLT_CHECKED jlt_status jlt_newton_create(jlt_newton *out, const jlt_chart *chart, const double *points, size_t period,
+JLT_CHECKED jlt_status jlt_newton_create(jlt_newton *out, const jlt_flow *flow, const double *points, size_t period,
                                          const unsigned char *held);
 void jlt_newton_clear(jlt_newton *self); /* legal on a zeroed one */
 

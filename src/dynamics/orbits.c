@@ -46,7 +46,7 @@ static int compare(const void *left, const void *right, void *context)
     if (a->period != b->period) return a->period < b->period ? -1 : 1;
     if (fabs(a->T - b->T) > 1e-9 * fmax(fabs(a->T), fabs(b->T))) return a->T < b->T ? -1 : 1;
     for (unsigned k = 0; k < chart->dim; k++)
-        if (fabs(a->points[k] - b->points[k]) > same_point) return a->points[k] < b->points[k] ? -1 : 1;
+        if (fabs(ldexp(a->points[k] - b->points[k], -chart->scale[k])) > same_point) return a->points[k] < b->points[k] ? -1 : 1;
     return 0;
 }
 

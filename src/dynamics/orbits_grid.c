@@ -49,7 +49,10 @@ static jlt_status keep(grid_search *self, const jlt_newton *newton)
     jlt_status st;
 
     memcpy(orbit.points, newton->points, orbit.period * self->chart->dim * sizeof *orbit.points);
-    for (size_t i = 0; i < size; i++) points[i] = nearbyint(newton->points[i] * 0x1p30) * 0x1p-30;
+    for (size_t i = 0; i < size; i++) {
+        const int last = self->chart->scale[i % self->chart->dim] - 30;
+        points[i] = ldexp(nearbyint(ldexp(newton->points[i], -last)), last);
+    }
     orbit.T = newton->now.T * (double)orbit.period / (double)newton->period;
     if (!jlt_periodic_moves(&self->flow, &orbit) || jlt_orbits_has(self->list, self->chart, &orbit)) return JLT_OK;
     st = jlt_periodic_polish(self->map, &orbit, points, newton->period, NULL);
@@ -149,7 +152,7 @@ static jlt_status begin_window(grid_search *self, const double *window, size_t f
         jlt_newton *grown = jlt_memory_more(self->newton, self->count, sizeof *grown);
         if (grown == NULL) return JLT_ERR_NOMEM;
         self->newton = grown;
-        JLT_TRY(jlt_newton_create(&self->newton[self->count], self->chart, window, p, NULL));
+        JLT_TRY(jlt_newton_create(&self->newton[self->count], &self->flow, window, p, NULL));
         self->count++;
         self->points += p;
         self->bytes += p * d * (6 + 3 * d) * sizeof *window;

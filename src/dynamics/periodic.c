@@ -9,7 +9,7 @@
 
 enum { D = JLT_CHART_DIM_MAX };
 
-static const double same_point = 1e-7;     /* distances under this are one point */
+static const double same_point = 1e-7;     /* scaled distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
 /* The part of their velocity that crosses the section: below it rounding of 1e-15 shifts a return by more than same_point along the
@@ -28,7 +28,7 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_newton newton;
-    jlt_status st = jlt_newton_create(&newton, chart, points, period, held);
+    jlt_status st = jlt_newton_create(&newton, jlt_map_flow(map), points, period, held);
 
     if (st != JLT_OK) return st;
     while (jlt_newton_next(&newton, jlt_shooting_of(&newton.then, map, newton.trial, period))) { }
@@ -91,7 +91,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     JLT_TRY(jlt_shooting_of(&at, map, orbit.points, orbit.period));
     slope = at.slopes; /* of the whole orbit, in place of the first return's */
     for (k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
-    if (d == 2) memcpy(orbit.slope, slope, sizeof orbit.slope);
+    for (i = 0; d == 2 && i < 4; i++) orbit.slope[i] = ldexp(slope[i], chart->scale[i / 2] - chart->scale[i % 2]);
     for (orbit.trace = 0, i = 0; i < d; i++) orbit.trace += slope[i * d + i];
     orbit.T = at.T;
     orbit.residual = at.residual;
@@ -111,16 +111,19 @@ done:
 
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
 {
-    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], rate = 1;
+    const jlt_chart *chart = flow->chart;
+    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], q[D], speed = 0, rate = 1;
 
     for (size_t k = orbit->period; k-- > 0;) { /* the first point last */
-        if (flow->chart->lift(flow->chart, x, NULL, orbit->points + k * flow->chart->dim) != JLT_OK) return false;
+        if (chart->lift(chart, x, NULL, orbit->points + k * chart->dim) != JLT_OK) return false;
         flow->field->call(x, flow->field->p, f);
-        if (fabs(f[flow->chart->column]) <= in_section * jlt_linear_length(f, flow->chart->states)) return false;
+        speed = jlt_chart_speed(chart, x, f);
+        if (fabs(ldexp(f[chart->column], -chart->column_scale)) <= in_section * speed) return false;
     }
     if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
-    return jlt_linear_length(f, flow->chart->states) / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
-           standstill * fmax(1, jlt_linear_length(x, flow->chart->states));
+    jlt_chart_scaled(chart, q, orbit->points);
+    return speed / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
+           standstill * fmax(1, jlt_linear_length(q, chart->dim));
 }
 
 jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *points, size_t period, const unsigned char *held)

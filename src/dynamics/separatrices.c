@@ -21,7 +21,9 @@ static int original_of(const jlt_separatrices *self, int k)
     if (k < 2 || !chart->reversible || jlt_chart_distance(chart, q, self->branch[0].q) > 1e-9) return JLT_SEPARATRICES;
     for (int i = 0; i < 2; i++) {
         for (int c = 0; c < 2; c++) v[c] = chart->mirror[c] * self->branch[i].v[c];
-        if (hypot(v[0] - self->branch[k].v[0], v[1] - self->branch[k].v[1]) < 1e-6) return i;
+        for (int c = 0; c < 2; c++) v[c] -= self->branch[k].v[c];
+        jlt_chart_scaled(chart, v, v);
+        if (hypot(v[0], v[1]) < 1e-6) return i;
     }
     return JLT_SEPARATRICES;
 }

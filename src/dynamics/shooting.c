@@ -30,10 +30,11 @@ void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *
 {
     const unsigned d = chart->dim;
 
-    memcpy(self->slopes + index * d * d, slope, sizeof *slope * d * d);
+    jlt_chart_scaled_slope(chart, self->slopes + index * d * d, slope);
     jlt_chart_difference(chart, self->miss + index * d, q, points + (index + 1) % period * d);
+    jlt_chart_scaled(chart, self->miss + index * d, self->miss + index * d);
     self->residual = fmax(self->residual, jlt_linear_length(self->miss + index * d, d));
-    self->scale = fmax(self->scale, jlt_linear_length(slope, d * d));
+    self->scale = fmax(self->scale, jlt_linear_length(self->slopes + index * d * d, d * d));
     self->T += measured[0];
     self->expansion += measured[1];
     self->determinant *= measured[2];

@@ -5,7 +5,7 @@
 #include "dynamics/map.h"
 
 typedef struct {
-    double *slopes, *miss; /* (period, d, d) and (period, d), in one block; owned */
+    double *slopes, *miss; /* (period, d, d) and (period, d), in one block; owned. Scaled, as all here: jlt_chart_scaled */
     double residual, /* largest |miss| of a return */
         scale;       /* max(1, largest |DP| of a return) */
     double T,        /* [time] of all returns */

@@ -257,7 +257,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &units, options));
     self->flow = self->rows;
     count_values(self->flow.values, &self->surface, values, &units);
-    self->base.flow.chart = &self->flow.base;
+    self->base.flow.chart = self->base.chart_base = &self->flow.base;
     if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever this table says */
     st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_crossing_met(&self->base) ? JLT_OK : JLT_ERR_ARG;
 done:

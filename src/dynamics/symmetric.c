@@ -31,8 +31,8 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
     for (j = 0; st == JLT_OK && j < count; j++) {
         st = jlt_section_next(self->both, &row);
         if (st != JLT_OK || row.interrupted || row.fate != JLT_FATE_ALIVE) break;
-        h[j] = row.q[self->mirrored];
-        if (chart->period[self->mirrored] != 0) h[j] = sin(h[j] * (2 * pi / chart->period[self->mirrored]));
+        h[j] = ldexp(row.q[self->mirrored], -chart->scale[self->mirrored]);
+        if (chart->period[self->mirrored] != 0) h[j] = sin(row.q[self->mirrored] * (2 * pi / chart->period[self->mirrored]));
     }
     if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
     return st;
@@ -43,11 +43,12 @@ static jlt_status bisect(const search *self, double *root, bool *found, double *
                          double hb, size_t j)
 {
     jlt_status st = JLT_OK;
+    const double unit = ldexp(1, jlt_map_flow(self->map)->chart->scale[self->line->free]);
     double last = fmin(fabs(ha), fabs(hb)), previous = fabs(b - a);
     int side = 0, iteration;
 
     *found = false;
-    for (iteration = 0; iteration < 80 && fabs(b - a) > 4e-16 * fmax(1, fabs(a)); iteration++) {
+    for (iteration = 0; iteration < 80 && fabs(b - a) > 4e-16 * fmax(unit, fabs(a)); iteration++) {
         double u = (a * hb - b * ha) / (hb - ha), h;
         if (iteration % 3 == 2) {
             if (fabs(b - a) > previous / 4 || !(u > fmin(a, b) && u < fmax(a, b))) u = (a + b) / 2;

@@ -95,7 +95,7 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     self->chart.plane.bounds = descriptor->states;
     self->chart.plane.domain = &self->field.domain;
     if (descriptor->lifted_count > 0) JLT_TRY(add_roots(self));
-    self->flow.chart = &self->chart.plane;
+    self->flow.chart = self->chart_base = &self->chart.plane;
     *out = self;
     self = NULL;
 done:

@@ -17,6 +17,7 @@ typedef struct {
         jlt_chart_level level;
     } chart;
     jlt_field field;
+    jlt_chart *chart_base; /* flow.chart: what dynamics/scale.h sets is in it */
     jlt_flow flow; /* points into this object */
 } jlt_system;
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/memory.h"
+#include "dynamics/continuation_step.h"
 
 /* A bifurcation listed, and whether the branches that begin there are. */
 typedef struct {
@@ -36,7 +37,7 @@ static jlt_status keep_node(tree *self, const jlt_continuation_point *point)
 /* Two rows of one bifurcation: located well enough to compare, by whichever points of the orbit. */
 static bool same_bifurcation(const tree *self, const jlt_continuation_point *a, const jlt_continuation_point *b)
 {
-    return a->kind == b->kind && fabs(a->value - b->value) < 1e-7 * fmax(1, fabs(a->value)) &&
+    return a->kind == b->kind && fabs(a->value - b->value) < 1e-7 * fmax(self->options->scale, fabs(a->value)) &&
            jlt_periodic_same(self->chart, &a->orbit, &b->orbit, 1e-5);
 }
 
@@ -46,7 +47,7 @@ static void mark_followed(tree *self, const jlt_continuation_point *end)
     for (size_t i = 0; i < self->count; i++) {
         node *l = &self->nodes[i];
         if (l->point.kind == JLT_BIFURCATION_DOUBLING && 2 * l->point.orbit.period == end->orbit.period &&
-            fabs(l->point.value - end->value) < 1e-4 * fmax(1, fabs(end->value)) &&
+            fabs(l->point.value - end->value) < 1e-4 * fmax(self->options->scale, fabs(end->value)) &&
             jlt_chart_distance(self->chart, l->point.orbit.points, end->orbit.points) < 1e-2)
             l->followed = true;
     }
@@ -123,7 +124,8 @@ jlt_status jlt_tree_grow(jlt_tree_left *left, const jlt_chart *chart, const jlt_
                          const jlt_continuation_point *first, int direction, size_t generations,
                          const jlt_continuation_options *options, const jlt_tree_sink *sink)
 {
-    tree self = { .chart = chart, .family = family, .options = options, .sink = sink };
+    const jlt_continuation_options all = jlt_continuation_step_defaults(options);
+    tree self = { .chart = chart, .family = family, .options = &all, .sink = sink };
     jlt_status st = run_branch(&self, first, direction, NULL);
 
     *left = (jlt_tree_left){ 0 };

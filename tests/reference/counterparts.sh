@@ -61,8 +61,8 @@ says "'reduction NAME : by spherical_top_balanced.tt with gamma3 = ..., v_slip =
 run 3 out rod lorenz --start x=1,y=1,z=1
 says "'reduction NAME : by spherical_top_level.tt with gamma3 = ..., v_nu = ..., omega_tau = ..., v_tau = ...'"
 sed -i 's/^    - m\*R\*I1\*omega_n\*V\/Theta/&\n    - omega_n*I3\/I1/' "$scratch/other.tt"
-run 1 out portrait "$scratch/other.tt" "${surface[@]}"
+run 3 out portrait "$scratch/other.tt" "${surface[@]}"
 says "'reduction momentum'"
-run 1 out rod "$scratch/other.tt" --set I1=0.7,a3=0.3 --start $start,omega_tau=0.4
+run 3 out rod "$scratch/other.tt" --set I1=0.7,a3=0.3 --start $start,omega_tau=0.4
 says "'reduction level'"
 exit $status

@@ -17,7 +17,6 @@ int main(void)
     jlt_orbit *orbit = NULL;
     jlt_outcome at;
     jlt_status st;
-
     JLT_TRY(jlt_orbit_create(&orbit, jlt_method_find("dop853"), &field, &(jlt_options){ .tolerance = 1e-14 }));
     JLT_TRY(jlt_orbit_start(orbit, 0, start, +1));
     for (int k = 0; k < 3; k++) {

@@ -1,0 +1,101 @@
+#include "dynamics/scale.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/memory.h"
+
+enum { SAMPLES = 16 };
+
+static const double pi = 3.14159265358979323846;
+
+/* The binary exponent that stands for a size; 0 for those that count as 1, and where nothing is known. */
+static int exponent_of(double size)
+{
+    static const double ordinary = 64;
+
+    return !(size > 0) || !isfinite(size) || (size >= 1 / ordinary && size <= ordinary) ? 0 : ilogb(size);
+}
+
+double jlt_scale_of(double size) { return ldexp(1, exponent_of(size)); }
+
+/* Half of what the coordinates, and the section's state behind them, run through from q to its return: shape (dim + 1,). */
+static jlt_status moves(double *out, jlt_map *map, const double *q)
+{
+    const jlt_flow *flow = jlt_map_flow(map);
+    const jlt_chart *chart = flow->chart;
+    const unsigned dim = chart->dim;
+    double at[JLT_CHART_DIM_MAX + 1], low[JLT_CHART_DIM_MAX + 1], high[JLT_CHART_DIM_MAX + 1], times[SAMPLES];
+    double *x = jlt_memory_array(SAMPLES + 1, chart->states * sizeof *x);
+    jlt_orbit *orbit = NULL;
+    jlt_image image;
+    size_t done = 0;
+    jlt_status st = x != NULL ? jlt_map_point(map, &image, q, 1, 1) : JLT_ERR_NOMEM;
+
+    if (st == JLT_OK) st = jlt_orbit_create(&orbit, flow->method, flow->field, &(jlt_options){ .tolerance = flow->tolerance });
+    if (st == JLT_OK) st = chart->lift(chart, x, NULL, q);
+    if (st == JLT_OK) st = jlt_orbit_start(orbit, 0, x, 1);
+    for (unsigned i = 0; st == JLT_OK && i < SAMPLES; i++) times[i] = ldexp(image.T, -flow->units.time) * (i + 1) / SAMPLES;
+    if (st == JLT_OK) st = jlt_orbit_sample(orbit, x + chart->states, &done, times, SAMPLES);
+    for (unsigned k = 0; k <= dim; k++) low[k] = INFINITY, high[k] = -INFINITY;
+    for (size_t i = 0; st == JLT_OK && i <= done; i++) {
+        chart->lower(chart, at, NULL, x + i * chart->states);
+        at[dim] = x[i * chart->states + chart->column];
+        for (unsigned k = 0; k <= dim; k++) low[k] = fmin(low[k], at[k]), high[k] = fmax(high[k], at[k]);
+    }
+    for (unsigned k = 0; st == JLT_OK && k <= dim; k++) out[k] = (high[k] - low[k]) / 2;
+    jlt_orbit_destroy(orbit);
+    free(x);
+    return st;
+}
+
+static int ascending(const void *left, const void *right)
+{
+    const double a = *(const double *)left, b = *(const double *)right;
+
+    return (a > b) - (a < b);
+}
+
+/* The median of column k of rows of this width, 0 where it is below what is noise; column: (count,), to work in. */
+static double median(double *column, const double *rows, size_t count, unsigned width, unsigned k, double noise)
+{
+    if (count == 0) return 0;
+    for (size_t i = 0; i < count; i++) column[i] = rows[i * width + k];
+    qsort(column, count, sizeof *column, ascending);
+    return column[count / 2] > noise ? column[count / 2] : 0;
+}
+
+jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count, const double *extents)
+{
+    jlt_chart *chart = system->chart_base;
+    const unsigned dim = chart->dim, width = dim + 1;
+    double *rows = jlt_memory_array(count + 1, width * sizeof *rows), *column = jlt_memory_array(count + 1, sizeof *column);
+    jlt_map *map = NULL;
+    const double noise = 10 * (system->flow.tolerance != 0 ? system->flow.tolerance : JLT_ORBIT_TOLERANCE);
+    size_t known = 0;
+    jlt_status st = rows != NULL && column != NULL ? jlt_map_create(&map, &system->flow) : JLT_ERR_NOMEM;
+
+    for (size_t i = 0; st == JLT_OK && i < count; i++) {
+        st = moves(rows + known * width, map, starts + i * dim);
+        known += st == JLT_OK;
+        if (st != JLT_ERR_NOMEM) st = JLT_OK;
+    }
+    for (unsigned k = 0; st == JLT_OK && k <= dim; k++) {
+        const double period = k < dim ? chart->period[k] : chart->turn, moved = median(column, rows, known, width, k, noise);
+        const double size = period != 0 ? period / (2 * pi) : extents != NULL && k < dim ? fmax(moved, extents[k]) : moved;
+        const int exponent = extents != NULL || period != 0 || size > 1 ? exponent_of(size) : 0;
+        if (k < dim) chart->scale[k] = exponent;
+        else chart->column_scale = exponent;
+    }
+    jlt_map_destroy(map);
+    free(rows);
+    free(column);
+    return st;
+}
+
+void jlt_scale_copy(jlt_system *system, const jlt_system *from)
+{
+    memcpy(system->chart_base->scale, from->chart_base->scale, sizeof from->chart_base->scale);
+    system->chart_base->column_scale = from->chart_base->column_scale;
+}

@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# A model may count in any units: periodic orbits, their branches and separatrices are the same ones, as large as the unit says; and
+# where coordinates are small no point is an orbit for that.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*" | cut -c1-300 | head -5; status=1; }
+
+# Duffing's oscillator in a double well at +-L, driven; x and v are proportional to L.
+cat > well.tt <<'TABLE'
+model well
+param d >= 0
+param f
+param w > 0
+param L > 0
+default d = 0.2, f = 0.3, w = 1, L = 1
+state x
+state v
+state phi
+angle C S = cos(phi) sin(phi)
+eq x = v
+eq v = -d*v + x - x^3/L^2 + f*L*C
+eq phi = w
+periodic phi = 2*pi
+TABLE
+times() { awk -v k="$1" -v L="$2" 'BEGIN { printf "%.17g", k*L }'; }
+rows() { grep -v '^#' "$1" | tail -n +2; }
+# COLUMN COLUMN BOUND NAME: these columns of rows.csv, over L, against those of ones.csv.
+same() {
+    paste -d, ones.csv rows.csv | awk -F, -v L="$L" -v a="$1" -v b="$2" -v bound="$3" '
+        { half = NF/2; for (k = a; k <= b; k++) worst = (d = $k - $(half + k)/L)^2 > worst ? d^2 : worst }
+        END { exit !(NR > 0 && worst < bound*bound) }' || fail "L = $L: $4: $(cat rows.csv), not L times $(cat ones.csv)"
+}
+
+# 1. Three orbits of one period: a weak one in either well, and the strongly unstable one between. Errors are those of a return,
+# tenfold the tolerance 1e-13, times |(I - DP)^-1| DP < 3, and those of small L, whose tolerance is that part of 1.
+for L in 1 1e3 1e9 1e-3 1e-6; do
+    reach=$(times 2 "$L")
+    jellett orbits ./well.tt --set L="$L" --section phi=0 --period 1 --near 2 --grid "x=-$reach:$reach:20,v=-$reach:$reach:20" \
+        > out 2> err || fail "L = $L: $(cat err)"
+    rows out | cut -d, -f2,3 > rows.csv
+    [ "$L" != 1 ] || cp rows.csv ones.csv
+    [ "$(wc -l < rows.csv)" -eq 3 ] || fail "L = $L: not three orbits but $(cat rows.csv)"
+    same 1 2 "$(awk -v L="$L" 'BEGIN { print 1e-11 * (L < 1 ? 1/L : 1) }')" orbits
+done
+grep -q '^-0.14984260287' ones.csv || fail "no saddle between the wells: $(cat ones.csv)" # -f/2 to first order, and by SciPy
+
+# 2. No orbit begins near here: from a start that Newton's method does not improve nothing is told, small as it is.
+for L in 1e-9 1e-10; do
+    jellett orbits ./well.tt --set L="$L" --section phi=0 --period 1 --start "x=$(times -2 "$L"),v=$(times 0.6 "$L")" > out 2> err
+    [ $? -eq 4 ] || fail "L = $L: an orbit where there is none: $(rows out)"
+done
+
+# 3. The branch of the orbit in the left well, up to where the force ends.
+for L in 1 1e6; do
+    start=x=$(times -1.18 "$L"),v=$(times 0.569 "$L")
+    jellett continue ./well.tt --set L="$L" --section phi=0 --along f=0.25:0.3 --start "$start" > out 2> err ||
+        fail "L = $L: $(cat err)"
+    rows out | tail -1 | cut -d, -f5,6 > rows.csv
+    [ "$L" != 1 ] || cp rows.csv ones.csv
+    same 1 2 1e-11 branch
+done
+
+# 4. A branch in a parameter of whatever size ends where the range does, and has its fold on the way: x = +-sqrt(p/q).
+cat > fold.tt <<'TABLE'
+model fold
+param p
+param q > 0
+default p = 0, q = 1
+state x
+state phi
+eq x = p/q - x^2
+eq phi = 1
+periodic phi = 2*pi
+TABLE
+for q in 1 1e-6 1e6; do
+    jellett continue ./fold.tt --section phi=0 --set "q=$q,p=$(times 0.25 "$q")" --along "p=$(times -0.25 "$q"):$(times 0.3 "$q")" \
+        --start x=0.5 --decreasing > out 2> err || fail "q = $q: $(cat err)"
+    [ "$(grep -c ',fold,' out)" -eq 1 ] || fail "q = $q: $(grep -c ',fold,' out) folds"
+    grep -q 'branch 0: the range ends' err || fail "q = $q: $(cat err)"
+done
+exit $status
