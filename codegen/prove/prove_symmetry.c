@@ -163,22 +163,22 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id image)
     return result;
 }
 
-/* A period leads there and back: what bounds the domain must be the same after it. */
-static void check_regions(ttc_task *task, ttc_valuation *map)
+/* A period leads there and back: what lies in the domain does so a period before as well. */
+static void check_back(ttc_task *task)
 {
     const ttc_model *model = task->model;
-    ttc_ratio after, before;
-    ttc_ratio_init(task->ring, &after);
-    ttc_ratio_init(task->ring, &before);
-    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
-        ttc_evaluate(map, &after, model->regions[i].expression);
-        ttc_evaluate(task->field, &before, model->regions[i].expression);
-        ttc_ratio_subtract(task->ring, &after, &after, &before);
-        if (!ttc_ratio_is_zero(task->ring, &after))
-            ttc_task_unsettle(task, "the domain '%s' is not the same a period on", model->regions[i].name);
+    ttc_binding back = task->claim->bindings.items[0];
+    const ttc_id state = model->symbols[back.symbol].node;
+    back.expression = ttc_subtract(model->graph, state, ttc_subtract(model->graph, back.expression, state));
+    ttc_valuation *map = back.expression != TTC_NONE ? image(task, &(ttc_bindings){ .items = &back, .count = 1 }) : NULL;
+    if (map == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
     }
-    ttc_ratio_clear(task->ring, &before);
-    ttc_ratio_clear(task->ring, &after);
+    ttc_task_enter_map(task, map);
+    ttc_domain_require_image(task, map, model, " a period before");
+    ttc_task_leave_map(task);
+    ttc_valuation_destroy(map);
 }
 
 static void prove_map(ttc_task *task)
@@ -189,11 +189,11 @@ static void prove_map(ttc_task *task)
                               task->model->symbols[task->claim->bindings.items[i].symbol].name);
     if (!ttc_task_open(task)) return;
     const size_t entries = task->model->state_count * task->model->state_count;
+    if (task->claim->kind == TTC_CLAIM_PERIODIC) check_back(task);
     ttc_valuation *map = image(task, &task->claim->bindings);
     if (map != NULL) ttc_task_enter_map(task, map);
     /* First, as the image's roots are then not yet in the ring, where they would be positive. */
     if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
-    if (map != NULL && task->claim->kind == TTC_CLAIM_PERIODIC) check_regions(task, map);
     ttc_ratio *matrix = map == NULL ? NULL : ttc_task_ratios(task, entries);
     if (map == NULL) ttc_task_unsettle(task, "out of memory");
     if (matrix != NULL) {

@@ -79,6 +79,27 @@ static void functions_are_mapped_by_their_definitions(void **state)
     expect(plain, "symmetry", "mirror", TTC_REFUTED, NULL);
 }
 
+/* Forwards phi grows out of no condition here, backwards it does out of most. */
+static void a_period_leads_back_into_the_domain(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *record;
+        int verdict;
+    } tables[] = {
+        { "log l = log(phi + 10)\n", TTC_REFUTED },         { "root r = sqrt(phi + 10)\n", TTC_REFUTED },
+        { "domain d : phi + 10 > 0\n", TTC_REFUTED },       { "root r = sqrt(phi^2 + 10)\n", TTC_PROVED },
+        { "log l = log(3 + s)\n", TTC_PROVED },             { "domain d : 2*c + s > 0\n", TTC_PROVED },
+        { "domain d : x + s*phi^2 > 0\n", TTC_REFUTED },    { "root r = sqrt(x^2 + 2 - c)\n", TTC_PROVED },
+    };
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
+        char table[512];
+        snprintf(table, sizeof table, "model turning\nstate x\nstate phi\nangle c s = cos(phi) sin(phi)\n%seq x = c - x\n"
+                                      "eq phi = -1\nperiodic phi = 2*pi\n", tables[i].record);
+        expect(table, "periodic", "phi", tables[i].verdict, NULL);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -87,6 +108,7 @@ int main(void)
         cmocka_unit_test(symmetries_need_an_inverse_and_nothing_more),
         cmocka_unit_test(a_map_is_affine_and_keeps_intervals),
         cmocka_unit_test(functions_are_mapped_by_their_definitions),
+        cmocka_unit_test(a_period_leads_back_into_the_domain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
