@@ -104,23 +104,23 @@ unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polyno
     return signs;
 }
 
-static ttc_condition *find(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+/* Whether the list says so already, and no less. What it says is not changed: it may be removed again down to any mark. */
+static bool has(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient,
+                bool is_denominator)
 {
-    for (size_t i = 0; i < c->count; i++)
-        if (c->items[i].relation == relation && fmpz_mpoly_equal(c->items[i].polynomial, polynomial, c->ring->context))
-            return &c->items[i];
-    return NULL;
+    for (size_t i = 0; i < c->count; i++) {
+        const ttc_condition *item = &c->items[i];
+        if (item->relation == relation && item->of_quotient <= of_quotient && item->is_denominator <= is_denominator &&
+            fmpz_mpoly_equal(item->polynomial, polynomial, c->ring->context))
+            return true;
+    }
+    return false;
 }
 
 static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient,
                    bool is_denominator)
 {
-    ttc_condition *known = find(c, polynomial, relation);
-    if (known != NULL) {
-        known->of_quotient &= of_quotient;
-        known->is_denominator &= is_denominator;
-        return;
-    }
+    if (has(c, polynomial, relation, of_quotient, is_denominator)) return;
     ttc_condition *items = ttc_array_more(c->items, c->count, sizeof *items);
     c->failed |= items == NULL;
     if (items == NULL) return;
@@ -177,14 +177,50 @@ void ttc_conditions_add_negative(ttc_conditions *c, const ttc_ratio *ratio, ttc_
     add(c, ratio, relation, true);
 }
 
+static bool depends(const ttc_ring *ring, const fmpz_mpoly_struct *polynomial, slong variable)
+{
+    return fmpz_mpoly_degree_si(polynomial, variable, ring->context) > 0;
+}
+
+/* The generators that stand in a condition, or in the square of one that does. */
+static void find_used(bool used[TTC_GENERATOR_LIMIT], const ttc_conditions *c)
+{
+    const ttc_ring *ring = c->ring;
+    bool again = true;
+    for (size_t i = 0; i < ring->generator_count; i++) {
+        used[i] = false;
+        for (size_t k = 0; !used[i] && k < c->count; k++)
+            used[i] = depends(ring, c->items[k].polynomial, ring->generators[i].variable);
+    }
+    while (again) {
+        again = false;
+        for (size_t i = 0; i < ring->generator_count; i++)
+            for (size_t k = 0; !used[i] && k < ring->generator_count; k++) {
+                const ttc_ratio *square = &ring->generators[k].square;
+                used[i] = used[k] && (depends(ring, square->numerator, ring->generators[i].variable) ||
+                                      depends(ring, square->denominator, ring->generators[i].variable));
+                again |= used[i];
+            }
+    }
+}
+
 bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c, size_t index)
 {
+    const ttc_ring *ring = c->ring;
+    bool used[TTC_GENERATOR_LIMIT];
     size_t found = 0;
+    find_used(used, c);
     ttc_conditions_init(out, c->valuation);
+    out->at_denominator = true;
     for (size_t i = 0; i < c->count; i++) {
         const ttc_condition *item = &c->items[i];
         if (item->is_denominator && found++ == index) append(out, item->polynomial, TTC_IS_ZERO, false, false);
         else if (!item->of_quotient && !item->is_denominator) append(out, item->polynomial, item->relation, false, false);
+    }
+    for (size_t i = 0; i < ring->generator_count && found <= index; i++) {
+        const fmpz_mpoly_struct *denominator = ring->generators[i].square.denominator;
+        if (used[i] && (ttc_conditions_signs(c, denominator) & TTC_CAN_BE_ZERO) && found++ == index)
+            append(out, denominator, TTC_IS_ZERO, false, false);
     }
     out->contradictory = c->contradictory;
     return found > index;

@@ -23,6 +23,7 @@ typedef struct {
     ttc_condition *items;
     size_t count;
     bool contradictory; /* no point, evidently */
+    bool at_denominator; /* where a denominator vanishes: of roots whose square may be divided by zero only the sign is known */
     bool failed;        /* memory is out; the list is of no use */
 } ttc_conditions;
 
@@ -36,8 +37,8 @@ void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_
 /* The same for the opposite of a ratio. */
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
-/** The conditions that hold where denominator number `index` vanishes, as far as they are known there. False: there is no such
- *  denominator. out: to be cleared. */
+/** The conditions that hold where denominator number `index` vanishes, of a condition or of the square of a root, as far as they are
+ *  known there. False: there is no such denominator. out: to be cleared. */
 bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
 /* The present length of the list, and back to it: conditions that were added to ask a question are removed again. */

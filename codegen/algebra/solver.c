@@ -87,8 +87,18 @@ static void state_condition(question *q, const fmpz_mpoly_t polynomial, ttc_rela
     if (!q->too_large) Z3_solver_assert(q->z3, q->solver, statement);
 }
 
+static void state_sign(question *q, const ttc_generator *generator)
+{
+    fmpz_mpoly_t variable;
+    if (!generator->positive) return;
+    fmpz_mpoly_init(variable, q->point->ring->context);
+    fmpz_mpoly_gen(variable, generator->variable, q->point->ring->context);
+    state_condition(q, variable, TTC_IS_POSITIVE);
+    fmpz_mpoly_clear(variable, q->point->ring->context);
+}
+
 /* g^2 = square, g > 0 for a root; only of generators in use, until no more come into use. */
-static void state_generators(question *q)
+static void state_generators(question *q, const ttc_conditions *conditions)
 {
     const ttc_ring *ring = q->point->ring;
     bool stated[TTC_GENERATOR_LIMIT] = { false }, again = true;
@@ -98,6 +108,11 @@ static void state_generators(question *q)
             const ttc_generator *generator = &ring->generators[i];
             if (stated[i] || q->variables[generator->variable] == NULL) continue;
             stated[i] = again = true;
+            if (conditions->at_denominator &&
+                (ttc_conditions_signs(conditions, generator->square.denominator) & TTC_CAN_BE_ZERO)) {
+                state_sign(q, generator);
+                continue;
+            }
             fmpz_mpoly_t relation, variable;
             fmpz_mpoly_init(relation, ring->context);
             fmpz_mpoly_init(variable, ring->context);
@@ -106,8 +121,8 @@ static void state_generators(question *q)
             fmpz_mpoly_mul(relation, relation, generator->square.denominator, ring->context);
             fmpz_mpoly_sub(relation, relation, generator->square.numerator, ring->context);
             state_condition(q, relation, TTC_IS_ZERO);
-            if (generator->positive) state_condition(q, variable, TTC_IS_POSITIVE);
             state_condition(q, generator->square.denominator, TTC_IS_NONZERO);
+            state_sign(q, generator);
             fmpz_mpoly_clear(variable, ring->context);
             fmpz_mpoly_clear(relation, ring->context);
         }
@@ -218,7 +233,7 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
 {
     for (size_t i = 0; i < conditions->count; i++)
         state_condition(q, conditions->items[i].polynomial, conditions->items[i].relation);
-    state_generators(q);
+    state_generators(q, conditions);
     state_signs(q);
     if (q->too_large) return TTC_SOLVER_SILENT;
     switch (Z3_solver_check(q->z3, q->solver)) {

@@ -137,7 +137,8 @@ void ttc_check_pole(ttc_check *check)
     check_end(check, state, entry->high, entry->low);
 }
 
-/* With the level at the integral's value, the solution is the state, and moves as the state does. */
+/* With the level at the integral's value, the solution is the state, and moves as the state does. Where the integral depends on
+ * that parameter, the state is put at the solution, and the integral has to be the level there. */
 void ttc_check_elimination(ttc_check *check)
 {
     const ttc_elimination *elimination = &check->model->eliminations[check->index];
@@ -147,7 +148,19 @@ void ttc_check_elimination(ttc_check *check)
     arb_init(level);
     arb_init(rate);
     arb_init(speed);
-    arb_srcptr integral = ttc_check_at(check, check->model->claims[elimination->integral].expression);
+    const ttc_id expression = check->model->claims[elimination->integral].expression;
+    const bool in_itself = ttc_model_depends(check->model, expression, elimination->level);
+    arb_srcptr given = in_itself ? ttc_check_at(check, elimination->solution) : NULL;
+    if (given != NULL) {
+        arb_set(level, given);
+        ttc_probe_set(check->probe, elimination->state, level);
+    }
+    arb_srcptr integral = in_itself && given == NULL ? NULL : ttc_check_at(check, expression);
+    if (integral != NULL && in_itself) {
+        arb_sub(level, integral, ttc_probe_value(check->probe, elimination->level), precision);
+        ttc_check_zero(check, level, "integral - level", state->name);
+        integral = NULL;
+    }
     if (integral != NULL) {
         arb_set(level, integral);
         ttc_probe_set(check->probe, elimination->level, level);

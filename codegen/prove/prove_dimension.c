@@ -66,6 +66,69 @@ static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t pol
     fmpz_mpoly_clear(rest, context);
 }
 
+static bool mixes(ttc_task *task, const ttc_ratio *value, const bool *moves);
+
+/* A root or function of states and parameters together, as sqrt(x^2 + a) or exp(a*x): for some parameters it may be rational, or
+ * depend on others. */
+static bool variable_mixes(ttc_task *task, slong v, const bool *moves)
+{
+    const ttc_ring *ring = task->ring;
+    const ttc_model *model = task->model;
+    if (!moves[v]) return false;
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == v) return mixes(task, &ring->generators[i].square, moves);
+    const size_t symbol = ttc_valuation_symbol(task->field, v);
+    if (symbol >= model->symbol_count || model->symbols[symbol].definition == TTC_NONE) return false;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(task->field, &value, model->symbols[symbol].definition);
+    const bool result = mixes(task, &value, moves);
+    ttc_ratio_clear(task->ring, &value);
+    return result;
+}
+
+static bool mixes(ttc_task *task, const ttc_ratio *value, const bool *moves)
+{
+    for (slong v = 0; v < (slong)task->ring->variable_count; v++)
+        if (ttc_ratio_uses(task->ring, value, v) && (!moves[v] || variable_mixes(task, v, moves))) return true;
+    return false;
+}
+
+/* polynomial = A + B g becomes A^2 - B^2 g^2, over no denominator: zero at all states where the former is. */
+static void take_norm(ttc_task *task, fmpz_mpoly_t polynomial, const ttc_generator *generator)
+{
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    fmpz_mpoly_t without, with, term;
+    fmpz_mpoly_init(without, context);
+    fmpz_mpoly_init(with, context);
+    fmpz_mpoly_init(term, context);
+    fmpz_mpoly_derivative(with, polynomial, generator->variable, context);
+    fmpz_mpoly_gen(term, generator->variable, context);
+    fmpz_mpoly_mul(term, term, with, context);
+    fmpz_mpoly_sub(without, polynomial, term, context);
+    fmpz_mpoly_mul(without, without, without, context);
+    fmpz_mpoly_mul(without, without, generator->square.denominator, context);
+    fmpz_mpoly_mul(with, with, with, context);
+    fmpz_mpoly_mul(with, with, generator->square.numerator, context);
+    fmpz_mpoly_sub(polynomial, without, with, context);
+    fmpz_mpoly_clear(term, context);
+    fmpz_mpoly_clear(with, context);
+    fmpz_mpoly_clear(without, context);
+}
+
+/* What mixes states and parameters goes out of a polynomial. False: a function of both stays. */
+static bool separate(ttc_task *task, fmpz_mpoly_t polynomial, const bool *moves)
+{
+    const ttc_ring *ring = task->ring;
+    for (size_t i = ring->generator_count; i-- > 0;) /* squares use generators before */
+        if (fmpz_mpoly_degree_si(polynomial, ring->generators[i].variable, ring->context) > 0 &&
+            variable_mixes(task, ring->generators[i].variable, moves))
+            take_norm(task, polynomial, &ring->generators[i]);
+    for (slong v = 0; v < (slong)ring->variable_count; v++)
+        if (fmpz_mpoly_degree_si(polynomial, v, ring->context) > 0 && variable_mixes(task, v, moves)) return false;
+    return true;
+}
+
 /* Whatever the parameters, the minor is not zero at all states: its coefficients do not vanish together. */
 static void require_minor(ttc_task *task, const ttc_ratio *minor)
 {
@@ -82,14 +145,15 @@ static void require_minor(ttc_task *task, const ttc_ratio *minor)
         moves[v] = ttc_task_moves(task, &variable);
     }
     fmpz_mpoly_set(rest, minor->numerator, task->ring->context);
-    while (moves != NULL && !fmpz_mpoly_is_zero(rest, task->ring->context)) {
+    const bool apart = moves != NULL && separate(task, rest, moves);
+    while (apart && !fmpz_mpoly_is_zero(rest, task->ring->context)) {
         take_coefficient(task, coefficient, rest, moves);
         ttc_ratio_set_polynomial(task->ring, &variable, coefficient);
         ttc_conditions_add(&task->domain, &variable, TTC_IS_ZERO);
     }
     ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
-    if (moves == NULL || (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED))
+    if (!apart || (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED))
         ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
     ttc_ratio_clear(task->ring, &variable);
     fmpz_mpoly_clear(coefficient, task->ring->context);
