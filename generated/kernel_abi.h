@@ -272,6 +272,7 @@ typedef struct jlt_descriptor {
     const struct jlt_descriptor *const *family; /* all descriptors of the model, the general one first; ends with NULL */
     const jlt_claim *claims; /* of the model: those of its table in their order, then what follows; ends with kind NULL */
 
+    int scales; /* 1: by the units of its quantities these are the same equations in any multiples of kg, m and s */
     unsigned state_count, param_count, prepared_count;
     const jlt_quantity *states, *params; /* params: the same, in the same order, in every variant of a model */
     jlt_kernel_function impose; /* x (may be NULL), params -> params (params,): the variant's substitutions made, so that

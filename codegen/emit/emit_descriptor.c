@@ -1,5 +1,6 @@
 /* The file of one descriptor: header, kernels, tables. */
 #include "emit/emit.h"
+#include "fields/dimensions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -243,6 +244,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k, size_t sections, size
     if (k->unproved != NULL) add_string_member(text, "unproved", k->unproved);
     ttc_text_format(text, "    .table = jlt_table_%s, .family = jlt_family_%s, .claims = jlt_claims_%s,\n", model->name,
                     model->name, model->name);
+    if (ttc_dimensions_agree(k->field, k->integrals, k->integral_count)) ttc_text_add(text, "    .scales = 1,\n");
     ttc_text_format(text, "    .state_count = %zu, .param_count = %zu, .prepared_count = %zu,\n", field->state_count,
                     field->param_count, ttc_prepared_size(&k->prepared));
     if (field->state_count > 0) ttc_text_add(text, "    .states = states,\n");

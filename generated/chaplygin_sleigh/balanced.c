@@ -256,6 +256,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .sha256 = "ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_chaplygin_sleigh, .family = jlt_family_chaplygin_sleigh, .claims = jlt_claims_chaplygin_sleigh,
+    .scales = 1,
     .state_count = 2, .param_count = 3, .prepared_count = 5,
     .states = states,
     .params = params,

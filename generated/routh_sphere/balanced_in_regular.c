@@ -592,6 +592,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .sha256 = "3411ed6d53d99c328220ac4c0d992bf489a81f74d3bcee4f47f68fdd4a704bc2",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere, .family = jlt_family_routh_sphere, .claims = jlt_claims_routh_sphere,
+    .scales = 1,
     .state_count = 5, .param_count = 6, .prepared_count = 38,
     .states = states,
     .params = params,

@@ -740,6 +740,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .sha256 = "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
+    .scales = 1,
     .state_count = 6, .param_count = 6, .prepared_count = 46,
     .states = states,
     .params = params,

@@ -701,6 +701,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .sha256 = "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
+    .scales = 1,
     .state_count = 4, .param_count = 6, .prepared_count = 38,
     .states = states,
     .params = params,

@@ -2048,6 +2048,7 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .sha256 = "5de9745ff1945082f709f85b1765ec2e95addd9d5431b2def563648618d9e642",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_full, .family = jlt_family_spherical_top_full, .claims = jlt_claims_spherical_top_full,
+    .scales = 1,
     .state_count = 17, .param_count = 6, .prepared_count = 39,
     .states = states,
     .params = params,

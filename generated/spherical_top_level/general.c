@@ -1364,6 +1364,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
+    .scales = 1,
     .state_count = 4, .param_count = 7, .prepared_count = 40,
     .states = states,
     .params = params,

@@ -562,6 +562,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .sha256 = "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
+    .scales = 1,
     .state_count = 2, .param_count = 7, .prepared_count = 36,
     .states = states,
     .params = params,

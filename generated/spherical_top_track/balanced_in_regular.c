@@ -1031,6 +1031,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .sha256 = "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
+    .scales = 1,
     .state_count = 10, .param_count = 6, .prepared_count = 47,
     .states = states,
     .params = params,

@@ -145,6 +145,40 @@ void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t in
     }
 }
 
+enum { SIZES = 26, SIDES = 4 };
+
+static double middle_of(const jlt_quantity *coordinate, double period)
+{
+    if (period != 0) return 0;
+    if (isfinite(coordinate->low)) return isfinite(coordinate->high) ? (coordinate->low + coordinate->high) / 2 : coordinate->low + 1;
+    return isfinite(coordinate->high) ? coordinate->high - 1 : 0;
+}
+
+size_t jlt_chart_section_probes(const jlt_chart_section *self, unsigned angles)
+{
+    return jlt_chart_section_points(self, angles) + (self->section->start_count + 1) * SIZES * SIDES;
+}
+
+void jlt_chart_section_probe(const jlt_chart_section *self, double *q, size_t index, unsigned angles)
+{
+    const size_t all = jlt_chart_section_points(self, angles);
+
+    if (index < all) {
+        jlt_chart_section_point(self, q, index * 2654435761u % all, angles);
+        return;
+    }
+    index -= all;
+    const size_t centre = index / (SIZES * SIDES), side = index / SIZES % SIDES;
+    const int size = (int)(index % SIZES);
+    for (unsigned k = 0; k < self->base.dim; k++) {
+        const double c = centre < self->section->start_count ? self->section->starts[centre].point[k]
+                                                             : middle_of(&self->section->coordinates[k], self->base.period[k]);
+        const double unit = c != 0 ? fabs(c) : 1;
+        q[k] = size == 0 ? c : c + ldexp(unit, 2 * size - SIZES) * sin(1 + k + 2.3 * (double)side);
+    }
+    jlt_chart_wrap(&self->base, q);
+}
+
 /* The state that is the coordinate, where its way back is that alone; states: none is. */
 static unsigned state_of(const jlt_chart_section *self, unsigned coordinate, const double *x)
 {
@@ -165,11 +199,11 @@ static unsigned state_of(const jlt_chart_section *self, unsigned coordinate, con
 /* A coordinate that is a state with a period has it too: so found at a point of the section. */
 static void find_periods(jlt_chart_section *self)
 {
-    const size_t all = jlt_chart_section_points(self, 8);
+    const size_t all = jlt_chart_section_probes(self, 8);
 
     for (size_t i = 0; i < all; i++) {
         double q[Q], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(self, q, i * 2654435761u % all, 8);
+        jlt_chart_section_probe(self, q, i, 8);
         if (lift(&self->base, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < self->base.dim; k++) {
             const unsigned state = self->section->is_angle[k] ? self->base.states : state_of(self, k, x);
@@ -188,13 +222,13 @@ static bool changes_signs(jlt_chart_section *self, const signed char *signs)
 {
     static const double same = 1e-9; /* of a coordinate, or its period */
     const unsigned angles = 8;
-    const size_t all = jlt_chart_section_points(self, angles);
+    const size_t all = jlt_chart_section_probes(self, angles);
     unsigned seen = 0;
 
     for (unsigned k = 0; k < self->base.dim; k++) self->base.mirror[k] = 0;
     for (size_t i = 0; i < all && seen < POINTS; i++) {
         double q[Q], opposite[Q], p[Q], same_way[Q], other_way[Q], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(self, q, (i * 2654435761u) % all, angles);
+        jlt_chart_section_probe(self, q, i, angles);
         if (lift(&self->base, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < self->plain; k++) x[k] *= signs[k];
         lower(&self->base, p, NULL, x);

@@ -8,11 +8,11 @@ static const double margin = 5e-10; /* of a coordinate's interval, off its ends 
 
 bool jlt_section_points_any(const jlt_chart_section *chart)
 {
-    const size_t all = jlt_chart_section_points(chart, ANGLES);
+    const size_t all = jlt_chart_section_probes(chart, ANGLES);
     double q[JLT_CHART_COORDINATES_MAX];
 
     for (size_t i = 0; i < all; i++) {
-        jlt_chart_section_point(chart, q, i * 2654435761u % all, ANGLES); /* spread out: one is met soon */
+        jlt_chart_section_probe(chart, q, i, ANGLES);
         if (jlt_chart_section_holds(chart, q)) return true;
     }
     return false;

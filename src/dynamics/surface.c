@@ -140,7 +140,7 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name)
     return i;
 }
 
-enum { HALVINGS = 60 };
+enum { HALVINGS = 60, SOME = 256, LOOKS = 64 };
 
 /* ---- the system ---- */
 
@@ -184,13 +184,16 @@ done:
 /* The largest rate of a state at points of the section: that of the largest size of each. */
 static double fastest(const jlt_chart_section *chart, const jlt_units *units)
 {
-    const size_t all = jlt_chart_section_points(chart, 8), some = all < 256 ? all : 256;
+    const size_t all = jlt_chart_section_points(chart, 8), probes = jlt_chart_section_probes(chart, 8);
     double largest[JLT_CHART_STATES_MAX] = { 0 };
+    unsigned seen = 0;
 
-    for (size_t i = 0; i < some; i++) {
+    for (size_t i = 0; i < probes; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(chart, q, i * 2654435761u % all, 8);
+        if (i >= (all < SOME ? all : SOME) && seen > 0) break;
+        jlt_chart_section_probe(chart, q, i, 8);
         if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
+        seen++;
         for (unsigned k = 0; k < chart->base.states; k++)
             if (isfinite(x[k])) largest[k] = fmax(largest[k], fabs(x[k]));
     }
@@ -214,17 +217,19 @@ static jlt_units units_of(const jlt_chart_section *chart)
  * lifted to a state by a number of metres. */
 static bool lifts_alike(const jlt_chart_section *rows, const jlt_chart_section *flow, const jlt_units *units)
 {
-    const size_t all = jlt_chart_section_points(rows, 8), some = all < 64 ? all : 64;
+    const size_t all = jlt_chart_section_probes(rows, 8);
+    unsigned seen = 0;
 
-    for (size_t i = 0; i < some; i++) {
+    for (size_t i = 0; i < all && seen < LOOKS; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], y[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(rows, q, i * 2654435761u % all, 8);
+        jlt_chart_section_probe(rows, q, i, 8);
         const jlt_status here = rows->base.lift(&rows->base, x, NULL, q), there = flow->base.lift(&flow->base, y, NULL, q);
         if (here != there) return false;
+        seen += here == JLT_OK;
         for (unsigned k = 0; here == JLT_OK && k < rows->base.states; k++)
             if (k != rows->base.column && ldexp(y[k], jlt_units_exponent(units, rows->table->states[k].unit)) != x[k]) return false;
     }
-    return true;
+    return seen > 0;
 }
 
 /* Parameters and levels in these units. */
@@ -241,7 +246,6 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     const jlt_section_chart *section = self->surface.section;
     const jlt_descriptor *descriptor;
     double values[JLT_CHART_VALUES_MAX] = { 0 };
-    bool scales = false;
     jlt_units units;
     jlt_status st = JLT_OK;
 
@@ -250,10 +254,9 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     JLT_TRY(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
     units = units_of(&self->rows);
-    JLT_TRY(jlt_instance_scales(&scales, descriptor, values, &units));
     self->flow = self->rows;
     count_values(self->flow.values, &self->surface, values, &units);
-    if (!scales || !lifts_alike(&self->rows, &self->flow, &units)) units = (jlt_units){ 0 };
+    if (!descriptor->scales || !lifts_alike(&self->rows, &self->flow, &units)) units = (jlt_units){ 0 };
     JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &units, options));
     self->flow = self->rows;
     count_values(self->flow.values, &self->surface, values, &units);

@@ -72,13 +72,13 @@ bool jlt_surface_crossing_met(const jlt_system *self)
 {
     const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;
-    const size_t all = jlt_chart_section_points(section, ANGLES);
+    const size_t all = jlt_chart_section_probes(section, ANGLES);
     unsigned seen = 0;
 
     if (self->instance->descriptor->integral_count > JLT_CHART_INTEGRALS_MAX) return true;
     for (size_t i = 0; i < all && seen < LOOKS; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(section, q, i * 2654435761u % all, ANGLES);
+        jlt_chart_section_probe(section, q, i, ANGLES);
         if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < section->plain; k++)
             if (k != chart->column && has_other_root(self, x, q, k)) return false;
@@ -91,13 +91,13 @@ bool jlt_surface_crossing_ends_at_poles(const jlt_system *self)
 {
     const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;
-    const size_t all = jlt_chart_section_points(section, ANGLES);
+    const size_t all = jlt_chart_section_probes(section, ANGLES);
 
     if (section->plain == chart->states) return true;
     if (chart->side == NULL) return false;
     for (size_t i = 0; i < all; i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
-        jlt_chart_section_point(section, q, i * 2654435761u % all, ANGLES);
+        jlt_chart_section_probe(section, q, i, ANGLES);
         if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < section->plain; k++)
             if (x[k] == 0) x[k] = 1; /* any state will do */

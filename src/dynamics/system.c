@@ -103,6 +103,8 @@ done:
     return st;
 }
 
+enum { POINTS = 5, PARTS = 16 };
+
 /* The field at x; false: it is not finite. */
 static bool field_at(const jlt_system *self, const double *x, double *f)
 {
@@ -116,20 +118,25 @@ static bool field_at(const jlt_system *self, const double *x, double *f)
 /* Whether the field is the same a period on, to rounding, in every component. */
 static bool is_period(const jlt_system *self, double *x, unsigned state, double period)
 {
-    static const double same = 1e-9; /* rounding of a period, times slopes of the field */
+    static const double same = 1e-9;      /* of what changes on the way: rounding of a period, times slopes of the field */
+    static const double rounding = 1e-13; /* of a component, whose terms may be larger */
     const unsigned n = self->field.dim;
     const double at = x[state];
-    double f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX];
+    double f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX], changes[JLT_CHART_STATES_MAX] = { 0 };
     bool repeats = field_at(self, x, f);
 
+    for (int k = 1; repeats && k < PARTS; k++) {
+        x[state] = at + period * k / PARTS;
+        if (field_at(self, x, there))
+            for (unsigned i = 0; i < n; i++) changes[i] = fmax(changes[i], fabs(there[i] - f[i]));
+    }
     x[state] = at + period;
     repeats = repeats && x[state] != at && field_at(self, x, there);
     x[state] = at;
-    for (unsigned i = 0; repeats && i < n; i++) repeats = fabs(there[i] - f[i]) <= same * fmax(fabs(f[i]), fabs(there[i]));
+    for (unsigned i = 0; repeats && i < n; i++)
+        repeats = fabs(there[i] - f[i]) <= same * changes[i] + rounding * fmax(fabs(f[i]), fabs(there[i]));
     return repeats;
 }
-
-enum { POINTS = 5 };
 
 /* Points without any meaning, within the states' bounds. */
 static void point_number(const jlt_system *self, double *x, int k)
@@ -145,6 +152,13 @@ static void point_number(const jlt_system *self, double *x, int k)
     }
 }
 
+static bool is_proved(const jlt_descriptor *d, unsigned state, double period)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[state].name);
+
+    return claim != NULL && claim->verdict == JLT_PROVED && period == d->states[state].period;
+}
+
 jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state)
 {
     const unsigned n = self->field.dim;
@@ -153,7 +167,9 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
     for (int k = 0; k < POINTS; k++) {
         point_number(self, x, k);
         for (*state = 0; *state < n; ++*state)
-            if (periods[*state] != 0 && !is_period(self, x, *state, periods[*state])) return JLT_ERR_DOMAIN;
+            if (periods[*state] != 0 && !is_proved(self->instance->descriptor, *state, periods[*state]) &&
+                !is_period(self, x, *state, periods[*state]))
+                return JLT_ERR_DOMAIN;
     }
     jlt_chart_set_periods(&self->chart.plane, periods);
     return JLT_OK;

@@ -68,64 +68,6 @@ void jlt_instance_destroy(jlt_instance *instance)
     free(instance);
 }
 
-/* Within its interval, or of a size that grows from one round to the next. */
-static double generic(const jlt_quantity *state, unsigned index, int round)
-{
-    const double share = 0.3 + 0.03 * (index % 11), size = ldexp(1 + share, 12 * round);
-
-    if (isfinite(state->low) && isfinite(state->high)) return state->low + share * (state->high - state->low);
-    if (isfinite(state->low)) return state->low + size;
-    return isfinite(state->high) ? state->high - size : size;
-}
-
-/* Whether the conditions of the domain have the same digits in both units, but for a power of two. */
-static bool conditions_scale(const jlt_descriptor *descriptor, const double *plain, const double *x, const double *counted,
-                             const double *y)
-{
-    double here[JLT_REGION_CONDITIONS_MAX], there[JLT_REGION_CONDITIONS_MAX];
-    bool scale = true;
-    int exponent;
-
-    if (descriptor->domain_count == 0) return true;
-    descriptor->domain_values.call(x, plain, here);
-    descriptor->domain_values.call(y, counted, there);
-    for (unsigned i = 0; i < descriptor->domain_count; i++) {
-        const double digits = frexp(here[i], &exponent), others = frexp(there[i], &exponent);
-        scale &= !isfinite(digits) || digits == others;
-    }
-    return scale;
-}
-
-jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params, const jlt_units *units)
-{
-    const unsigned n = descriptor->state_count;
-    jlt_instance *plain = NULL, *counted = NULL;
-    double *room = jlt_memory_array(4 * n, sizeof *room);
-    jlt_status st = JLT_ERR_NOMEM;
-
-    *scales = true;
-    if (room == NULL) goto done;
-    double *x = room, *y = x + n, *f = y + n, *g = f + n;
-    JLT_TRY(jlt_instance_create(&plain, descriptor, params));
-    JLT_TRY(jlt_instance_create_in(&counted, descriptor, params, units));
-    for (int round = -1; round <= 1; round++) {
-        for (unsigned i = 0; i < n; i++) x[i] = generic(&descriptor->states[i], i, round);
-        jlt_units_count(y, x, descriptor->states, n, units);
-        descriptor->rhs.call(x, plain->prepared, f);
-        descriptor->rhs.call(y, counted->prepared, g);
-        for (unsigned i = 0; i < n; i++) {
-            const double back = ldexp(g[i], jlt_units_exponent(units, descriptor->states[i].unit) - units->time);
-            if (isfinite(f[i]) && back != f[i]) *scales = false;
-        }
-        *scales = *scales && conditions_scale(descriptor, plain->prepared, x, counted->prepared, y);
-    }
-done:
-    jlt_instance_destroy(counted);
-    jlt_instance_destroy(plain);
-    free(room);
-    return st;
-}
-
 static jlt_status evaluate(const jlt_instance *instance, const jlt_kernel *kernel, double *out, const double *x)
 {
     const jlt_descriptor *d = instance->descriptor;

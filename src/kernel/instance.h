@@ -32,13 +32,6 @@ JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt
                                               const jlt_units *units);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 
-/** Whether the field may be evaluated in these units with the same bits: whether every term of an equation, and of a
- *  condition of the domain, has the dimension of that equation, by the units that the table writes beside its states and
- *  parameters. Out: *scales. It is tested, not derived: the field is evaluated in both units at generic states of several
- *  sizes, and the results must agree to the bit. Errors: as jlt_instance_create. */
-JLT_CHECKED jlt_status jlt_instance_scales(bool *scales, const jlt_descriptor *descriptor, const double *params,
-                                           const jlt_units *units);
-
 /** The field and what is derived from it at one state, checked before and after as jlt_kernel_eval does. In: x, shape
  *  (state_count,), in the order of descriptor->states and the units of the instance.
  *  Out: f, shape (state_count,); jacobian, shape (state_count, state_count), df_i/dx_j in row i; *divergence; gradients of the

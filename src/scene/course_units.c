@@ -36,7 +36,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
         if (memcmp(told.instance->params, view.instance->params, kernel->param_count * sizeof *told.instance->params) == 0
             && agree(y[0], y[1], kernel->states, kernel->state_count, units)
             && agree(back[0], back[1], model->states, model->state_count, units))
-            JLT_TRY(jlt_instance_scales(serves, kernel, told.instance->params, units));
+            *serves = kernel->scales;
     }
     if (st == JLT_ERR_UNSUPPORTED) st = JLT_OK;
 done:
@@ -51,7 +51,6 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     double still[JLT_PLAN_STATES_MAX], f[JLT_PLAN_STATES_MAX];
     jlt_instance *instance = NULL;
     jlt_units units = { 0 };
-    bool scales = false;
     jlt_status st = JLT_OK;
 
     *out = (jlt_units){ 0 };
@@ -62,7 +61,7 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     model->rhs.call(still, instance->prepared, f);
     jlt_units_of_rate(&units, fmax(jlt_units_rate(&units, question->start, model->states, model->state_count, 0),
                                    jlt_units_rate(&units, f, model->states, model->state_count, 1)));
-    JLT_TRY(jlt_instance_scales(&scales, model, question->params, &units));
+    bool scales = model->scales;
     const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
     if (scales && tier->way_count > 0) JLT_TRY(jlt_course_units_serve(&scales, tier, question->params, question->start, &units));
     if (scales) *out = units;

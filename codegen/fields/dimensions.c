@@ -1,0 +1,200 @@
+#include "fields/dimensions.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { UNITS = 3, WHOLE = 1 << 10 /* an exponent of 1: roots halve it */ };
+
+typedef struct {
+    enum { UNSEEN, KNOWN, OF_ZERO, WRONG } state; /* zero has every dimension */
+    int of[UNITS];                                /* of kg, m, s */
+} dimension;
+
+typedef struct {
+    ttc_field *field;
+    dimension *nodes; /* by id; those that come later have no entry */
+    size_t count;
+} reader;
+
+static const dimension number = { .state = KNOWN }, zero = { .state = OF_ZERO }, wrong = { .state = WRONG };
+
+static void multiply(dimension *product, const dimension *by, long exponent)
+{
+    if (product->state == WRONG || by->state == WRONG) *product = wrong;
+    else if (product->state == OF_ZERO || by->state == OF_ZERO) *product = zero;
+    else
+        for (int i = 0; i < UNITS; i++) product->of[i] += (int)exponent * by->of[i];
+}
+
+static dimension sum(const dimension *a, const dimension *b)
+{
+    if (a->state == WRONG || b->state == WRONG) return wrong;
+    if (a->state == OF_ZERO) return *b;
+    if (b->state == OF_ZERO) return *a;
+    return memcmp(a->of, b->of, sizeof a->of) == 0 ? *a : wrong;
+}
+
+/* ---- units as they are written: kg*m^2/s^2, kg m^2, 1/(m*s^2), rad/s ---- */
+
+static dimension unit_of_name(const char *name, size_t length)
+{
+    static const char *const names[UNITS] = { "kg", "m", "s" };
+    dimension unit = number;
+    for (int i = 0; i < UNITS; i++)
+        if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) unit.of[i] = WHOLE;
+    return unit;
+}
+
+/* Of the product that begins here, to its end or to the parenthesis that closes it; *at is moved there. */
+static dimension read_product(const char **at)
+{
+    dimension product = number;
+    int sign = 1;
+    while (**at != '\0' && **at != ')') {
+        if (strchr("*/ ", **at) != NULL) {
+            sign = **at == '/' ? -1 : **at == '*' ? 1 : sign;
+            ++*at;
+            continue;
+        }
+        dimension factor;
+        if (**at == '(') {
+            ++*at;
+            factor = read_product(at);
+            if (**at == ')') ++*at;
+        } else {
+            const size_t length = strcspn(*at, "*/ ^()");
+            factor = unit_of_name(*at, length);
+            *at += length;
+        }
+        long power = 1;
+        if (**at == '^') {
+            char *end;
+            power = strtol(*at + 1, &end, 10);
+            if (labs(power) > TTC_EXPONENT_LIMIT) power = 0;
+            *at = end;
+        }
+        multiply(&product, &factor, sign * power);
+        sign = 1;
+    }
+    return product;
+}
+
+static dimension of_unit(const char *unit)
+{
+    dimension product = number;
+    while (unit != NULL && *unit != '\0') {
+        const dimension part = read_product(&unit);
+        multiply(&product, &part, 1);
+        if (*unit == ')') unit++; /* which nothing opens */
+    }
+    return product;
+}
+
+/* ---- expressions ---- */
+
+static dimension visit(reader *self, ttc_id id);
+
+static dimension half_of(dimension square)
+{
+    for (int i = 0; square.state == KNOWN && i < UNITS; i++) {
+        if (square.of[i] % 2 != 0) return wrong;
+        square.of[i] /= 2;
+    }
+    return square;
+}
+
+static dimension of_function(reader *self, ttc_id argument)
+{
+    const dimension of = visit(self, argument), sum_with_one = sum(&of, &number);
+    return sum_with_one.state == KNOWN ? number : wrong;
+}
+
+static dimension of_symbol(reader *self, uint32_t index)
+{
+    const ttc_field_symbol *symbol = &self->field->symbols[index];
+    const ttc_model *model = self->field->model;
+    switch (symbol->role) {
+    case TTC_ROLE_PARAM:
+    case TTC_ROLE_STATE: return of_unit(index < model->symbol_count ? model->symbols[index].unit : NULL);
+    case TTC_ROLE_PI: return number;
+    case TTC_ROLE_UNIT: return visit(self, symbol->definition);
+    case TTC_ROLE_ROOT: return half_of(visit(self, symbol->definition));
+    case TTC_ROLE_COSINE:
+    case TTC_ROLE_SINE:
+    case TTC_ROLE_EXP:
+    case TTC_ROLE_LOG: return of_function(self, symbol->definition);
+    case TTC_ROLE_ABSENT: break;
+    }
+    return wrong;
+}
+
+static dimension compute(reader *self, ttc_id id)
+{
+    const ttc_graph *graph = self->field->graph;
+    const ttc_kind kind = ttc_kind_of(graph, id);
+    if (kind == TTC_SYMBOL) return of_symbol(self, ttc_symbol_of(graph, id));
+    dimension result = fmpq_is_zero(ttc_coefficient(graph, id)) ? zero : number;
+    for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        const dimension of = visit(self, part.id);
+        if (kind == TTC_PRODUCT) multiply(&result, &of, part.exponent);
+        else result = sum(&result, &of);
+    }
+    return result;
+}
+
+static dimension visit(reader *self, ttc_id id)
+{
+    if (id >= self->count) return compute(self, id);
+    if (self->nodes[id].state == UNSEEN) self->nodes[id] = compute(self, id);
+    return self->nodes[id];
+}
+
+/* A condition, an end of an interval, an integral, in the field's symbols. */
+static dimension of_record(reader *self, ttc_id expression)
+{
+    const ttc_id own = ttc_field_specialise(self->field, expression);
+    if (own == TTC_NONE) ttc_graph_clear_error(self->field->graph);
+    return own == TTC_NONE ? wrong : visit(self, own);
+}
+
+static bool ends_agree(reader *self, const ttc_symbol_entry *state)
+{
+    const dimension own = of_unit(state->unit);
+    const ttc_id ends[] = { state->low, state->high };
+    for (int i = 0; i < 2; i++) {
+        if (ends[i] == TTC_NONE || ttc_kind_of(self->field->graph, ends[i]) == TTC_NUMBER) continue;
+        const dimension end = of_record(self, ends[i]);
+        if (sum(&own, &end).state == WRONG) return false;
+    }
+    return true;
+}
+
+static bool equations_agree(reader *self)
+{
+    const ttc_field *field = self->field;
+    const dimension second = unit_of_name("s", 1), factor = visit(self, field->factor);
+    for (size_t i = 0; i < field->state_count; i++) {
+        dimension wanted = of_symbol(self, field->states[i]);
+        const dimension rate = visit(self, field->rhs[i]);
+        multiply(&wanted, &second, -1);
+        multiply(&wanted, &factor, 1);
+        if (sum(&wanted, &rate).state == WRONG) return false;
+        if (field->states[i] < field->model->symbol_count && field->model->symbols[field->states[i]].kind == TTC_STATE &&
+            !ends_agree(self, &field->model->symbols[field->states[i]]))
+            return false;
+    }
+    return true;
+}
+
+bool ttc_dimensions_agree(ttc_field *field, const uint32_t *claims, size_t count)
+{
+    const ttc_model *model = field->model;
+    reader self = { .field = field, .count = ttc_graph_size(field->graph) + 1 };
+    self.nodes = calloc(self.count, sizeof *self.nodes);
+    bool agree = self.nodes != NULL && equations_agree(&self);
+    for (size_t i = 0; agree && i < model->region_count; i++) agree = of_record(&self, model->regions[i].expression).state != WRONG;
+    for (size_t i = 0; agree && i < count; i++) agree = of_record(&self, model->claims[claims[i]].expression).state != WRONG;
+    free(self.nodes);
+    return agree;
+}
