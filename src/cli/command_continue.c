@@ -28,7 +28,7 @@ static const struct argp_option option_table[] = {
       "Arc length to the second point, in coordinates and value together; later steps are at most 5 times as long; default "
       "0.01", 1 },
     { "count", 'c', "N", 0, "At most N points on a branch; default 500", 1 },
-    { "decreasing", DOWN, NULL, 0, "Go towards smaller values first, from the upper end of the range", 1 },
+    { "decreasing", DOWN, NULL, 0, "Go towards smaller values first", 1 },
     { "branches", FOLLOW, NULL, 0,
       "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once; on sections of two "
       "coordinates", 1 },
@@ -83,7 +83,8 @@ typedef struct {
     const jlt_chart *chart;
     unsigned shown[2];    /* in pictures: 0, the value that runs, or a coordinate by its number from 1 */
     size_t rows, branch;  /* branch: of the last row */
-    jlt_extent extent[2]; /* of the picture, */
+    jlt_extent extent[2]; /* of the picture */
+    jlt_extent along;     /* of the value that runs */
     bool is_watched, is_told; /* multipliers of the branch's last point were clear of the unit circle; a bifurcation came since, */
     unsigned outside;         /* so many of them outside, */
     double clear_at;          /* at this value */
@@ -134,6 +135,7 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
     table *self = context;
 
     watch_stability(self, branch, point);
+    jlt_extent_add(&self->along, point->value);
     write_point(self, branch, point);
     if (self->points != NULL) {
         const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;
@@ -298,7 +300,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
     jlt_motion_family family = { .surface = NULL };
-    table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
+    table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE }, .along = JLT_EXTENT_NONE };
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
@@ -334,6 +336,10 @@ static jlt_exit run(int argc, char **argv)
     jlt_orbit_columns_names(to.file, system->flow.chart);
     fputs(",bifurcation,low,high\n", to.file);
     code = run_all(&to, &family, &axis, &first, &o, system);
+    if (code == JLT_EXIT_DONE && (o.direction > 0 ? axis.low < first.value && !(to.along.low < first.value)
+                                                  : axis.high > first.value && !(to.along.high > first.value)))
+        fprintf(stderr, "jellett: nothing is known of %s %s %.10g, where the run began: it goes there %s --decreasing\n", axis.name,
+                o.direction > 0 ? "below" : "above", first.value, o.direction > 0 ? "with" : "without");
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, common->table.path);

@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# What a command finds out about a table it finds wherever the table's motion is, and in whatever units its numbers are: nothing hangs
+# on a few points that no orbit comes to.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*" | cut -c1-400; status=1; }
+row() { "$@" 2> err | grep -v '^#' | tail -1; }
+
+# 1. Labels of units change nothing where a plain number hides a unit: v/10 is by 10 s. Where x < y the field has no value.
+cat > bead.tt <<'TABLE'
+model bead
+param R > 0 [m]
+param k [m/s^2]
+default R = 1000, k = 1
+state x [m]
+state y [m]
+state v [m/s]
+domain apart : x - y > 0
+root r = sqrt((x - y)/R)
+eq x = v
+eq y = v/2
+eq v = -k*r - v/10
+TABLE
+sed 's/ \[[^]]*\]//' bead.tt > plain.tt
+for R in 1 1000; do
+    for table in bead plain; do row jellett simulate ./$table.tt --set R=$R --start x=10,y=3,v=40 --times 1 > $table.row; done
+    grep -q alive plain.row && cmp -s bead.row plain.row || fail "R = $R: $(cat bead.row), without labels $(cat plain.row)"
+done
+
+# 2. An oscillator in two directions about y = c, wherever that is: z' = w, w' = -z, with y = c + z.
+about() { # C INTERVAL: its tables
+    cat > rising.tt <<TABLE
+model rising
+param H
+default H = 1/20
+state y $2
+state py
+let q = 2*H - py^2 - (y - $1)^2
+domain reached : q > 0
+root px = sqrt(q)
+lift into pair.tt with x = 0, y = y, px = px, py = py
+start regular : y = $1, py = 0
+TABLE
+    cat > pair.tt <<TABLE
+model pair
+state x
+state y $2
+state px
+state py
+eq x = px
+eq y = py
+eq px = -x - x^2/4
+eq py = -(y - $1)
+integral H = (px^2 + py^2 + x^2 + (y - $1)^2)/2 + x^3/12
+reversor px -> -px, py -> -py
+section cut : by rising.tt at x = 0 with y = y, py = py, H = H
+TABLE
+}
+for c in 0 10 1000; do
+    about $c ""
+    row jellett section ./pair.tt --direction down --start y=$c.1,py=0 --returns 1 > out
+    grep -q 'crossed the other way' err || fail "c = $c: the other half is taken for this one: $(cat out err)"
+done
+about 0 'in (-1000, 1000)'
+row jellett section ./pair.tt --start y=0.1,py=0 --returns 1 > out
+grep -q 'alive$' out || fail "a section in a wide interval: $(cat err)"
+
+# 3. A period that is proved is not doubted where the field has no value; one that is none is refused, small as the force may be.
+cat > far.tt <<'TABLE'
+model far
+state x
+state v
+state phi
+angle c s = cos(phi) sin(phi)
+domain far : x - 10 > 0
+root q = sqrt(x - 10)
+eq x = v
+eq v = 2 - q + c/10
+eq phi = 2
+periodic phi = 2*pi
+TABLE
+row jellett section ./far.tt --section phi=0 --start x=14,v=0.1 --returns 2 > out
+grep -q 'alive$' out || fail "a proved period: $(cat err)"
+cat > weak.tt <<'TABLE'
+model weak
+param A
+default A = 1e-12
+state x
+state v
+state phi
+angle c s = cos(6/5*phi) sin(6/5*phi)
+eq x = v
+eq v = -x - v/5 + A*c
+eq phi = 1
+TABLE
+for A in 1 1e-12; do
+    row jellett section ./weak.tt --set A=$A --section phi=0 --modulo phi=4 --start x=0,v=0 --returns 1 > out
+    grep -q 'phi is no angle' err || fail "A = $A: 4 is no period: $(cat out)"
+    row jellett section ./weak.tt --set A=$A --section phi=0 --modulo phi=5*pi/3 --start x=0,v=0 --returns 1 > out
+    grep -q 'alive$' out || fail "A = $A: 5 pi/3 is one: $(cat err)"
+done
+
+# 4. The orbit x = px = 0 lies in the section x = 0, at the edge of the level. It is no point of the map, nor are many.
+about 0 ""
+jellett orbits ./pair.tt --period 1 --grid y=-0.3:0.3:12,py=-0.3:0.3:12 > out 2> err || fail "orbits: $(cat err)"
+awk -F, '/^1,/ && $2^2 + $3^2 > 0.0999 { n++ } END { exit n > 0 }' out || fail "orbits along the section: $(grep ^1, out)"
+exit $status
