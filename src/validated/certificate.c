@@ -362,9 +362,10 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     if (!digest_of(found, certificate) || strcmp(found, digest) != 0) return;
     proved = prove(report, kind, given, d);
     if (proved == NULL) return;
-    words = jlt_theorem_words(kind, d, given, said);
     if (!covers(said, proved))
         *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
+    /* Words are made of what has the form of what was proved alone. */
+    else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = fail(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
         *report = say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say");
     json_decref(proved);
