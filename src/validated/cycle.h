@@ -12,8 +12,10 @@
  *  for the flux of volume through the section is the same at both ends: div has none of the dependencies of a matrix of intervals,
  *  and is far tighter. Both must overlap.
  *
- *  An orbit of a forced system, or around an angle, closes but for periods of states: where points that differ by them are one to
- *  the table, so are they here.
+ *  An orbit of a forced system, or around an angle, closes but for periods of states, by which they have grown at the end of each
+ *  leg: where points that differ by them are one to the table, so are they here. What is shown is that one solution is there for
+ *  the numbers of periods that are given, of each leg. Orbits with other numbers solve other equations, which may have a solution
+ *  in the same boxes.
  *
  *  Parameters that are intervals are states of rate 0: what is shown then holds for each of their values. */
 #ifndef JLT_VALIDATED_CYCLE_H

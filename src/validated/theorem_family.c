@@ -13,7 +13,8 @@ static void write_box(FILE *out, const json_t *box)
 
     json_object_foreach((json_t *)(uintptr_t)box, name, value) {
         fprintf(out, "%s%s ", between, name);
-        if (json_is_object(value)) fprintf(out, "in [%s, %s]", jlt_theorem_text_of(value, "low"), jlt_theorem_text_of(value, "high"));
+        if (json_is_object(value))
+            fprintf(out, "in [%s, %s]", jlt_theorem_text_of(value, "low"), jlt_theorem_text_of(value, "high"));
         else fprintf(out, "= %s", jlt_theorem_text(value));
         between = ", ";
     }

@@ -15,7 +15,8 @@ expect() { # STATUS TEXT COMMAND...
     [ $got -eq "$code" ] && { [ -z "$text" ] || cat out err | grep -qF -- "$text"; } ||
         fail "$*: $got, not $code with '$text': $(head -3 out err)"
 }
-# FILE STATUS TEXT STATEMENT...: a copy of FILE.json by each statement of Python on c is refused with this text. The table is FILE.tt.
+# FILE STATUS TEXT STATEMENT...: a copy of FILE.json, of the table FILE.tt, by each statement of Python on c is refused with this
+# text.
 forged() {
     local source=$1 code=$2 text=$3 got=0
     shift 3
