@@ -66,4 +66,17 @@ done
 forged fast 1 "does not follow" "${statements[@]}"
 forged fast 1 "its theorem is not what its numbers say" "c['theorem'] = None" "c['theorem'] = 'proved'" "c['theorem'] = []" \
     "c['theorem'][1] = 7" "c['theorem'] += ['Each orbit attracts.']"
+
+# A state that is said to have grown by 0 periods would be said to have one; numbers of periods stand in an object, and are whole.
+statements=()
+for turns in "{'x': 0}" "{'x': 0, 'y': 0}" "{'y': 1.0}" "{'y': '1'}" "{'z': 1}" "{'y': None}" "{'y': 1000001}"; do
+    statements+=("c['given']['legs'][0]['turns'] = $turns")
+done
+forged fast 3 "no state with a whole number from -1000000 to 1000000 other than 0" "${statements[@]}"
+statements=()
+for turns in None 7 True "'abc'" '[1]' '[]' '{}'; do
+    statements+=("c['given']['legs'][0]['turns'] = $turns")
+done
+forged fast 3 "turns: no states with their numbers of periods" "${statements[@]}"
+forged fast 3 "turns: y has no period that fast proves" "c['given']['legs'][0]['turns'] = {'y': 1}"
 exit $status
