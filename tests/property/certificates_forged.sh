@@ -79,4 +79,15 @@ for turns in None 7 True "'abc'" '[1]' '[]' '{}'; do
 done
 forged fast 3 "turns: no states with their numbers of periods" "${statements[@]}"
 forged fast 3 "turns: y has no period that fast proves" "c['given']['legs'][0]['turns'] = {'y': 1}"
+
+# Levels and parameters stand in objects, also where there are none.
+statements=("del c['given']['levels']")
+for levels in None 7 True "'abc'" '[]'; do statements+=("c['given']['levels'] = $levels"); done
+forged fast 3 "levels: no object of integrals" "${statements[@]}"
+sed '/^param/d; /^default/d; s/mu.(/(/' fast.tt > plain.tt
+sed -i 's/^model fast/model plain/' plain.tt
+expect 0 "" jellett certify cycle ./plain.tt --section y=0 --direction down --start x=2.0086198608748 -o plain.json
+statements=("del c['given']['parameters']")
+for parameters in None 7 "'abc'" '[]'; do statements+=("c['given']['parameters'] = $parameters"); done
+forged plain 3 "it must give all 0 parameters of plain" "${statements[@]}"
 exit $status
