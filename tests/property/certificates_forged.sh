@@ -90,4 +90,19 @@ expect 0 "" jellett certify cycle ./plain.tt --section y=0 --direction down --st
 statements=("del c['given']['parameters']")
 for parameters in None 7 "'abc'" '[]'; do statements+=("c['given']['parameters'] = $parameters"); done
 forged plain 3 "it must give all 0 parameters of plain" "${statements[@]}"
+
+# Roots and logarithms that the table does not prove to be defined.
+for record in 'root r = sqrt(y + 5)' 'log r = log(y + 5)'; do
+    { cat fast.tt; echo "$record"; } | sed 's/^model fast/model doubted/' > doubted.tt
+    kind=${record%% *}
+    expect 3 "the $kind claim r of this table is not proved" jellett certify cycle ./doubted.tt --section y=0 --direction down \
+        --start x=2.0086198608748 -o doubted.json
+    sed 's/"name": "fast"/"name": "doubted"/; s/'"$(sha256sum < fast.tt | cut -c1-64)/$(sha256sum < doubted.tt | cut -c1-64)/" \
+        fast.json > doubted.json
+    forged doubted 1 "refused: the $kind claim r of this table is not proved" "c['theorem'] = []"
+done
+# What else is not proved is said, as where certificates are made.
+{ cat fast.tt; echo 'integral E = x^2 + y^2'; } | sed 's/^model fast/model claimed/' > claimed.tt
+expect 0 "" jellett certify cycle ./claimed.tt --section y=0 --direction down --start x=2.0086198608748 -o claimed.json
+expect 0 "kernels of claimed rest on claims that are not proved: integral E" jellett check -m ./claimed.tt claimed.json
 exit $status
