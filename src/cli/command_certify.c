@@ -203,6 +203,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     jlt_exit code = x == NULL || turns == NULL ? jlt_command_no_memory() : jlt_motion_start(q, system, o->motion.starts[0]);
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, q, NULL);
+    if (code == JLT_EXIT_DONE) code = jlt_certify_cycle_check(system);
     if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, system, q, o->period);
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
