@@ -53,9 +53,10 @@ typedef struct {
     unsigned legs, unknowns, multipliers; /* unknowns: states but the section's; multipliers: coordinates on the levels */
     arb_ptr solution;               /* (legs, unknowns): encloses the zero */
     arb_t period, trace, determinant, matrix_determinant; /* determinant: by the divergence */
-    acb_struct multiplier[2];       /* where there are one or two, else 0: then neither sink nor saddle is shown */
+    acb_struct multiplier[2];       /* where there are one or two, else 0 */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* the model's conditions along the orbit, bounds from below */
-    bool sink;                      /* proved: all multipliers are inside the unit circle */
+    bool sink;                      /* proved: all multipliers are inside the unit circle; of three or more by a power of D that
+                                       shrinks all vectors */
     bool saddle;                    /* proved: two real ones, one inside, one outside */
 } jlt_cycle_result;
 
