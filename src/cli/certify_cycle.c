@@ -33,6 +33,23 @@ static void set_periods(double *period, const jlt_system *system, const jlt_desc
         if (jlt_descriptor_state(general, chart->names[k], &state)) period[state] = chart->period[k];
 }
 
+jlt_exit jlt_certify_cycle_check(const jlt_system *system)
+{
+    const jlt_descriptor *general = jlt_descriptor_sibling(system->instance->descriptor, NULL, NULL, NULL);
+    double period[JLT_CHART_STATES_MAX];
+
+    set_periods(period, system, general);
+    for (unsigned s = 0; s < general->state_count; s++) {
+        const double proved = general->states[s].period, typed = ldexp(period[s], system->flow.units.state[s]);
+        if (proved == 0 || typed == 0 || fabs(typed - proved) <= 1e-14 * proved) continue;
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--modulo: certificates count the turns of %s in the period of %s, which is %.17g, not %.17g: "
+                                "leave it out",
+                                general->states[s].name, general->model, proved, typed);
+    }
+    return JLT_EXIT_DONE;
+}
+
 jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *legs, const jlt_system *system, const double *q,
                                   size_t period)
 {

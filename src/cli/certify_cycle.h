@@ -4,6 +4,10 @@
 
 #include "cli/motion.h"
 
+/** Whether turns are counted in periods that the table has, and no others were typed; a state that the table has none of is left to
+ *  the certificate, which refuses its turns. */
+jlt_exit jlt_certify_cycle_check(const jlt_system *system);
+
 /** The orbit of so many returns near the start q, shape (dim,) of the section. Out: starts of its legs, x, shape (period, states),
  *  the states of the model alone; their times, T, shape (period,); by how many of their periods states have grown at the end of
  *  each, turns, shape (period, states), which the next start has not; *legs, how many there are. Errors: as jlt_periodic_find; as

@@ -1,24 +1,41 @@
 #include "cli/certify_given.h"
 
 #include "ball/ball.h"
-#include "core/digits.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The default that a table's text gives a parameter, "p/q"; NULL: none. For the caller to free(). */
-static char *default_of(const char *table, const char *name)
+/* An exact value in a table's text, "p/q"; TTC_NONE: there is none. */
+typedef ttc_id value_finder(const ttc_model *model, const char *name);
+
+static ttc_id find_default(const ttc_model *model, const char *name)
+{
+    uint32_t symbol;
+
+    return ttc_model_find_symbol(model, name, &symbol) ? model->symbols[symbol].value : TTC_NONE;
+}
+
+/* Of the state that the section of this name fixes. */
+static ttc_id find_section(const ttc_model *model, const char *name)
+{
+    for (size_t i = 0; i < model->section_count; i++) {
+        const ttc_claim *claim = &model->claims[model->sections[i].claim];
+        if (strcmp(claim->name, name) == 0) return claim->when.items[0].expression;
+    }
+    return TTC_NONE;
+}
+
+/* NULL: none. For the caller to free(). */
+static char *text_of(value_finder *find, const char *table, const char *name)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *model = diagnostics == NULL ? NULL : ttc_model_parse(table, strlen(table), "table", diagnostics);
-    ttc_ball *ball = model == NULL ? NULL : ttc_ball_create(model);
-    char *text = NULL;
-    uint32_t symbol;
+    const ttc_id value = model == NULL ? TTC_NONE : find(model, name);
+    ttc_ball *ball = value == TTC_NONE ? NULL : ttc_ball_create(model);
+    char *text = ball == NULL ? NULL : ttc_ball_exact_text(ball, value);
 
-    if (ball != NULL && ttc_model_find_symbol(model, name, &symbol) && model->symbols[symbol].value != TTC_NONE)
-        text = ttc_ball_exact_text(ball, model->symbols[symbol].value);
     ttc_ball_destroy(ball);
     ttc_model_destroy(model);
     ttc_diagnostics_destroy(diagnostics);
@@ -33,7 +50,7 @@ static char *value_of(const char *name, const jlt_motion_options *options, const
 
     if (typed == NULL) typed = jlt_assign_fraction(&options->common.set, name);
     if (typed != NULL) return strdup(typed);
-    for (unsigned i = 0; text == NULL && i < count; i++) text = default_of(tables[i], name);
+    for (unsigned i = 0; text == NULL && i < count; i++) text = text_of(find_default, tables[i], name);
     return text;
 }
 
@@ -84,18 +101,18 @@ static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d
     return code;
 }
 
-/* The value of the section's state: as typed behind '=', else the table's. */
+/* The value of the section's state: the table's, else as typed behind '='. */
 static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     const char *typed = system->surface == NULL && options->section != NULL ? strchr(options->section, '=') : NULL;
-    char *text = NULL, shortest[JLT_DIGITS_SIZE];
+    char *text = NULL;
     json_t *section;
 
-    jlt_digits_shortest(shortest, system->surface != NULL ? system->surface->section->level : 0);
-    if (typed == NULL) typed = shortest - 1;
-    if (jlt_number_fraction(&text, typed + 1, strlen(typed + 1)) != JLT_OK)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--section: '%s' has no exact value", options->section);
+    if (system->surface != NULL) text = text_of(find_section, d->table, system->surface->section->name);
+    else if (typed != NULL && jlt_number_fraction(&text, typed + 1, strlen(typed + 1)) != JLT_OK) text = NULL;
+    if (text == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "--section: '%s' has no exact value",
+                                              options->section != NULL ? options->section : d->states[chart->column].name);
     section = json_pack("{s:s,s:s,s:i}", "state", d->states[chart->column].name, "value", text, "direction",
                         options->flow.direction == JLT_FALLING ? -1 : 1);
     free(text);

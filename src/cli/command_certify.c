@@ -133,7 +133,8 @@ static const struct argp parser = {
     option_table, parse, "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL]",
     "Prove a periodic or homoclinic orbit, or what a family of equilibria excludes, in ball arithmetic, and write the "
     "certificate, from which `jellett check` replays the proof."
-    "\vcycle: exactly one orbit goes through a box on the section; its period and its multipliers are enclosed. obstruction: "
+    "\vcycle: through a box on the section exactly one orbit closes after a time near one that is given; its period and its "
+    "multipliers are enclosed. obstruction: "
     "besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. "
     "sink: besides, all multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no "
     "invariant measure has a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its "
@@ -144,7 +145,8 @@ static const struct argp parser = {
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
     "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. Values typed and "
     "defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
-    "up to periods that the table proves (`periodic`): these are served as cycle, obstruction and sink.\n\n"
+    "up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are served as cycle, "
+    "obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
@@ -201,6 +203,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     jlt_exit code = x == NULL || turns == NULL ? jlt_command_no_memory() : jlt_motion_start(q, system, o->motion.starts[0]);
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, q, NULL);
+    if (code == JLT_EXIT_DONE) code = jlt_certify_cycle_check(system);
     if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, system, q, o->period);
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);

@@ -70,12 +70,14 @@ static jlt_exit check(const char *path, const jlt_descriptor *own)
 static jlt_exit run(int argc, char **argv)
 {
     const jlt_descriptor *own = NULL;
+    bool has_said = true;
     jlt_exit code = JLT_EXIT_DONE;
     options o = { 0 };
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (o.model != NULL) code = jlt_table_open(&own, &(bool){ false }, o.model, false);
+    if (o.model != NULL) code = jlt_table_open(&own, &has_said, o.model, false);
     if (code != JLT_EXIT_DONE) return code;
+    if (!has_said) jlt_command_warn_unproved(own);
     for (size_t i = 0; i < o.count; i++) {
         const jlt_exit one = check(o.files[i], own);
         if (one > code) code = one;

@@ -102,7 +102,7 @@ const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of)
     const char *const made_by[][2] = { { "variant", of->variant }, { "time", of->time }, { "eliminate", of->elimination } };
 
     for (const jlt_claim *claim = of->claims; claim->kind != NULL; claim++) {
-        bool needed = strcmp(claim->kind, "root") == 0;
+        bool needed = strcmp(claim->kind, "root") == 0 || strcmp(claim->kind, "log") == 0;
         for (unsigned i = 0; i < sizeof made_by / sizeof *made_by; i++)
             needed |= strcmp(claim->kind, made_by[i][0]) == 0 && strcmp(claim->name, made_by[i][1]) == 0;
         if (needed && claim->verdict != JLT_PROVED) return claim;

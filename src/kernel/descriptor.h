@@ -30,8 +30,8 @@ const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char
 /** A claim of the model, by kind and name; NULL when its table makes none. */
 const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 
-/** The first claim without a proof that the field itself rests on: of a root, or of its variant, time or elimination. NULL: none;
- *  what is said of the field, as integrals and equilibria are, may lack its proof all the same. */
+/** The first claim without a proof that the field itself rests on: of a root or a logarithm, or of its variant, time or
+ *  elimination. NULL: none; what is said of the field, as integrals and equilibria are, may lack its proof all the same. */
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of);
 
 /** Whether the table has poles and all are proved: a lifted root then keeps its digits, as orbits come to rest where it is zero. */

@@ -1,6 +1,7 @@
 #include "validated/certificate.h"
 
 #include "base/sha256.h"
+#include "kernel/descriptor.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
 #include "validated/shown.h"
@@ -251,6 +252,19 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     return shown;
 }
 
+/* Where a root or a logarithm of the table may have no value, which equilibria are shown to have over their box, orbits are not
+ * served: periods of states, integrals and reversors are those of a table that is defined all over its domain. */
+static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict otherwise, const char *kind, const jlt_descriptor *d)
+{
+    const jlt_claim *doubted = strcmp(kind, "equilibria") == 0 ? NULL : jlt_descriptor_doubted_field(d);
+
+    if (doubted == NULL) return true;
+    *report = say(otherwise, "");
+    snprintf(report->problem, sizeof report->problem, "the %s claim %s of this table is not proved: %s", doubted->kind,
+             doubted->name, doubted->reason);
+    return false;
+}
+
 /* Of all members but `digest`. */
 static bool digest_of(char digest[65], json_t *certificate)
 {
@@ -275,7 +289,7 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
     d = jlt_given_table(given, own, report->problem);
-    if (d != NULL) shown = prove(report, kind, given, d);
+    if (d != NULL && is_defined(report, JLT_CERTIFICATE_MALFORMED, kind, d)) shown = prove(report, kind, given, d);
     if (shown == NULL) return NULL;
     certificate = json_pack("{s:s,s:s,s:o,s:O,s:o}", "certificate", format_name, "kind", kind, "theorem",
                             jlt_theorem_words(kind, d, given, shown), "given", given, "shown", shown);
@@ -360,11 +374,13 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     if (d == NULL) return;
     *report = say(JLT_CERTIFICATE_REFUSED, "its digest is not that of its text: it was changed after it was made");
     if (!digest_of(found, certificate) || strcmp(found, digest) != 0) return;
+    if (!is_defined(report, JLT_CERTIFICATE_REFUSED, kind, d)) return;
     proved = prove(report, kind, given, d);
     if (proved == NULL) return;
-    words = jlt_theorem_words(kind, d, given, said);
     if (!covers(said, proved))
         *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
+    /* Words are made of what has the form of what was proved alone. */
+    else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = fail(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
         *report = say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say");
     json_decref(proved);

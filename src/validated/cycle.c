@@ -227,9 +227,31 @@ void jlt_cycle_result_clear(jlt_cycle_result *result)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
 }
 
+/* Whether a power of D is shown to shrink all vectors, so that all eigenvalues lie inside the unit circle: the first one that does
+ * of those made by squaring. */
+static bool contracts(const arb_mat_t D, slong bits)
+{
+    enum { SQUARINGS = 16 };
+    arb_mat_t power;
+    mag_t norm;
+    bool found = false;
+
+    arb_mat_init(power, arb_mat_nrows(D), arb_mat_ncols(D));
+    mag_init(norm);
+    arb_mat_set(power, D);
+    for (unsigned i = 0; !found && i <= SQUARINGS && arb_mat_is_finite(power); i++) {
+        arb_mat_bound_inf_norm(norm, power);
+        found = mag_cmp_2exp_si(norm, 0) < 0;
+        arb_mat_sqr(power, power, bits);
+    }
+    mag_clear(norm);
+    arb_mat_clear(power);
+    return found;
+}
+
 /* Roots of mu^2 - trace mu + determinant; Jury's conditions that both lie inside the unit circle; and |trace| > |1 + determinant|,
  * where 1 or -1 lies between them. */
-static void solve(jlt_cycle_result *result, slong bits)
+static void solve(jlt_cycle_result *result, const arb_mat_t D, slong bits)
 {
     acb_t half, root;
     arb_t size;
@@ -262,7 +284,7 @@ static void solve(jlt_cycle_result *result, slong bits)
         arb_mul(acb_realref(half), acb_realref(half), acb_realref(half), bits);
         arb_submul(acb_realref(half), size, size, bits);
         result->saddle = arb_is_positive(acb_realref(half)) && arb_is_positive(result->determinant);
-    }
+    } else result->sink = contracts(D, bits);
     acb_clear(half);
     acb_clear(root);
     arb_clear(size);
@@ -293,7 +315,7 @@ jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_set(result->least + i, orbit.least + i);
     if (verdict == JLT_KRAWCZYK_CONTRADICTED || !arb_overlaps(result->determinant, result->matrix_determinant))
         result->verdict = JLT_CYCLE_CONTRADICTED;
-    solve(result, bits);
+    solve(result, orbit.D, bits);
 done:
     shooting_clear(&orbit);
     _arb_vec_clear(own, (slong)result->legs);

@@ -12,8 +12,10 @@
  *  for the flux of volume through the section is the same at both ends: div has none of the dependencies of a matrix of intervals,
  *  and is far tighter. Both must overlap.
  *
- *  An orbit of a forced system, or around an angle, closes but for periods of states: where points that differ by them are one to
- *  the table, so are they here.
+ *  An orbit of a forced system, or around an angle, closes but for periods of states, by which they have grown at the end of each
+ *  leg: where points that differ by them are one to the table, so are they here. What is shown is that one solution is there for
+ *  the numbers of periods that are given, of each leg. Orbits with other numbers solve other equations, which may have a solution
+ *  in the same boxes.
  *
  *  Parameters that are intervals are states of rate 0: what is shown then holds for each of their values. */
 #ifndef JLT_VALIDATED_CYCLE_H
@@ -51,9 +53,10 @@ typedef struct {
     unsigned legs, unknowns, multipliers; /* unknowns: states but the section's; multipliers: coordinates on the levels */
     arb_ptr solution;               /* (legs, unknowns): encloses the zero */
     arb_t period, trace, determinant, matrix_determinant; /* determinant: by the divergence */
-    acb_struct multiplier[2];       /* where there are one or two, else 0: then neither sink nor saddle is shown */
+    acb_struct multiplier[2];       /* where there are one or two, else 0 */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* the model's conditions along the orbit, bounds from below */
-    bool sink;                      /* proved: all multipliers are inside the unit circle */
+    bool sink;                      /* proved: all multipliers are inside the unit circle; of three or more by a power of D that
+                                       shrinks all vectors */
     bool saddle;                    /* proved: two real ones, one inside, one outside */
 } jlt_cycle_result;
 

@@ -53,7 +53,7 @@ static bool read_params(jlt_given *self, const json_t *given, slong bits, char *
     const jlt_descriptor *d = self->question.descriptor;
     const json_t *params = json_object_get(given, "parameters");
 
-    if (json_object_size(params) != d->param_count)
+    if (!json_is_object(params) || json_object_size(params) != d->param_count)
         return refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
     for (unsigned i = 0; i < d->param_count; i++) {
         const json_t *value = json_object_get(params, d->params[i].name);
@@ -103,6 +103,7 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
     const char *name;
     json_t *value;
 
+    if (!json_is_object(levels)) return refuse(problem, "levels: no object of integrals with their values");
     if (json_object_size(levels) > JLT_FORMULAS_LEVELS_MAX) return refuse(problem, "levels: more than %d", JLT_FORMULAS_LEVELS_MAX);
     json_object_foreach((json_t *)(uintptr_t)levels, name, value) {
         const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);

@@ -10,7 +10,7 @@
  *        "legs": [{"box": {NAME: {"middle": NUMBER, "radius": NUMBER}, ...},             states but the section's
  *                  "instant": NUMBER,                                                    from its start, near the next crossing
  *                  "turns": {NAME: N, ...}}, ...],                                       periods that states have grown by there,
- *                                                                                        as the table proves; or absent: none
+ *                                                                                        not 0, as the table proves; absent: none
  *        "digits": N }
  *
  *  NUMBER is a string, "p/q" or a decimal: its exact value is meant. N is 5 to JLT_GIVEN_DIGITS_MAX decimals to compute with. */

@@ -40,10 +40,18 @@ void jlt_given_homoclinic_clear(jlt_given_homoclinic *self)
     jlt_given_legs_clear(&self->legs, self->question.question);
 }
 
+static bool has_turns(const json_t *legs)
+{
+    for (size_t i = 0; i < json_array_size(legs); i++)
+        if (json_object_get(json_array_get(legs, i), "turns") != NULL) return true;
+    return false;
+}
+
 bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, const json_t *given,
                                char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const json_t *part = json_object_get(given, "homoclinic"), *frame = json_object_get(part, "frame");
+    const json_t *legs = json_object_get(part, "legs");
     const slong bits = jlt_step_accuracy_for(of->question.digits).bits;
     const json_int_t landing = json_integer_value(json_object_get(part, "landing"));
     bool good = true;
@@ -62,7 +70,8 @@ bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, 
            && jlt_given_legs_number(self->slope, json_string_value(json_object_get(part, "slope")), bits)
            && arb_is_positive(self->reach) && arb_is_positive(self->slope);
     if (!good) return refuse(problem, "homoclinic: reach and slope are numbers > 0");
-    good = jlt_given_legs_read(&self->legs, &of->question, json_object_get(part, "legs"), problem);
+    if (has_turns(legs)) return refuse(problem, "homoclinic: its legs have no turns");
+    good = jlt_given_legs_read(&self->legs, &of->question, legs, problem);
     take_legs(self);
     return good;
 }

@@ -4,7 +4,7 @@
  *        "frame": [[NUMBER, NUMBER], [NUMBER, NUMBER]],        its columns are directions, in the coordinates
  *        "reach": NUMBER, "slope": NUMBER,                     see homoclinic.h
  *        "landing": 1 or -1,                                   direction in which the last leg meets the section
- *        "legs": [as in given.h] } */
+ *        "legs": [as in given.h, without turns] } */
 #ifndef JLT_VALIDATED_GIVEN_HOMOCLINIC_H
 #define JLT_VALIDATED_GIVEN_HOMOCLINIC_H
 

@@ -92,15 +92,21 @@ static bool read_leg(int *counts, const jlt_descriptor *d, const json_t *turns, 
     const char *name;
     json_t *value;
 
+    if (turns == NULL) return true;
+    if (json_object_size(turns) == 0) {
+        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: no states with their numbers of periods");
+        return false;
+    }
     json_object_foreach((json_t *)(uintptr_t)turns, name, value) {
         const json_int_t count = json_integer_value(value);
         size_t state;
-        if (jlt_descriptor_state(d, name, &state) && json_is_integer(value) && count >= -TURNS_MAX && count <= TURNS_MAX) {
+        if (jlt_descriptor_state(d, name, &state) && json_is_integer(value) && count != 0 && count >= -TURNS_MAX
+            && count <= TURNS_MAX) {
             counts[state] = (int)count;
             continue;
         }
-        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s is no state with a whole number from -%d to %d", name, TURNS_MAX,
-                 TURNS_MAX);
+        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s is no state with a whole number from -%d to %d other than 0", name,
+                 TURNS_MAX, TURNS_MAX);
         return false;
     }
     return true;

@@ -1,5 +1,5 @@
 /** Periods by which states have grown where a leg of an orbit ends: "turns": {STATE: N, ...} of a leg of a certificate, whole
- *  numbers; states that are not named have N = 0. See given.h. */
+ *  numbers other than 0; states that are not named have not grown. See given.h. */
 #ifndef JLT_VALIDATED_GIVEN_TURNS_H
 #define JLT_VALIDATED_GIVEN_TURNS_H
 

@@ -2,6 +2,8 @@
 
 #include "validated/theorem_family.h"
 #include "validated/theorem_symmetry.h"
+#include "validated/theorem_text.h"
+#include "validated/theorem_turns.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,26 +16,6 @@ const jlt_reversor *jlt_theorem_reversor(const jlt_descriptor *descriptor)
         if (claim->verdict == JLT_PROVED && claim->condition[0] == '\0') return &descriptor->reversors[i];
     }
     return NULL;
-}
-
-static void write_ball(FILE *out, const json_t *ball)
-{
-    if (json_is_string(ball)) fputs(json_string_value(ball), out);
-    else fprintf(out, "%s +- %s", json_string_value(json_object_get(ball, "middle")),
-                 json_string_value(json_object_get(ball, "radius")));
-}
-
-static void write_named(FILE *out, const json_t *values, const char *between)
-{
-    const char *name;
-    json_t *value;
-    bool first = true;
-
-    json_object_foreach((json_t *)(uintptr_t)values, name, value) {
-        fprintf(out, "%s%s = ", first ? "" : between, name);
-        write_ball(out, value);
-        first = false;
-    }
 }
 
 static bool has_radius(const json_t *values)
@@ -53,15 +35,15 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
     fprintf(out, "Take the equations of the table %s (%s%sSHA-256 %s)", d->model, d->title, d->title[0] != '\0' ? "; " : "",
             d->sha256);
     if (d->param_count > 0) fputs(" with ", out);
-    write_named(out, json_object_get(given, "parameters"), ", ");
+    jlt_theorem_text_named(out, json_object_get(given, "parameters"));
     fputc('.', out);
     if (json_object_size(levels) > 0) {
         fputs(" Levels: ", out);
-        write_named(out, levels, ", ");
+        jlt_theorem_text_named(out, levels);
         fputc('.', out);
     }
-    fprintf(out, " Section: %s = %s, crossed %s.", json_string_value(json_object_get(section, "state")),
-            json_string_value(json_object_get(section, "value")),
+    fprintf(out, " Section: %s = %s, crossed %s.", jlt_theorem_text_of(section, "state"),
+            jlt_theorem_text_of(section, "value"),
             json_integer_value(json_object_get(section, "direction")) > 0 ? "upwards" : "downwards");
     if (has_radius(json_object_get(given, "parameters")) || has_radius(levels))
         fputs(" What follows holds for each value that a parameter or level has within its radius, with "
@@ -74,30 +56,8 @@ static double way(const json_t *legs)
     double sum = 0;
 
     for (size_t i = 0; i < json_array_size(legs); i++)
-        sum += strtod(json_string_value(json_object_get(json_array_get(legs, i), "instant")), NULL);
+        sum += strtod(jlt_theorem_text_of(json_array_get(legs, i), "instant"), NULL);
     return sum;
-}
-
-/* By how many periods states have grown, over all legs; nothing where none has. */
-static void write_turns(FILE *out, const json_t *legs, const jlt_descriptor *d)
-{
-    bool any = false;
-
-    for (unsigned s = 0; s < d->state_count; s++) {
-        json_int_t sum = 0;
-        bool turns = false;
-        for (size_t i = 0; i < json_array_size(legs); i++) {
-            const json_t *count = json_object_get(json_object_get(json_array_get(legs, i), "turns"), d->states[s].name);
-            turns |= count != NULL;
-            sum += json_integer_value(count);
-        }
-        if (!turns) continue;
-        fputs(any ? ", " : " It is back up to whole periods of states, which the table is proved not to see: it has grown by ",
-              out);
-        fprintf(out, "%" JSON_INTEGER_FORMAT " of %s", sum, d->states[s].name);
-        any = true;
-    }
-    if (any) fputs(". In what follows points that differ by such periods are one, and densities have them as well.", out);
 }
 
 static void write_orbit(FILE *out, const jlt_descriptor *d, const json_t *given, const json_t *shown)
@@ -106,18 +66,22 @@ static void write_orbit(FILE *out, const jlt_descriptor *d, const json_t *given,
     const size_t count = json_array_size(legs);
 
     fputs("Through the box ", out);
-    write_named(out, json_object_get(first, "box"), ", ");
+    jlt_theorem_text_named(out, json_object_get(first, "box"));
     fputs(" of the section", out);
     if (count > 1) fprintf(out, ", and in turn through %zu more of it that are listed under \"legs\",", count - 1);
-    fputs(" there is exactly one orbit on these levels that is back at its point after a time near ", out);
-    if (count > 1) fprintf(out, "%.17g, from box to box in the times listed", way(legs));
-    else fputs(json_string_value(json_object_get(first, "instant")), out);
+    fputs(" there is exactly one orbit on these levels that is back at its point", out);
+    jlt_theorem_turns_write_all(out, legs, d);
+    fputs(" after a time near ", out);
+    if (count > 1) {
+        fprintf(out, "%.17g, from box to box in the times listed", way(legs));
+        jlt_theorem_turns_write_legs(out, legs, d);
+    } else fputs(jlt_theorem_text_of(first, "instant"), out);
     fputs(count > 1 ? ". Its first point is " : ". That point is ", out);
-    write_named(out, json_array_get(json_object_get(shown, "orbit"), 0), ", ");
+    jlt_theorem_text_named(out, json_array_get(json_object_get(shown, "orbit"), 0));
     fputs(", the time T = ", out);
-    write_ball(out, json_object_get(shown, "period"));
+    jlt_theorem_text_ball(out, json_object_get(shown, "period"));
     fputc('.', out);
-    write_turns(out, legs, d);
+    jlt_theorem_turns_write_sense(out, legs, d);
 }
 
 static void write_multipliers(FILE *out, const json_t *shown)
@@ -125,15 +89,15 @@ static void write_multipliers(FILE *out, const json_t *shown)
     const json_t *multipliers = json_object_get(shown, "multipliers");
 
     fputs("On the levels, det DP = exp(integral of div f over the orbit) = ", out);
-    write_ball(out, json_object_get(shown, "determinant"));
+    jlt_theorem_text_ball(out, json_object_get(shown, "determinant"));
     fputs(", trace DP = ", out);
-    write_ball(out, json_object_get(shown, "trace"));
+    jlt_theorem_text_ball(out, json_object_get(shown, "trace"));
     for (size_t i = 0; i < json_array_size(multipliers); i++) {
         const json_t *value = json_array_get(multipliers, i);
         fprintf(out, "; multiplier (");
-        write_ball(out, json_object_get(value, "re"));
+        jlt_theorem_text_ball(out, json_object_get(value, "re"));
         fputs(") + i (", out);
-        write_ball(out, json_object_get(value, "im"));
+        jlt_theorem_text_ball(out, json_object_get(value, "im"));
         fputc(')', out);
     }
     fputc('.', out);
@@ -149,10 +113,10 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *c
         const char *meaning = "";
         for (unsigned i = 0; i < d->valid_count; i++)
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
-        if (!(strtod(json_string_value(bound), NULL) > 0))
+        if (!(strtod(jlt_theorem_text(bound), NULL) > 0))
             fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
         else fprintf(out, "%sThe condition %s (%s) holds %s: its quantity is at least %s.", first ? "" : " ", name, meaning, where,
-                     json_string_value(bound));
+                     jlt_theorem_text(bound));
         first = false;
     }
 }
@@ -239,16 +203,16 @@ static void write_homoclinic(FILE *out, const subject *s)
 
     fputs("In coordinates u, s along the columns of the frame listed under \"homoclinic\" its local unstable manifold is a graph "
           "s = g(u) over |u| <= ", out);
-    write_ball(out, json_object_get(asked, "reach"));
+    jlt_theorem_text_ball(out, json_object_get(asked, "reach"));
     fprintf(out,
             ". Through that graph, and in turn through the %zu boxes of the section listed there, there is exactly one orbit that "
             "goes on to meet %s = 0 %s at a point where all states that the reversor flips are 0. It begins at ",
             json_array_size(json_object_get(asked, "legs")),
-            json_string_value(json_object_get(json_object_get(s->given, "section"), "state")),
+            jlt_theorem_text_of(json_object_get(s->given, "section"), "state"),
             json_integer_value(json_object_get(asked, "landing")) > 0 ? "upwards" : "downwards");
-    write_named(out, json_object_get(found, "first"), ", ");
+    jlt_theorem_text_named(out, json_object_get(found, "first"));
     fputs("; the symmetric point is ", out);
-    write_named(out, json_object_get(found, "point"), ", ");
+    jlt_theorem_text_named(out, json_object_get(found, "point"));
     fputs(". It is not the saddle's. As the reversor takes the unstable manifold to the stable one, the orbit lies on both: it is "
           "homoclinic.", out);
 }
@@ -256,9 +220,33 @@ static void write_homoclinic(FILE *out, const subject *s)
 static void write_tangent(FILE *out, const subject *s)
 {
     fputs("At the symmetric point a tangent of the unstable manifold on the section is ", out);
-    write_named(out, json_object_get(json_object_get(s->shown, "homoclinic"), "tangent"), ", ");
+    jlt_theorem_text_named(out, json_object_get(json_object_get(s->shown, "homoclinic"), "tangent"));
     fputs("; that of the stable manifold has the opposite sign in what the reversor flips. They differ: the manifolds cross "
           "transversally in their levels.", out);
+}
+
+static void write_sink_measure(FILE *out, const subject *s)
+{
+    const json_t *legs = json_object_get(s->given, "legs");
+
+    fputs("Hence no measure that has a continuous positive density", out);
+    jlt_theorem_turns_write_density(out, " ", legs, s->descriptor, "");
+    fputs(" is invariant under this flow, nor one that has a density ", out);
+    jlt_theorem_turns_write_density(out, "", legs, s->descriptor, " ");
+    fputs("positive almost everywhere near the orbit and is finite there: a neighbourhood, made up of these basins, shrinks "
+          "under the flow to the cycles alone, a set of measure zero.", out);
+}
+
+static void write_expansion(FILE *out, const subject *s)
+{
+    const json_t *legs = json_object_get(s->given, "legs");
+
+    fputs("The flow over T multiplies volumes at a point x of the orbit by this determinant, which is not 1. Hence no measure "
+          "whose density rho", out);
+    jlt_theorem_turns_write_density(out, ", ", legs, s->descriptor, ",");
+    fputs(" is continuous and positive at that orbit is invariant under this flow, nor one with such a "
+          "density on its levels: rho(phi_T x) det Dphi_T(x) = rho(x) would hold at ", out);
+    fputs(jlt_theorem_turns_any(legs, s->descriptor) ? "x, and phi_T x is x but for these periods." : "x = phi_T x.", out);
 }
 
 static void write_sentence(FILE *out, const subject *s, sentence which)
@@ -274,14 +262,8 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
         fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, "
               "what begins near it on its levels, and so do its continuations on all levels nearby.", out); break;
     case IMAGE: write_image(out, s->descriptor); break;
-    case SINK_MEASURE:
-        fputs("Hence no measure that has a continuous positive density is invariant under this flow, nor one that has a density "
-              "positive almost everywhere near the orbit and is finite there: a neighbourhood, made up of these basins, shrinks "
-              "under the flow to the cycles alone, a set of measure zero.", out); break;
-    case EXPANDS:
-        fputs("The flow over T multiplies volumes at a point x of the orbit by this determinant, which is not 1. Hence no measure "
-              "whose density rho is continuous and positive at that orbit is invariant under this flow, nor one with such a "
-              "density on its levels: rho(phi_T x) det Dphi_T(x) = rho(x) would hold at x = phi_T x.", out); break;
+    case SINK_MEASURE: write_sink_measure(out, s); break;
+    case EXPANDS: write_expansion(out, s); break;
     case SADDLE:
         fputs("Both multipliers are real, one outside the unit circle, one inside: a saddle. Its image under the reversor passes "
               "through the same box after the same time, hence is the orbit itself.", out); break;

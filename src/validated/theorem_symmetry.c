@@ -1,18 +1,9 @@
 #include "validated/theorem_symmetry.h"
 
+#include "validated/theorem_text.h"
+
 #include <stdbool.h>
 #include <string.h>
-
-static const char *text_of(const json_t *object, const char *key)
-{
-    const char *text = json_string_value(json_object_get(object, key));
-    return text == NULL ? "" : text;
-}
-
-static void write_ball(FILE *out, const json_t *ball)
-{
-    fprintf(out, "%s +- %s", text_of(ball, "middle"), text_of(ball, "radius"));
-}
 
 static const struct {
     const char *type, *words;
@@ -32,15 +23,15 @@ void jlt_theorem_symmetry_write(FILE *out, const json_t *given, const json_t *sy
 
     fputs("The orbit is its own mirror image under the reversor ", out);
     for (size_t i = 0; i < json_array_size(flipped); i++) {
-        const char *name = json_string_value(json_array_get(flipped, i));
-        fprintf(out, "%s%s -> -%s", i == 0 ? "" : ", ", name == NULL ? "" : name, name == NULL ? "" : name);
+        const char *name = jlt_theorem_text(json_array_get(flipped, i));
+        fprintf(out, "%s%s -> -%s", i == 0 ? "" : ", ", name, name);
     }
     fprintf(out, ", which maps the section and the levels to themselves: its image passes through the same box%s after the "
                  "same time%s. So DP on the levels is conjugate to its inverse, and det DP = 1 exactly. ",
             many ? "es" : "", many ? "s" : "");
     for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
-        if (strcmp(verdicts[i].type, text_of(symmetry, "type")) == 0) fputs(verdicts[i].words, out);
-    if (rotation != NULL) write_ball(out, rotation);
+        if (strcmp(verdicts[i].type, jlt_theorem_text_of(symmetry, "type")) == 0) fputs(verdicts[i].words, out);
+    if (rotation != NULL) jlt_theorem_text_ball(out, rotation);
     fputc('.', out);
 }
 
@@ -48,9 +39,9 @@ void jlt_theorem_symmetry_write_twist(FILE *out, const json_t *twist)
 {
     fputs("No multiplier is a root of unity of order 1 to 4. So by an analytic change of coordinates the return map on these "
           "levels is z -> z exp(i (2 pi rho + beta |z|^2)) + O(|z|^4), where |z| is to first order the amplitude of ", out);
-    fputs(text_of(twist, "coordinate"), out);
+    fputs(jlt_theorem_text_of(twist, "coordinate"), out);
     fputs(", with beta = ", out);
-    write_ball(out, json_object_get(twist, "coefficient"));
+    jlt_theorem_text_ball(out, json_object_get(twist, "coefficient"));
     fputs(", which is not 0. Hence, by the theorem on invariant curves of reversible analytic maps (J. Moser, Stable and Random "
           "Motions, 1973; M. B. Sevryuk, Reversible Systems, 1986), the orbit is surrounded on its levels by invariant tori, as "
           "closely as one wishes, with quasi-periodic motion on them. They fill a part of each neighbourhood on the section that "

@@ -53,6 +53,10 @@ change landing 'h["landing"] = 1'
 expect 4 "$scratch/landing.json" 'the proof could not be carried out'
 change none 'del c["given"]["homoclinic"]'
 expect 3 "$scratch/none.json" 'a saddle of one leg, and an orbit'
+for turns in '{"y": 0}' '{"y": 1}' '{}' None '"y"'; do
+    change turns 'h["legs"][3]["turns"] = '"$turns"
+    expect 3 "$scratch/turns.json" 'its legs have no turns'
+done
 change slope 'h["slope"] = "-1"'
 expect 3 "$scratch/slope.json" 'reach and slope are numbers > 0'
 change two 'c["given"]["legs"] *= 2'

@@ -47,9 +47,12 @@ within one.json 'turns(0) == {"phi": 1} and c["shown"]["claims"] == ["periodic p
 within one.json 'holds(c["shown"]["orbit"][0]["x"], 0.8) and holds(c["shown"]["orbit"][0]["v"], 0.4)'
 within one.json 'holds(c["shown"]["period"], 2*math.pi) and holds(c["shown"]["determinant"], math.exp(-math.pi))'
 within one.json 'holds(c["shown"]["trace"], 2*math.exp(-math.pi/2)*math.cos(2*math.pi*math.sqrt(2 - 1/16)))'
-expect 0 "grown by 1 of phi" jellett check one.json --model ./forced.tt
+expect 0 "back at its point, but for phi having grown by 1 period of 2*pi, after" jellett check one.json --model ./forced.tt
+expect 0 "no measure that has a continuous positive density with the period 2*pi in phi is" \
+    jellett check one.json --model ./forced.tt
 expect 0 "" jellett certify obstruction ./forced.tt --section phi=0 --start x=0.8,v=0.4 --spread k=1e-3 -o spread.json
 expect 0 "densities have them as well" jellett check spread.json --model ./forced.tt
+expect 0 "whose density rho, with the period 2*pi in phi, is" jellett check spread.json --model ./forced.tt
 for turns in 2 0 -1; do # another closing, with a digest of its own, is no orbit
     python3 - one.json other.json $turns << 'P'
 import hashlib, json, sys
@@ -93,9 +96,65 @@ sed -i -e '/^param a/d; /^default a/d; s/ + a$//; s/ - a.q$//' round.tt
 expect 0 "" jellett certify sink ./round.tt --section q=0 --level E=2 --solve p=2 --start z=0.3 -o round.json
 within round.json 'turns(0) == {"q": 1} and c["shown"]["claims"] == ["integral E", "periodic q"]'
 within round.json 'holds(c["shown"]["orbit"][0]["p"], math.sqrt(6))'
-expect 0 "grown by 1 of q" jellett check round.json --model ./round.tt
+expect 0 "but for q having grown by 1 period of 2*pi, after" jellett check round.json --model ./round.tt
 # Seen where z passes its mean, q turns between the legs.
 expect 0 "" jellett certify sink ./round.tt --section z=0.3 --level E=2 --solve p=2 --start q=0.5 -o seen.json
 within seen.json 'turns(0) == {"q": 1}'
-expect 0 "grown by 1 of q" jellett check seen.json --model ./round.tt
+expect 0 "but for q having grown by 1 period of 2*pi, after" jellett check seen.json --model ./round.tt
+within seen.json 'not any(" leg " in words for words in c["theorem"])'
+
+# Through one box of a pendulum that is kicked once a period three orbits close, by other turns: none is the only one but by its
+# own.
+cat > kicked.tt << 'T'
+model kicked
+param e
+default e = 1/10
+state th
+state v
+state phi
+angle C S = cos(th) sin(th)
+angle D U = cos(phi) sin(phi)
+exp W = exp(2000*D - 2000)
+eq th = 4*v
+eq v = -e*S*W
+eq phi = 1
+periodic th = 2*pi
+periodic phi = 2*pi
+T
+kicked() { # STARTS ORBIT WORDS
+    expect 0 "" jellett certify cycle ./kicked.tt --section phi=-0.08 --start "$1" --digits 10 --radius 0.3 -o kicked.json
+    within kicked.json 'holds(c["given"]["legs"][0]["box"]["v"], 0) and holds(c["given"]["legs"][0]["box"]["th"], 0)'
+    expect 0 "there is exactly one orbit on these levels that is back at its point, but for $2, after" \
+        jellett check kicked.json --model ./kicked.tt
+    expect 0 "orbits through this box close with other numbers of periods is not said" \
+        jellett check kicked.json --model ./kicked.tt
+}
+kicked th=0,v=0 "phi having grown by 1 period of 2*pi"
+kicked th=0.08,v=-0.25 "th having grown by -1 period of 2*pi and phi by 1 period of 2*pi"
+kicked th=-0.08,v=0.25 "th having grown by 1 period of 2*pi and phi by 1 period of 2*pi"
+
+# Of several legs the numbers of each are part of what is unique: they are said one by one, or once where all are alike, as of a
+# pendulum whose oscillation has doubled its period.
+expect 0 "" jellett certify cycle ./kicked.tt --section phi=-0.08 --period 2 --start th=0.04,v=-0.125 --digits 10 --radius 1e-5 \
+    -o legs.json
+within legs.json '(turns(0), turns(1)) == ({"phi": 1}, {"th": -1, "phi": 1})'
+expect 0 "back at its point, but for th having grown by -1 period of 2*pi and phi by 2 periods of 2*pi, after" \
+    jellett check legs.json --model ./kicked.tt
+expect 0 "but for these periods: phi 1 at the end of leg 1, th -1 and phi 1 at the end of leg 2." \
+    jellett check legs.json --model ./kicked.tt
+cat > doubled.tt << 'T'
+model doubled
+state th
+state v
+state phi
+angle C S = cos(th) sin(th)
+angle D U = cos(phi) sin(phi)
+eq th = v
+eq v = -S - v/2 + 107/100*D
+eq phi = 2/3
+periodic phi = 2*pi
+T
+expect 0 "" jellett certify sink ./doubled.tt --section phi=0 --period 2 --start th=-0.146721,v=1.924567 -o doubled.json
+expect 0 "but for phi having grown by 2 periods of 2*pi, after" jellett check doubled.json --model ./doubled.tt
+expect 0 "but for these periods: phi 1 at the end of each leg." jellett check doubled.json --model ./doubled.tt
 exit $status

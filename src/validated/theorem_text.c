@@ -1,0 +1,33 @@
+#include "validated/theorem_text.h"
+
+#include <stdint.h>
+
+const char *jlt_theorem_text(const json_t *value)
+{
+    const char *text = json_string_value(value);
+
+    return text == NULL ? "?" : text;
+}
+
+const char *jlt_theorem_text_of(const json_t *object, const char *key)
+{
+    return jlt_theorem_text(json_object_get(object, key));
+}
+
+void jlt_theorem_text_ball(FILE *out, const json_t *ball)
+{
+    if (json_is_string(ball)) fputs(json_string_value(ball), out);
+    else fprintf(out, "%s +- %s", jlt_theorem_text_of(ball, "middle"), jlt_theorem_text_of(ball, "radius"));
+}
+
+void jlt_theorem_text_named(FILE *out, const json_t *values)
+{
+    const char *name, *between = "";
+    json_t *value;
+
+    json_object_foreach((json_t *)(uintptr_t)values, name, value) {
+        fprintf(out, "%s%s = ", between, name);
+        jlt_theorem_text_ball(out, value);
+        between = ", ";
+    }
+}
