@@ -53,6 +53,13 @@ static void require_back_divisors(ttc_task *task, ttc_valuation *valuation, cons
     free(used);
 }
 
+/* Divisors of an integral or zero level. */
+static void require_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
+                                        const char *where)
+{
+    require_back_divisors(task, valuation, model, claim, &model->claims[claim].expression, 1, where);
+}
+
 /* Divisors of a reduction or embedding. */
 static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
                              const char *where)
@@ -185,6 +192,8 @@ static void require_return(ttc_task *task, ttc_valuation *map)
     add_where(task, map, way);
     require_back_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
                           " in the way back from the embedding");
+    for (size_t i = 0; i < way->image.level_count && ttc_task_open(task); i++)
+        require_expression_divisors(task, map, model, claim->members[i], " in a level on the way back from the embedding");
     for (size_t i = 0; i < table->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &way->image, i, true);
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
@@ -329,9 +338,11 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
         require_equal(task, map, table->symbols[back->when.items[i].symbol].node, map, back->when.items[i].expression,
                       "the lift does not meet the condition of its reduction on ",
                       table->symbols[back->when.items[i].symbol].name);
-    for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++)
+    for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++) {
+        require_expression_divisors(task, map, table, back->modulo[i], " in a zero level of the reduction of the lift");
         require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero, "the lift is off the zero level of ",
                       table->claims[back->modulo[i]].name);
+    }
 }
 
 static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)

@@ -336,10 +336,9 @@ static jlt_exit run(int argc, char **argv)
     jlt_orbit_columns_names(to.file, system->flow.chart);
     fputs(",bifurcation,low,high\n", to.file);
     code = run_all(&to, &family, &axis, &first, &o, system);
-    if (code == JLT_EXIT_DONE && (o.direction > 0 ? axis.low < first.value && !(to.along.low < first.value)
-                                                  : axis.high > first.value && !(to.along.high > first.value)))
-        fprintf(stderr, "jellett: nothing is known of %s %s %.10g, where the run began: it goes there %s --decreasing\n", axis.name,
-                o.direction > 0 ? "below" : "above", first.value, o.direction > 0 ? "with" : "without");
+    if (code == JLT_EXIT_DONE && o.direction > 0 && axis.low < first.value && !(to.along.low < first.value))
+        fprintf(stderr, "jellett: the run began at %s=%.10g and did not come below; with --decreasing it goes there\n", axis.name,
+                first.value);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, common->table.path);

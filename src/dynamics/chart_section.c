@@ -150,8 +150,8 @@ enum { SIZES = 26, SIDES = 4 };
 static double middle_of(const jlt_quantity *coordinate, double period)
 {
     if (period != 0) return 0;
-    if (isfinite(coordinate->low)) return isfinite(coordinate->high) ? (coordinate->low + coordinate->high) / 2 : coordinate->low + 1;
-    return isfinite(coordinate->high) ? coordinate->high - 1 : 0;
+    if (!isfinite(coordinate->high)) return isfinite(coordinate->low) ? coordinate->low + 1 : 0;
+    return isfinite(coordinate->low) ? (coordinate->low + coordinate->high) / 2 : coordinate->high - 1;
 }
 
 size_t jlt_chart_section_probes(const jlt_chart_section *self, unsigned angles)

@@ -38,8 +38,9 @@ size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles);
 unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles);
 void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
 
-/** Points to look at for what may be anywhere: those of the grid, spread out, so that one that is met is met soon; then points around
- *  the table's starts and around the middle of the intervals, at distances of all sizes. _probes: how many; _probe: point `index`. */
+/** Points to look at for what may be anywhere: those of the grid, spread out, so that one that is met is met soon; then points
+ *  around the table's starts and around the middle of the intervals, at distances of all sizes. _probes: how many; _probe: point
+ *  `index`. */
 size_t jlt_chart_section_probes(const jlt_chart_section *self, unsigned angles);
 void jlt_chart_section_probe(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
 

@@ -12,8 +12,9 @@ enum { D = JLT_CHART_DIM_MAX };
 static const double same_point = 1e-7;     /* scaled distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
-/* The part of their velocity that crosses the section. A residual of 1e-10 in coordinates leaves the square root of that at the edge
- * of a level, where a state is as a root of them: an orbit that crosses more slowly lies in the section as far as one can tell. */
+/* The part of their velocity that crosses the section. A residual of 1e-10 in coordinates leaves the square root of that at the
+ * edge of a level, where a state is as a root of them: an orbit that crosses more slowly lies in the section as far as one can
+ * tell. */
 static const double in_section = 2e-5;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type)

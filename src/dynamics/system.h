@@ -40,8 +40,8 @@ JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
 /** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
- *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove, and the field is not the same a period further on at one
- *  of five points; *state is then the index of that state. */
+ *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove, and the field is not the same a period further on at
+ *  one of five points; *state is then the index of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
 
 /** Restrict a plane section to levels (count,) of its table's integrals; on failure it stays as it was. Errors: ARG, as

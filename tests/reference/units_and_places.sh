@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What a command finds out about a table it finds wherever the table's motion is, and in whatever units its numbers are: nothing hangs
-# on a few points that no orbit comes to.
+# What a command finds out about a table it finds wherever the table's motion is, and in whatever units its numbers are: nothing
+# hangs on a few points that no orbit comes to.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
