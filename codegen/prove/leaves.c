@@ -25,13 +25,6 @@ typedef struct {
 
 static bool is_invariant(const ttc_task *task) { return task->claim->kind == TTC_CLAIM_INVARIANT; }
 
-/* A failure that says that no point of the domain is here, rather than that something could not be computed. */
-static bool says_empty(ttc_ring_status status)
-{
-    return status == TTC_RING_DIVISION_BY_ZERO || status == TTC_RING_ROOT_OF_ZERO || status == TTC_RING_ROOT_OF_NEGATIVE
-           || status == TTC_RING_LOG_OF_ZERO || status == TTC_RING_LOG_OF_NEGATIVE;
-}
-
 /* Goals were met for the signs of roots that were in hand then; those that are not zero for the signs in hand now were left to
  * the signs for which they are. */
 static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
@@ -65,7 +58,7 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
     char *text = NULL;
     add_leads(task, b);
     ttc_domain_add(task, &task->domain, TTC_DOMAIN_WHOLE);
-    if (says_empty(task->ring->status)) {
+    if (ttc_ring_has_no_value(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);
         return false;
     }
@@ -114,6 +107,7 @@ static void check_defined(cover *c, const ttc_subcase *b)
         const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &c->undefined_at);
         c->is_partial = result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED;
     }
+    c->is_partial |= task->ring->status != TTC_RING_OK && !ttc_ring_has_no_value(task->ring->status);
     ttc_conditions_clear(&task->domain);
     task->domain = whole;
     task->ring->status = failed;
@@ -178,7 +172,7 @@ static void visit(cover *c, const ttc_subcase *b)
             ttc_subcase_check_foundations(task);
             if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
             put_off(c);
-            if (says_empty(task->ring->status))
+            if (ttc_ring_has_no_value(task->ring->status))
                 ttc_task_unsettle(task, "%s", ttc_ring_status_text(task->ring->status));
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
@@ -280,7 +274,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_evaluate(task->field, &value, b->goals[b->goal_count - 1]);
     if (task->ring->status == TTC_RING_OK) ttc_ratio_norm(task->ring, norm, &value);
     ttc_ring_status status = task->ring->status;
-    if (says_empty(status)) {
+    if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
         if (is_invariant(task) && b->goal_count == 1) check_defined(c, b);
     } else if (status != TTC_RING_OK) {
