@@ -57,7 +57,7 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     char *text = NULL;
     add_leads(task, b);
-    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WHOLE);
+    ttc_domain_add(task, &task->domain, task->extent);
     if (ttc_ring_has_no_value(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);
         return false;
@@ -360,6 +360,23 @@ static void draw_verdict(cover *c)
     free(c->undefined_at);
 }
 
+/* What is tested comes first, on leaves of its own: in the domain, and then also without the divisors that depend on it. That
+ * nothing is divided by zero says nothing of values that are given. */
+static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *start)
+{
+    cover whole = { .task = task, .prover = prover }, rest = whole;
+    descend(&whole, start);
+    if (task->status == TTC_PROVED && ttc_domain_divides_by_tested(task)) {
+        task->extent = TTC_DOMAIN_OUT_OF_QUESTION;
+        descend(&rest, start);
+    }
+    if (task->status != TTC_PROVED) return;
+    task->extent = TTC_DOMAIN_WHOLE;
+    task->tested = NULL;
+    free(task->point); /* roots with the signs of another leaf may exclude it */
+    task->point = NULL;
+}
+
 void ttc_task_run(ttc_task *task, ttc_prover prover)
 {
     const ttc_claim *claim = task->claim;
@@ -373,6 +390,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
     for (size_t i = claim->modulo_count; i-- > 0;)
         start.goals[start.goal_count++] = task->model->claims[claim->modulo[i]].expression;
-    descend(&c, &start);
+    if (task->tested != NULL) prove_tested(task, prover, &start);
+    if (task->status == TTC_PROVED) descend(&c, &start);
     draw_verdict(&c);
 }
