@@ -226,7 +226,7 @@ static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_domain
     } else if (uses_root_of_tested(task, id) || (depends_on_tested(task, id) && task->tested_root != 0)) {
         task->has_left_out |= task->tested_root == 0 || !ttc_model_depends(task->model, id, task->tested_root);
         return;
-    } else if (extent == TTC_DOMAIN_OUT_OF_QUESTION && depends_on_tested(task, id)) {
+    } else if ((extent == TTC_DOMAIN_OUT_OF_QUESTION || extent == TTC_DOMAIN_OF_OTHERS) && depends_on_tested(task, id)) {
         task->has_left_out |= !is_tested_symbol(task, id);
         return;
     }
@@ -304,7 +304,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
         ttc_id region = model->regions[i].expression;
-        bool is_in_question = depends_on_tested(task, region) && (task->tested_root != 0 || !depends_on_states(model, region));
+        bool is_in_question = depends_on_tested(task, region) &&
+                              (task->tested_root != 0 || extent == TTC_DOMAIN_OF_OTHERS || !depends_on_states(model, region));
         if (is_in_question || uses_root_of_tested(task, region)) {
             task->has_left_out |= task->tested_root == 0 ? !parameters_alone
                                                          : !ttc_model_depends(model, region, task->tested_root);
@@ -321,6 +322,14 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     ttc_ratio_clear(task->ring, &end);
     ttc_ratio_clear(task->ring, &value);
     free(support);
+}
+
+bool ttc_domain_speaks_of_tested(const ttc_task *task)
+{
+    bool speaks = false;
+    for (size_t i = 0; !speaks && i < task->model->region_count; i++)
+        speaks = depends_on_tested(task, task->model->regions[i].expression);
+    return speaks;
 }
 
 bool ttc_domain_divides_by_tested(const ttc_task *task)

@@ -25,8 +25,9 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where);
 
-/* Whether the table divides by what depends on symbols under test. */
+/* Whether the table divides by what depends on symbols under test, and whether domain records do. */
 bool ttc_domain_divides_by_tested(const ttc_task *task);
+bool ttc_domain_speaks_of_tested(const ttc_task *task);
 
 /* A root or logarithm of what is under test, of which nothing was shown yet on this leaf: see ttc_task's `shown`. */
 bool ttc_domain_is_in_question(const ttc_task *task, uint32_t symbol);

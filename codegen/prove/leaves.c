@@ -360,15 +360,19 @@ static void draw_verdict(cover *c)
     free(c->undefined_at);
 }
 
-/* What is tested comes first, on leaves of its own: in the domain, and then also without the divisors that depend on it. That
- * nothing is divided by zero says nothing of values that are given. */
+/* What is tested comes first, on leaves of its own: in the domain, then also without divisors and domain records that depend on
+ * it, which say nothing of values that are given. */
 static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *start)
 {
-    cover whole = { .task = task, .prover = prover }, rest = whole;
+    cover whole = { .task = task, .prover = prover }, rest = whole, others = whole;
     descend(&whole, start);
     if (task->status == TTC_PROVED && ttc_domain_divides_by_tested(task)) {
         task->extent = TTC_DOMAIN_OUT_OF_QUESTION;
         descend(&rest, start);
+    }
+    if (task->status == TTC_PROVED && ttc_domain_speaks_of_tested(task)) {
+        task->extent = TTC_DOMAIN_OF_OTHERS;
+        descend(&others, start);
     }
     if (task->status != TTC_PROVED) return;
     task->extent = TTC_DOMAIN_WHOLE;

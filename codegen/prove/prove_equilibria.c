@@ -34,7 +34,8 @@ static void require_records(ttc_task *task)
 {
     for (uint32_t i = 0; i < task->model->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
-        bool follows = entry->kind == TTC_ROOT || entry->kind == TTC_LOG, bound = false;
+        /* Roots and logarithms may rest on domain records. */
+        bool follows = (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) && task->extent != TTC_DOMAIN_OF_OTHERS, bound = false;
         for (size_t k = 0; k < task->claim->bindings.count; k++) {
             uint32_t symbol = task->claim->bindings.items[k].symbol;
             bound |= symbol == i || (follows && ttc_model_depends(task->model, entry->node, symbol));

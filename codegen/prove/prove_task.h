@@ -19,7 +19,8 @@ typedef ttc_proof_status (*ttc_verdict_source)(void *context, uint32_t claim);
 typedef enum {
     TTC_DOMAIN_WHOLE,
     TTC_DOMAIN_WITHOUT_CLAIM, /* without what the claim alone divides by, itself and by the definitions that it uses */
-    TTC_DOMAIN_OUT_OF_QUESTION /* without divisors that depend on symbols under test */
+    TTC_DOMAIN_OUT_OF_QUESTION, /* without divisors that depend on symbols under test */
+    TTC_DOMAIN_OF_OTHERS /* nor domain records that do */
 } ttc_domain_extent;
 
 struct ttc_task {
