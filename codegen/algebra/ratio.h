@@ -76,6 +76,8 @@ ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char 
 void ttc_ring_destroy(ttc_ring *ring); /* legal on NULL */
 void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status);
 const char *ttc_ring_status_text(ttc_ring_status status); /* a phrase; never NULL */
+/* A failure that says that what was evaluated has no value, rather than that it could not be computed. */
+bool ttc_ring_has_no_value(ttc_ring_status status);
 
 void ttc_ratio_init(ttc_ring *ring, ttc_ratio *a);
 void ttc_ratio_clear(ttc_ring *ring, ttc_ratio *a);

@@ -51,6 +51,12 @@ void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status)
     if (ring->status == TTC_RING_OK) ring->status = status;
 }
 
+bool ttc_ring_has_no_value(ttc_ring_status status)
+{
+    return status == TTC_RING_DIVISION_BY_ZERO || status == TTC_RING_ROOT_OF_ZERO || status == TTC_RING_ROOT_OF_NEGATIVE
+           || status == TTC_RING_LOG_OF_ZERO || status == TTC_RING_LOG_OF_NEGATIVE;
+}
+
 const char *ttc_ring_status_text(ttc_ring_status status)
 {
     switch (status) {

@@ -66,7 +66,7 @@ void ttc_valuation_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
         v->known[symbol] = TTC_VALUE_BUSY;
         defined_value(v, &value, symbol);
         ttc_ratio_set(v->ring, &v->values[symbol], &value);
-        v->known[symbol] = TTC_VALUE_KNOWN;
+        v->known[symbol] = v->ring->status == TTC_RING_OK ? TTC_VALUE_KNOWN : TTC_VALUE_UNKNOWN;
         ttc_ratio_clear(v->ring, &value);
     }
     ttc_ratio_set(v->ring, out, &v->values[symbol]);
@@ -81,11 +81,27 @@ bool ttc_valuation_meet(ttc_valuation *v)
     for (uint32_t i = 0; i < v->model->symbol_count; i++) {
         ttc_symbol_kind kind = v->model->symbols[i].kind;
         bool joins = kind == TTC_COSINE || kind == TTC_EXP || kind == TTC_LOG;
-        if (joins && v->known[i] != TTC_VALUE_BUSY) ttc_valuation_value(v, &value, i);
+        if (!joins || v->withheld[i] || v->known[i] == TTC_VALUE_BUSY) continue;
+        ttc_valuation_value(v, &value, i);
+        if (ttc_ring_has_no_value(v->ring->status)) v->ring->status = TTC_RING_OK;
     }
     ttc_ratio_clear(v->ring, &value);
     return v->ring->status == TTC_RING_OK;
 }
+
+bool ttc_valuation_may_join(ttc_valuation *v, uint32_t symbol)
+{
+    if (v->withheld[symbol] || v->ring->status != TTC_RING_OK) return false;
+    ttc_ratio value;
+    ttc_ratio_init(v->ring, &value);
+    ttc_evaluate(v, &value, v->model->symbols[symbol].definition);
+    const bool has_value = !ttc_ring_has_no_value(v->ring->status);
+    if (!has_value) v->ring->status = TTC_RING_OK;
+    ttc_ratio_clear(v->ring, &value);
+    return has_value;
+}
+
+void ttc_valuation_withhold(ttc_valuation *v, uint32_t symbol) { v->withheld[symbol] = true; }
 
 static bool reserve_memo(ttc_valuation *v)
 {
@@ -135,6 +151,11 @@ void ttc_evaluate(ttc_valuation *v, ttc_ratio *out, ttc_id id)
         ttc_ratio_init(v->ring, &value);
         if (kind == TTC_SYMBOL) ttc_valuation_value(v, &value, ttc_symbol_of(graph, id));
         else compound_value(v, &value, id, kind);
+        /* What has failed leaves nothing behind: others may be evaluated without it. */
+        if (v->ring->status != TTC_RING_OK) {
+            ttc_ratio_clear(v->ring, &value);
+            return;
+        }
         v->memo[id] = value;
         v->seen[id] = true;
     }

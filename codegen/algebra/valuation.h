@@ -37,6 +37,8 @@ void ttc_valuation_name(ttc_valuation *valuation, uint32_t symbol, const char *n
 const char *ttc_valuation_name_of(const ttc_valuation *valuation, uint32_t symbol); /* NULL: none was given */
 /* A root becomes a variable of its own, as a lifted root is a state; before anything is evaluated. */
 void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
+/* A function stays out of the bases, and what it is defined by is not looked at, until it is asked for. */
+void ttc_valuation_withhold(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* whether it has been evaluated */
 bool ttc_valuation_is_bound(const ttc_valuation *valuation, uint32_t symbol);
 /* The ring's variable of a symbol, or -1; and back, SIZE_MAX when there is none. */

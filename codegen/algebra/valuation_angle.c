@@ -77,7 +77,7 @@ static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
         if (support == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
         for (uint32_t k = 0; plain && k < model->symbol_count; k++) plain = !support[k] || !is_angle(model->symbols[k].kind);
         free(support);
-        if (plain) cosines[count++] = i;
+        if (plain && ttc_valuation_may_join(v, i)) cosines[count++] = i;
         if (count > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
         if (v->ring->status != TTC_RING_OK) return 0;
     }
@@ -128,6 +128,7 @@ static void find_basis(ttc_valuation *v)
     if (v->ring->status == TTC_RING_OK) found = choose(v, chosen, angles, count, fixed);
     for (size_t i = 0; i < found; i++)
         if (!in_basis(v, cosines[chosen[i]])) join(v, cosines[chosen[i]], &angles[chosen[i]]);
+    v->has_basis = v->ring->status == TTC_RING_OK;
     for (size_t i = 0; i < count; i++) ttc_ratio_clear(v->ring, angles + i);
     free(cosines);
 }

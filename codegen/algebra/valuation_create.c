@@ -25,14 +25,15 @@ static ttc_valuation *allocate(const ttc_model *model)
     v->variable = calloc(v->symbol_count, sizeof *v->variable);
     v->freed = calloc(v->symbol_count, sizeof *v->freed);
     v->rooted = calloc(v->symbol_count, sizeof *v->rooted);
+    v->withheld = calloc(v->symbol_count, sizeof *v->withheld);
     v->names = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->names);
     v->positive = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->positive);
     v->basis = calloc(v->symbol_count, sizeof *v->basis);
     v->exponentials = calloc(v->symbol_count, sizeof *v->exponentials);
     v->logarithms = calloc(v->symbol_count, sizeof *v->logarithms);
     if (v->values == NULL || v->known == NULL || v->bound == NULL || v->square == NULL || v->variable == NULL
-        || v->freed == NULL || v->rooted == NULL || v->names == NULL || v->positive == NULL || v->basis == NULL
-        || v->exponentials == NULL || v->logarithms == NULL) {
+        || v->freed == NULL || v->rooted == NULL || v->withheld == NULL || v->names == NULL || v->positive == NULL
+        || v->basis == NULL || v->exponentials == NULL || v->logarithms == NULL) {
         v->symbol_count = 0;
         ttc_valuation_destroy(v);
         return NULL;
@@ -114,6 +115,7 @@ void ttc_valuation_destroy(ttc_valuation *v)
     free(v->basis);
     free(v->positive);
     free(v->names);
+    free(v->withheld);
     free(v->rooted);
     free(v->freed);
     free(v->variable);

@@ -91,7 +91,7 @@ static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
         for (uint32_t k = 0; plain && k < model->symbol_count; k++)
             plain = !support[k] || (model->symbols[k].kind != TTC_EXP && model->symbols[k].kind != TTC_LOG);
         free(support);
-        if (plain) symbols[count++] = i;
+        if (plain && ttc_valuation_may_join(v, i)) symbols[count++] = i;
         if (count + v->logarithm_count + v->exponential_count >= TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
     }
     return count;
@@ -110,7 +110,6 @@ static void find_exponentials(ttc_valuation *v)
     ttc_ratio_init(v->ring, &exponent);
     if (plain == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
     else count = plain_exponentials(v, plain);
-    for (size_t i = 0; i < count; i++) ttc_evaluate(v, &exponent, v->model->symbols[plain[i]].definition);
     uint32_t *basis = whole_basis(v, &fixed);
     if (basis != NULL) symbols = realloc(basis, (fixed + count + 1) * sizeof *symbols);
     if (symbols == NULL) {
@@ -126,6 +125,7 @@ static void find_exponentials(ttc_valuation *v)
     if (v->ring->status == TTC_RING_OK) columns = columns_of(v, symbols, total);
     if (columns != NULL && v->ring->status == TTC_RING_OK) found = ttc_angle_choose(v->ring, chosen, columns, total, fixed);
     for (size_t i = fixed; i < found && v->ring->status == TTC_RING_OK; i++) join(v, symbols[chosen[i]], &columns[chosen[i]]);
+    v->has_exponentials = v->ring->status == TTC_RING_OK;
     free_columns(v, columns, total);
     ttc_ratio_clear(v->ring, &exponent);
     free(symbols);

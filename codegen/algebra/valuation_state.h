@@ -22,6 +22,7 @@ struct ttc_valuation {
     slong *variable;        /* by symbol; -1: none */
     bool *freed;            /* by symbol: a root that is a variable */
     bool *rooted;           /* by symbol: of `square` it is the positive root */
+    bool *withheld;         /* by symbol: a function that stays out of the bases until it is asked for */
     const char **names;     /* by variable */
     bool *positive;
     uint32_t *basis; /* cosines of independent angles, of which all others are sums; plain valuations only */
@@ -52,6 +53,10 @@ void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 /* Functions join a basis when they are met. Where a value follows from no basis, all of the table are met first: true when that
  * has been done now, so that another attempt is worth while. */
 bool ttc_valuation_meet(ttc_valuation *v);
+
+/* Whether a function of the table may join a basis before it is asked for: it is not withheld, and its definition has a value.
+ * One without is left to whoever asks for it. */
+bool ttc_valuation_may_join(ttc_valuation *v, uint32_t symbol);
 
 /* What is known of the functions of an angle or exponent, see ttc_ring_trust. basis, shape (count,): symbols whose definitions,
  * and logarithms whose values, it is compared with; those that are not free are left out. */

@@ -109,19 +109,33 @@ static bool depends_on_tested(const ttc_task *task, ttc_id id)
     return result;
 }
 
-/* Whether an expression uses a root or logarithm of what is in question: where that is real is not known yet. */
-static bool uses_root_of_tested(const ttc_task *task, ttc_id id)
+bool ttc_domain_is_in_question(const ttc_task *task, uint32_t symbol)
 {
-    const ttc_model *model = task->model;
-    if (task->tested == NULL) return false;
-    unsigned char *support = ttc_model_support(model, &id, 1);
-    bool result = support == NULL;
-    for (uint32_t i = 0; !result && i < model->symbol_count; i++) {
-        bool is_root = model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG;
-        result = is_root && support[i] && depends_on_tested(task, model->symbols[i].node);
-    }
+    const ttc_symbol_entry *entry = &task->model->symbols[symbol];
+    return (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) && symbol >= task->shown && depends_on_tested(task, entry->node);
+}
+
+uint32_t ttc_domain_last_in_question(const ttc_task *task, ttc_id id)
+{
+    if (task->tested == NULL && task->tested_root == 0) return 0;
+    unsigned char *support = ttc_model_support(task->model, &id, 1);
+    uint32_t last = support == NULL ? UINT32_MAX : (uint32_t)task->model->symbol_count - 1;
+    while (support != NULL && last > 0 && !(support[last] && ttc_domain_is_in_question(task, last))) last--;
     free(support);
-    return result;
+    return last;
+}
+
+/* Whether an expression uses a root or logarithm of what is in question: where that is real is not known yet. */
+static bool uses_root_of_tested(const ttc_task *task, ttc_id id) { return ttc_domain_last_in_question(task, id) != 0; }
+
+void ttc_domain_withhold(ttc_task *task)
+{
+    if (task->tested == NULL && task->tested_root == 0) return;
+    for (uint32_t i = 0; i < task->model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &task->model->symbols[i];
+        const bool may_join = entry->kind == TTC_COSINE || entry->kind == TTC_EXP || entry->kind == TTC_LOG;
+        if (may_join && uses_root_of_tested(task, entry->node)) ttc_valuation_withhold(task->field, i);
+    }
 }
 
 static bool depends_on_states(const ttc_model *model, ttc_id id)
@@ -212,7 +226,7 @@ static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_domain
     } else if (uses_root_of_tested(task, id) || (depends_on_tested(task, id) && task->tested_root != 0)) {
         task->has_left_out |= task->tested_root == 0 || !ttc_model_depends(task->model, id, task->tested_root);
         return;
-    } else if (extent == TTC_DOMAIN_OUT_OF_QUESTION && depends_on_tested(task, id)) {
+    } else if ((extent == TTC_DOMAIN_OUT_OF_QUESTION || extent == TTC_DOMAIN_OF_OTHERS) && depends_on_tested(task, id)) {
         task->has_left_out |= !is_tested_symbol(task, id);
         return;
     }
@@ -250,7 +264,7 @@ ttc_relation ttc_domain_relation(ttc_sign sign)
 static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_ratio *value)
 {
     const ttc_symbol_entry *entry = &task->model->symbols[symbol];
-    if (depends_on_tested(task, entry->node)) return;
+    if (ttc_domain_is_in_question(task, symbol)) return;
     ttc_evaluate(task->field, value, entry->definition);
     add(task, c, value, TTC_IS_POSITIVE, "what %s is the %s of is zero or negative under the conditions of this claim", entry->name,
         entry->kind == TTC_LOG ? "logarithm" : "root");
@@ -290,7 +304,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
         ttc_id region = model->regions[i].expression;
-        bool is_in_question = depends_on_tested(task, region) && (task->tested_root != 0 || !depends_on_states(model, region));
+        bool is_in_question = depends_on_tested(task, region) &&
+                              (task->tested_root != 0 || extent == TTC_DOMAIN_OF_OTHERS || !depends_on_states(model, region));
         if (is_in_question || uses_root_of_tested(task, region)) {
             task->has_left_out |= task->tested_root == 0 ? !parameters_alone
                                                          : !ttc_model_depends(model, region, task->tested_root);
@@ -309,20 +324,20 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     free(support);
 }
 
-void ttc_domain_require_twice(ttc_task *task, ttc_prover require)
+bool ttc_domain_speaks_of_tested(const ttc_task *task)
 {
-    bool is_divided_by = false;
-    require(task);
-    for (size_t i = 0; !is_divided_by && i < task->model->divisor_count; i++)
-        is_divided_by = depends_on_tested(task, task->model->divisors[i].divisor);
-    if (!is_divided_by || !ttc_task_open(task)) return;
-    ttc_conditions whole = task->domain;
-    ttc_conditions_init(&task->domain, task->field);
-    ttc_domain_add(task, &task->domain, TTC_DOMAIN_OUT_OF_QUESTION);
-    require(task);
-    whole.failed |= task->domain.failed;
-    ttc_conditions_clear(&task->domain);
-    task->domain = whole;
+    bool speaks = false;
+    for (size_t i = 0; !speaks && i < task->model->region_count; i++)
+        speaks = depends_on_tested(task, task->model->regions[i].expression);
+    return speaks;
+}
+
+bool ttc_domain_divides_by_tested(const ttc_task *task)
+{
+    bool divides = false;
+    for (size_t i = 0; !divides && i < task->model->divisor_count; i++)
+        divides = depends_on_tested(task, task->model->divisors[i].divisor);
+    return divides;
 }
 
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,

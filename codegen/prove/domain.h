@@ -5,12 +5,6 @@
 
 #include "prove/prove_task.h"
 
-typedef enum {
-    TTC_DOMAIN_WHOLE,
-    TTC_DOMAIN_WITHOUT_CLAIM, /* without what the claim alone divides by, itself and by the definitions that it uses */
-    TTC_DOMAIN_OUT_OF_QUESTION /* without divisors that depend on symbols under test */
-} ttc_domain_extent;
-
 /* Adds the conditions of the domain to task->domain. Symbols under test (task->tested, task->tested_root) and the roots that
  * depend on them are left out: theirs is what the claim has to show. */
 void ttc_domain_add(ttc_task *task, ttc_conditions *conditions, ttc_domain_extent extent);
@@ -31,9 +25,17 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where);
 
-/* Requires in the domain, and then also without the divisors that depend on symbols under test: that nothing is divided by zero
- * says nothing of values that are given. */
-void ttc_domain_require_twice(ttc_task *task, ttc_prover require);
+/* Whether the table divides by what depends on symbols under test, and whether domain records do. */
+bool ttc_domain_divides_by_tested(const ttc_task *task);
+bool ttc_domain_speaks_of_tested(const ttc_task *task);
+
+/* A root or logarithm of what is under test, of which nothing was shown yet on this leaf: see ttc_task's `shown`. */
+bool ttc_domain_is_in_question(const ttc_task *task, uint32_t symbol);
+/* The last such symbol that an expression uses; 0: none. */
+uint32_t ttc_domain_last_in_question(const ttc_task *task, ttc_id id);
+
+/* Functions of what is in question stay out of the bases, which would bring its roots in: for a field that is new. */
+void ttc_domain_withhold(ttc_task *task);
 
 /* Requires of a variant's parameters what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task);

@@ -71,18 +71,30 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
     ttc_ratio_clear(task->ring, &root);
 }
 
-void ttc_domain_require_tested(ttc_task *task)
+/* Of domain records of what is tested, those whose last root in question is this one, which rests on those before; 0: without. */
+static void require_regions(ttc_task *task, uint32_t last)
 {
     const ttc_model *model = task->model;
     ttc_ratio value;
-    for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
-        ttc_domain_require_symbol(task, NULL, model, task->tested->items[i].symbol, " in the variant");
     ttc_ratio_init(task->ring, &value);
     for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
         ttc_id region = model->regions[i].expression;
-        if (!ttc_domain_is_of_tested(task, region)) continue;
+        task->shown = last;
+        if (!ttc_domain_is_of_tested(task, region) || ttc_domain_last_in_question(task, region) != last) continue;
+        task->shown = last == 0 ? 0 : last + 1;
         ttc_evaluate(task->field, &value, region);
         ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken in the variant", model->regions[i].name);
     }
     ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_domain_require_tested(ttc_task *task)
+{
+    for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
+        ttc_domain_require_symbol(task, NULL, task->model, task->tested->items[i].symbol, " in the variant");
+    require_regions(task, 0);
+    for (uint32_t i = 1; i < task->model->symbol_count && ttc_task_open(task); i++) {
+        task->shown = i;
+        if (ttc_domain_is_in_question(task, i)) require_regions(task, i);
+    }
 }

@@ -25,13 +25,6 @@ typedef struct {
 
 static bool is_invariant(const ttc_task *task) { return task->claim->kind == TTC_CLAIM_INVARIANT; }
 
-/* A failure that says that no point of the domain is here, rather than that something could not be computed. */
-static bool says_empty(ttc_ring_status status)
-{
-    return status == TTC_RING_DIVISION_BY_ZERO || status == TTC_RING_ROOT_OF_ZERO || status == TTC_RING_ROOT_OF_NEGATIVE
-           || status == TTC_RING_LOG_OF_ZERO || status == TTC_RING_LOG_OF_NEGATIVE;
-}
-
 /* Goals were met for the signs of roots that were in hand then; those that are not zero for the signs in hand now were left to
  * the signs for which they are. */
 static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
@@ -64,8 +57,8 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     char *text = NULL;
     add_leads(task, b);
-    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WHOLE);
-    if (says_empty(task->ring->status)) {
+    ttc_domain_add(task, &task->domain, task->extent);
+    if (ttc_ring_has_no_value(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);
         return false;
     }
@@ -114,6 +107,7 @@ static void check_defined(cover *c, const ttc_subcase *b)
         const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &c->undefined_at);
         c->is_partial = result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED;
     }
+    c->is_partial |= task->ring->status != TTC_RING_OK && !ttc_ring_has_no_value(task->ring->status);
     ttc_conditions_clear(&task->domain);
     task->domain = whole;
     task->ring->status = failed;
@@ -178,7 +172,7 @@ static void visit(cover *c, const ttc_subcase *b)
             ttc_subcase_check_foundations(task);
             if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
             put_off(c);
-            if (says_empty(task->ring->status))
+            if (ttc_ring_has_no_value(task->ring->status))
                 ttc_task_unsettle(task, "%s", ttc_ring_status_text(task->ring->status));
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
@@ -280,7 +274,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_evaluate(task->field, &value, b->goals[b->goal_count - 1]);
     if (task->ring->status == TTC_RING_OK) ttc_ratio_norm(task->ring, norm, &value);
     ttc_ring_status status = task->ring->status;
-    if (says_empty(status)) {
+    if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
         if (is_invariant(task) && b->goal_count == 1) check_defined(c, b);
     } else if (status != TTC_RING_OK) {
@@ -366,6 +360,27 @@ static void draw_verdict(cover *c)
     free(c->undefined_at);
 }
 
+/* What is tested comes first, on leaves of its own: in the domain, then also without divisors and domain records that depend on
+ * it, which say nothing of values that are given. */
+static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *start)
+{
+    cover whole = { .task = task, .prover = prover }, rest = whole, others = whole;
+    descend(&whole, start);
+    if (task->status == TTC_PROVED && ttc_domain_divides_by_tested(task)) {
+        task->extent = TTC_DOMAIN_OUT_OF_QUESTION;
+        descend(&rest, start);
+    }
+    if (task->status == TTC_PROVED && ttc_domain_speaks_of_tested(task)) {
+        task->extent = TTC_DOMAIN_OF_OTHERS;
+        descend(&others, start);
+    }
+    if (task->status != TTC_PROVED) return;
+    task->extent = TTC_DOMAIN_WHOLE;
+    task->tested = NULL;
+    free(task->point); /* roots with the signs of another leaf may exclude it */
+    task->point = NULL;
+}
+
 void ttc_task_run(ttc_task *task, ttc_prover prover)
 {
     const ttc_claim *claim = task->claim;
@@ -379,6 +394,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
     for (size_t i = claim->modulo_count; i-- > 0;)
         start.goals[start.goal_count++] = task->model->claims[claim->modulo[i]].expression;
-    descend(&c, &start);
+    if (task->tested != NULL) prove_tested(task, prover, &start);
+    if (task->status == TTC_PROVED) descend(&c, &start);
     draw_verdict(&c);
 }

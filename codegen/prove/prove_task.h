@@ -16,6 +16,13 @@ typedef void (*ttc_prover)(ttc_task *task);
 /* Verdicts on the claims of the same table, which a claim may rest on. */
 typedef ttc_proof_status (*ttc_verdict_source)(void *context, uint32_t claim);
 
+typedef enum {
+    TTC_DOMAIN_WHOLE,
+    TTC_DOMAIN_WITHOUT_CLAIM, /* without what the claim alone divides by, itself and by the definitions that it uses */
+    TTC_DOMAIN_OUT_OF_QUESTION, /* without divisors that depend on symbols under test */
+    TTC_DOMAIN_OF_OTHERS /* nor domain records that do */
+} ttc_domain_extent;
+
 struct ttc_task {
     const ttc_model *model;
     const ttc_claim *claim;
@@ -28,12 +35,14 @@ struct ttc_task {
     void *verdict_context;
     const ttc_task *outer; /* in another table: the claim that it is looked at for; NULL */
     bool is_lifted;        /* the other table was looked at, once for all leaves */
-    const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none */
+    const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none, or they have been shown */
+    ttc_domain_extent extent;   /* in which that is to be shown */
     uint32_t tested_root;       /* the root whose radicand is to be shown positive; 0: none */
     /* of the leaf in hand */
     ttc_valuation *field;
     ttc_ring *ring;
     ttc_conditions domain;
+    uint32_t shown;    /* roots and logarithms before this symbol are no longer in question: theirs was shown here */
     bool has_left_out; /* conditions of the domain that use what is in question: a point may violate them */
     bool has_point; /* a real point of the leaf is known */
     bool is_thin;   /* the leaf may be no component of the level that it lies on */

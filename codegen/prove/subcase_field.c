@@ -1,6 +1,8 @@
 /* The field of a subcase: what conditions, a family and solutions bind is bound in it. */
 #include "prove/subcase.h"
 
+#include "prove/domain.h"
+
 static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
 {
     for (size_t i = 0; i < bindings->count; i++)
@@ -21,6 +23,8 @@ bool ttc_subcase_open(ttc_task *task, const ttc_subcase *b, unsigned choices)
             ttc_valuation_bind_square(task->field, b->solutions[i].symbol, b->solutions[i].expression);
         else ttc_valuation_bind(task->field, b->solutions[i].symbol, b->solutions[i].expression);
     ttc_conditions_init(&task->domain, task->field);
+    task->shown = 0;
+    ttc_domain_withhold(task);
     return true;
 }
 
