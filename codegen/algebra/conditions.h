@@ -37,8 +37,8 @@ void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_
 /* The same for the opposite of a ratio. */
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
-/** The conditions that hold where denominator number `index` vanishes, of a condition or of the square of a root, as far as they are
- *  known there. False: there is no such denominator. out: to be cleared. */
+/** The conditions that hold where denominator number `index` vanishes, of a condition or of the square of a root, as far as they
+ *  are known there. False: there is no such denominator. out: to be cleared. */
 bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
 /* The present length of the list, and back to it: conditions that were added to ask a question are removed again. */

@@ -1,6 +1,7 @@
 #include "prove/domain.h"
 
 #include "base/array.h"
+#include "prove/question.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -90,54 +91,6 @@ unsigned char *ttc_domain_support(const ttc_task *task, ttc_domain_extent extent
     return support;
 }
 
-/* With a root or logarithm in question are those after it, which do not vouch for it. */
-static bool is_tested(const ttc_task *task, uint32_t symbol)
-{
-    ttc_symbol_kind kind = task->model->symbols[symbol].kind;
-    for (size_t i = 0; task->tested != NULL && i < task->tested->count; i++)
-        if (task->tested->items[i].symbol == symbol) return true;
-    return task->tested_root != 0 && symbol >= task->tested_root && (kind == TTC_ROOT || kind == TTC_LOG);
-}
-
-static bool depends_on_tested(const ttc_task *task, ttc_id id)
-{
-    if (task->tested == NULL && task->tested_root == 0) return false;
-    unsigned char *support = ttc_model_support(task->model, &id, 1);
-    bool result = support == NULL;
-    for (uint32_t i = 0; !result && i < task->model->symbol_count; i++) result = support[i] && is_tested(task, i);
-    free(support);
-    return result;
-}
-
-bool ttc_domain_is_in_question(const ttc_task *task, uint32_t symbol)
-{
-    const ttc_symbol_entry *entry = &task->model->symbols[symbol];
-    return (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) && symbol >= task->shown && depends_on_tested(task, entry->node);
-}
-
-uint32_t ttc_domain_last_in_question(const ttc_task *task, ttc_id id)
-{
-    if (task->tested == NULL && task->tested_root == 0) return 0;
-    unsigned char *support = ttc_model_support(task->model, &id, 1);
-    uint32_t last = support == NULL ? UINT32_MAX : (uint32_t)task->model->symbol_count - 1;
-    while (support != NULL && last > 0 && !(support[last] && ttc_domain_is_in_question(task, last))) last--;
-    free(support);
-    return last;
-}
-
-/* Whether an expression uses a root or logarithm of what is in question: where that is real is not known yet. */
-static bool uses_root_of_tested(const ttc_task *task, ttc_id id) { return ttc_domain_last_in_question(task, id) != 0; }
-
-void ttc_domain_withhold(ttc_task *task)
-{
-    if (task->tested == NULL && task->tested_root == 0) return;
-    for (uint32_t i = 0; i < task->model->symbol_count; i++) {
-        const ttc_symbol_entry *entry = &task->model->symbols[i];
-        const bool may_join = entry->kind == TTC_COSINE || entry->kind == TTC_EXP || entry->kind == TTC_LOG;
-        if (may_join && uses_root_of_tested(task, entry->node)) ttc_valuation_withhold(task->field, i);
-    }
-}
-
 static bool depends_on_states(const ttc_model *model, ttc_id id)
 {
     unsigned char *support = ttc_model_support(model, &id, 1);
@@ -149,7 +102,7 @@ static bool depends_on_states(const ttc_model *model, ttc_id id)
 
 bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id)
 {
-    return depends_on_tested(task, id) && !depends_on_states(task->model, id);
+    return ttc_question_depends(task, id) && !depends_on_states(task->model, id);
 }
 
 /* Divisors in the definition of an angle are kept with one name of the pair. */
@@ -209,7 +162,7 @@ static void add(ttc_task *task, ttc_conditions *c, const ttc_ratio *value, ttc_r
 /* A symbol under test alone: that it is not zero is no more than what is to be shown of it. */
 static bool is_tested_symbol(const ttc_task *task, ttc_id id)
 {
-    return ttc_kind_of(task->model->graph, id) == TTC_SYMBOL && is_tested(task, ttc_symbol_of(task->model->graph, id));
+    return ttc_kind_of(task->model->graph, id) == TTC_SYMBOL && ttc_question_is_tested(task, ttc_symbol_of(task->model->graph, id));
 }
 
 static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_domain_extent extent, ttc_ratio *value)
@@ -223,10 +176,10 @@ static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_domain
         for (size_t i = 0; i < ttc_part_count(task->model->graph, id); i++)
             add_divisor(task, c, ttc_part_at(task->model->graph, id, i).id, extent, value);
         return;
-    } else if (uses_root_of_tested(task, id) || (depends_on_tested(task, id) && task->tested_root != 0)) {
+    } else if (ttc_question_uses_root(task, id) || (ttc_question_depends(task, id) && task->tested_root != 0)) {
         task->has_left_out |= task->tested_root == 0 || !ttc_model_depends(task->model, id, task->tested_root);
         return;
-    } else if ((extent == TTC_DOMAIN_OUT_OF_QUESTION || extent == TTC_DOMAIN_OF_OTHERS) && depends_on_tested(task, id)) {
+    } else if ((extent == TTC_DOMAIN_OUT_OF_QUESTION || extent == TTC_DOMAIN_OF_OTHERS) && ttc_question_depends(task, id)) {
         task->has_left_out |= !is_tested_symbol(task, id);
         return;
     }
@@ -264,7 +217,7 @@ ttc_relation ttc_domain_relation(ttc_sign sign)
 static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_ratio *value)
 {
     const ttc_symbol_entry *entry = &task->model->symbols[symbol];
-    if (ttc_domain_is_in_question(task, symbol)) return;
+    if (ttc_question_has(task, symbol)) return;
     ttc_evaluate(task->field, value, entry->definition);
     add(task, c, value, TTC_IS_POSITIVE, "what %s is the %s of is zero or negative under the conditions of this claim", entry->name,
         entry->kind == TTC_LOG ? "logarithm" : "root");
@@ -288,7 +241,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     ttc_ratio_init(task->ring, &end);
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &model->symbols[i];
-        if (is_tested(task, i) || (parameters_alone && entry->kind != TTC_PARAM)) continue;
+        if (ttc_question_is_tested(task, i) || (parameters_alone && entry->kind != TTC_PARAM)) continue;
         if (entry->kind == TTC_STATE) add_state(task, c, entry, &value, &end);
         if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN && ttc_valuation_is_bound(task->field, i)) {
             ttc_evaluate(task->field, &value, entry->node);
@@ -304,9 +257,9 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
         ttc_id region = model->regions[i].expression;
-        bool is_in_question = depends_on_tested(task, region) &&
+        bool is_in_question = ttc_question_depends(task, region) &&
                               (task->tested_root != 0 || extent == TTC_DOMAIN_OF_OTHERS || !depends_on_states(model, region));
-        if (is_in_question || uses_root_of_tested(task, region)) {
+        if (is_in_question || ttc_question_uses_root(task, region)) {
             task->has_left_out |= task->tested_root == 0 ? !parameters_alone
                                                          : !ttc_model_depends(model, region, task->tested_root);
             continue;
@@ -328,7 +281,7 @@ bool ttc_domain_speaks_of_tested(const ttc_task *task)
 {
     bool speaks = false;
     for (size_t i = 0; !speaks && i < task->model->region_count; i++)
-        speaks = depends_on_tested(task, task->model->regions[i].expression);
+        speaks = ttc_question_depends(task, task->model->regions[i].expression);
     return speaks;
 }
 
@@ -336,7 +289,7 @@ bool ttc_domain_divides_by_tested(const ttc_task *task)
 {
     bool divides = false;
     for (size_t i = 0; !divides && i < task->model->divisor_count; i++)
-        divides = depends_on_tested(task, task->model->divisors[i].divisor);
+        divides = ttc_question_depends(task, task->model->divisors[i].divisor);
     return divides;
 }
 

@@ -29,14 +29,6 @@ void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_m
 bool ttc_domain_divides_by_tested(const ttc_task *task);
 bool ttc_domain_speaks_of_tested(const ttc_task *task);
 
-/* A root or logarithm of what is under test, of which nothing was shown yet on this leaf: see ttc_task's `shown`. */
-bool ttc_domain_is_in_question(const ttc_task *task, uint32_t symbol);
-/* The last such symbol that an expression uses; 0: none. */
-uint32_t ttc_domain_last_in_question(const ttc_task *task, ttc_id id);
-
-/* Functions of what is in question stay out of the bases, which would bring its roots in: for a field that is new. */
-void ttc_domain_withhold(ttc_task *task);
-
 /* Requires of a variant's parameters what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task);
 

@@ -1,5 +1,6 @@
 /* What the records of a table demand of values, here or at an image, is required of them. */
 #include "prove/domain.h"
+#include "prove/question.h"
 
 #include <stdlib.h>
 
@@ -80,7 +81,7 @@ static void require_regions(ttc_task *task, uint32_t last)
     for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
         ttc_id region = model->regions[i].expression;
         task->shown = last;
-        if (!ttc_domain_is_of_tested(task, region) || ttc_domain_last_in_question(task, region) != last) continue;
+        if (!ttc_domain_is_of_tested(task, region) || ttc_question_last(task, region) != last) continue;
         task->shown = last == 0 ? 0 : last + 1;
         ttc_evaluate(task->field, &value, region);
         ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken in the variant", model->regions[i].name);
@@ -95,6 +96,6 @@ void ttc_domain_require_tested(ttc_task *task)
     require_regions(task, 0);
     for (uint32_t i = 1; i < task->model->symbol_count && ttc_task_open(task); i++) {
         task->shown = i;
-        if (ttc_domain_is_in_question(task, i)) require_regions(task, i);
+        if (ttc_question_has(task, i)) require_regions(task, i);
     }
 }

@@ -1,4 +1,4 @@
-#include "prove/domain.h"
+#include "prove/question.h"
 
 #include "ball/ball.h"
 
@@ -105,7 +105,7 @@ static void add_new_roots(ttc_task *task)
     for (uint32_t i = 0; i < task->model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
         if (entry->kind != TTC_ROOT || !ttc_valuation_has_value(task->field, i)) continue;
-        if (ttc_domain_is_in_question(task, i)) continue; /* it does not vouch for itself */
+        if (ttc_question_has(task, i)) continue; /* it does not vouch for itself */
         ttc_evaluate(task->field, &value, entry->node);
         ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
     }

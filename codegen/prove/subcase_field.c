@@ -1,7 +1,7 @@
 /* The field of a subcase: what conditions, a family and solutions bind is bound in it. */
 #include "prove/subcase.h"
 
-#include "prove/domain.h"
+#include "prove/question.h"
 
 static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
 {
@@ -24,7 +24,7 @@ bool ttc_subcase_open(ttc_task *task, const ttc_subcase *b, unsigned choices)
         else ttc_valuation_bind(task->field, b->solutions[i].symbol, b->solutions[i].expression);
     ttc_conditions_init(&task->domain, task->field);
     task->shown = 0;
-    ttc_domain_withhold(task);
+    ttc_question_withhold(task);
     return true;
 }
 

@@ -186,14 +186,13 @@ static double fastest(const jlt_chart_section *chart, const jlt_units *units)
 {
     const size_t all = jlt_chart_section_points(chart, 8), probes = jlt_chart_section_probes(chart, 8);
     double largest[JLT_CHART_STATES_MAX] = { 0 };
-    unsigned seen = 0;
+    bool seen = false;
 
-    for (size_t i = 0; i < probes; i++) {
+    for (size_t i = 0; i < probes && !(seen && i >= (all < SOME ? all : SOME)); i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
-        if (i >= (all < SOME ? all : SOME) && seen > 0) break;
         jlt_chart_section_probe(chart, q, i, 8);
         if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
-        seen++;
+        seen = true;
         for (unsigned k = 0; k < chart->base.states; k++)
             if (isfinite(x[k])) largest[k] = fmax(largest[k], fabs(x[k]));
     }
@@ -258,7 +257,6 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     count_values(self->flow.values, &self->surface, values, &units);
     if (!descriptor->scales || !lifts_alike(&self->rows, &self->flow, &units)) units = (jlt_units){ 0 };
     JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &units, options));
-    self->flow = self->rows;
     count_values(self->flow.values, &self->surface, values, &units);
     self->base.flow.chart = self->base.chart_base = &self->flow.base;
     if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever this table says */

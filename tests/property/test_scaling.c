@@ -270,7 +270,8 @@ static void a_field_scales_where_its_terms_have_dimensions(void **unused)
     for (size_t i = 0; i < sizeof models / sizeof *models; i++) {
         const jlt_descriptor *d = jlt_descriptor_find(models[i], NULL, NULL, NULL);
         assert_non_null(d);
-        for (; d != NULL; d = d->time[0] == '\0' ? jlt_descriptor_sibling(d, NULL, "regular", NULL) : NULL) assert_int_equal(d->scales, 1);
+        for (; d != NULL; d = d->time[0] == '\0' ? jlt_descriptor_sibling(d, NULL, "regular", NULL) : NULL)
+            assert_int_equal(d->scales, 1);
     }
     assert_int_equal(jlt_descriptor_find("lorenz", NULL, NULL, NULL)->scales, 0);
 }
