@@ -100,6 +100,11 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.determinant = exp(at.expansion);
     orbit.determinant_slope = at.determinant;
     JLT_TRY(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
+    /* On one coordinate the divergence alone keeps the digits of a small one. */
+    if (d == 1) {
+        const bool turns_over = slope[0] < -orbit.determinant / 2 && slope[0] > -2 * orbit.determinant;
+        orbit.trace = orbit.re[0] = turns_over ? -orbit.determinant : orbit.determinant;
+    }
     /* The smaller of two real multipliers keeps its digits through the determinant. */
     if (d == 2 && orbit.im[0] == 0 && orbit.re[0] != 0) orbit.re[1] = orbit.determinant / orbit.re[0];
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);

@@ -81,6 +81,22 @@ void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quant
     units->length = exponent_of_first(params, of, count, "m");
 }
 
+static int within(int unit, const double *x, const jlt_quantity *of, unsigned count, const char *name)
+{
+    static const int spare = 6;
+    double largest = 0;
+
+    for (unsigned k = 0; k < count; k++)
+        if (strcmp(of[k].unit, name) == 0 && isfinite(x[k])) largest = fmax(largest, fabs(x[k]));
+    return largest > 0 && ilogb(largest) < unit - spare ? ilogb(largest) : unit;
+}
+
+void jlt_units_of_states(jlt_units *units, const double *x, const jlt_quantity *of, unsigned count)
+{
+    units->mass = within(units->mass, x, of, count, "kg");
+    units->length = within(units->length, x, of, count, "m");
+}
+
 double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives)
 {
     static const jlt_units seconds = { .time = 1 };

@@ -26,6 +26,10 @@ void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, un
  *  shape (count,), are in the table's units. */
 void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count);
 
+/** Make the units of mass and length no larger than 64 times the largest state that is one: a parameter in m may have nothing to do
+ *  with how far the motion goes. x, shape (count,), in the table's units; where all such states are 0 the unit stays. */
+void jlt_units_of_states(jlt_units *units, const double *x, const jlt_quantity *of, unsigned count);
+
 /** The largest rate [1/s] that the sizes of states suggest: a state whose unit has the factor s^p, p < 0, gives |x|^(-1/p), in
  *  these units of mass and length. x, shape (count,), in the table's units; derivatives: how often x has been differentiated by
  *  time. Returns 0 where no state has such a unit. */

@@ -55,6 +55,7 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
 
     *out = (jlt_units){ 0 };
     jlt_units_of_params(&units, question->params, model->params, model->param_count);
+    jlt_units_of_states(&units, question->start, model->states, model->state_count);
     JLT_TRY(jlt_instance_create(&instance, model, question->params));
     for (unsigned i = 0; i < model->state_count; i++)
         still[i] = jlt_units_exponent(&(jlt_units){ .time = 1 }, model->states[i].unit) == 0 ? question->start[i] : 0;
@@ -67,5 +68,31 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     if (scales) *out = units;
 done:
     jlt_instance_destroy(instance);
+    return st;
+}
+
+jlt_status jlt_course_units_of_integrals(double *one, unsigned count, const jlt_instance *counted, const jlt_question *question,
+                                         const jlt_units *units)
+{
+    const jlt_descriptor *d = counted->descriptor;
+    const unsigned n = d->state_count;
+    double x[JLT_PLAN_STATES_MAX], y[JLT_PLAN_STATES_MAX], here[JLT_PLAN_STATES_MAX], there[JLT_PLAN_STATES_MAX];
+    jlt_instance *plain = NULL;
+    jlt_status st = JLT_OK;
+
+    for (unsigned i = 0; i < count; i++) one[i] = 1;
+    if (count == 0) return st;
+    JLT_TRY(jlt_instance_create(&plain, d, question->params));
+    for (int beside = 1; beside >= 0; beside--) { /* at the start last */
+        jlt_units_count(y, question->start, d->states, n, units);
+        for (unsigned i = 0; i < n; i++) y[i] += beside * (0.25 + i % 7 / 16.);
+        jlt_units_restore(x, y, d->states, n, units);
+        d->integral_values.call(x, plain->prepared, here);
+        d->integral_values.call(y, counted->prepared, there);
+        for (unsigned i = 0; i < count; i++)
+            if (here[i] != 0 && there[i] != 0 && isfinite(here[i]) && isfinite(there[i])) one[i] = fabs(there[i] / here[i]);
+    }
+done:
+    jlt_instance_destroy(plain);
     return st;
 }

@@ -108,4 +108,36 @@ done
 about 0 ""
 jellett orbits ./pair.tt --period 1 --grid y=-0.3:0.3:12,py=-0.3:0.3:12 > out 2> err || fail "orbits: $(cat err)"
 awk -F, '/^1,/ && $2^2 + $3^2 > 0.0999 { n++ } END { exit n > 0 }' out || fail "orbits along the section: $(grep ^1, out)"
+
+# 5. A length that has nothing to do with the motion is no measure of its errors. x = cos(sqrt(5) t), to 1e-12 a return.
+cat > inert.tt <<'TABLE'
+model inert
+param L > 0 [m]
+param k > 0 [1/s^2]
+default L = 1, k = 5
+state x [m]
+state v [m/s]
+eq x = v
+eq v = -k*x
+integral H = v^2/2 + k*x^2/2
+observe far = L [m]
+TABLE
+for L in 1 1e12 1e100; do
+    row jellett simulate ./inert.tt --set L=$L --start x=1,v=0 --times 100 > out
+    awk -F, '{ d = $2 - cos(100*sqrt(5)); h = $3^2/2 + 5*$2^2/2 - 2.5; exit !(d*d < 1e-20 && h*h < 1e-20 && $4 < 1e-10) }' out ||
+        fail "L = $L: $(cat out)"
+done
+
+# 6. A multiplier below rounding on a section of one coordinate is what the divergence says it is: exp of its integral.
+cat > relaxing.tt <<'TABLE'
+model relaxing
+param mu > 0
+default mu = 10
+state x
+state y
+eq x = y
+eq y = mu*(1 - x^2)*y - x
+TABLE
+row jellett orbits ./relaxing.tt --section x=0 --start y=15 --period 1 > out
+awk -F, '{ exit !($4 == $5 && $5 == $6 && $5 > 3.5e-136 && $5 < 3.9e-136) }' out || fail "a small multiplier: $(cat out)"
 exit $status
