@@ -84,7 +84,6 @@ typedef struct {
     unsigned shown[2];    /* in pictures: 0, the value that runs, or a coordinate by its number from 1 */
     size_t rows, branch;  /* branch: of the last row */
     jlt_extent extent[2]; /* of the picture */
-    jlt_extent along;     /* of the value that runs */
     bool is_watched, is_told; /* multipliers of the branch's last point were clear of the unit circle; a bifurcation came since, */
     unsigned outside;         /* so many of them outside, */
     double clear_at;          /* at this value */
@@ -135,7 +134,6 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
     table *self = context;
 
     watch_stability(self, branch, point);
-    jlt_extent_add(&self->along, point->value);
     write_point(self, branch, point);
     if (self->points != NULL) {
         const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;
@@ -300,7 +298,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
     jlt_motion_family family = { .surface = NULL };
-    table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE }, .along = JLT_EXTENT_NONE };
+    table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
@@ -336,9 +334,6 @@ static jlt_exit run(int argc, char **argv)
     jlt_orbit_columns_names(to.file, system->flow.chart);
     fputs(",bifurcation,low,high\n", to.file);
     code = run_all(&to, &family, &axis, &first, &o, system);
-    if (code == JLT_EXIT_DONE && o.direction > 0 && axis.low < first.value && !(to.along.low < first.value))
-        fprintf(stderr, "jellett: the run began at %s=%.10g and did not come below; with --decreasing it goes there\n", axis.name,
-                first.value);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, common->table.path);

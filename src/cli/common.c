@@ -230,12 +230,15 @@ jlt_exit jlt_common_still(void)
 
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path)
 {
-    const jlt_command_file optional[] = { { "--plot", self->plot }, { "--keep", self->keep }, { option, path } };
-    jlt_command_file files[4] = { { "--output", self->output } };
+    const char *table = self->model != NULL && jlt_table_is_file(self->model) ? self->model : NULL;
+    const jlt_command_file optional[] = {
+        { "--plot", self->plot }, { "--keep", self->keep }, { option, path }, { "MODEL", table }
+    };
+    jlt_command_file files[5] = { { "--output", self->output } };
     size_t count = 1;
     jlt_exit code;
 
-    for (size_t i = 0; i < 3; i++)
+    for (size_t i = 0; i < 4; i++)
         if (optional[i].path != NULL) files[count++] = optional[i];
     code = jlt_command_distinct(files, count);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = jlt_command_check_output(files[i].path);

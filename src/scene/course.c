@@ -31,7 +31,7 @@ struct jlt_course {
     bool is_rod;
 
     jlt_instance *watch; /* the asked model's kernel: integrals */
-    double first[INTEGRALS_MAX], one[INTEGRALS_MAX], drift[INTEGRALS_MAX]; /* one: a unit of the table in the course's */
+    double first[INTEGRALS_MAX], drift[INTEGRALS_MAX];
 
     jlt_leg legs[2], *leg; /* leg: the one that is followed; NULL: none yet */
     jlt_rod rod;
@@ -207,7 +207,6 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
     integrals(self, self->first, self->start);
-    JLT_TRY(jlt_course_units_of_integrals(self->one, jlt_course_integrals(self), self->watch, question, &self->units));
     JLT_TRY(jlt_course_conditions_open(&self->conditions, model, question->params, &self->units));
     st = JLT_ERR_NOMEM;
     self->seen = calloc(jlt_observed_count(self->conditions.observed) + 1, sizeof *self->seen);
@@ -281,7 +280,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     settle(self, row, end == JLT_END_POLE);
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
-        self->drift[i] = fabs(now[i] - self->first[i]) / fmax(self->one[i], fabs(self->first[i]));
+        self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
     jlt_observed_values(self->conditions.observed, self->seen, self->x);
     note_conditions(self, t, self->x);
     row->least = self->conditions.least;

@@ -12,6 +12,9 @@ static bool agree(const double *told, const double *counted, const jlt_quantity 
     return memcmp(restored, told, count * sizeof *told) == 0;
 }
 
+/* The units of the table itself, in which nothing is scaled. */
+static bool is_of_table(const jlt_units *units) { return units->mass == 0 && units->length == 0 && units->time == 0; }
+
 jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x, const jlt_units *units)
 {
     const jlt_descriptor *model = tier->asked;
@@ -36,7 +39,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
         if (memcmp(told.instance->params, view.instance->params, kernel->param_count * sizeof *told.instance->params) == 0
             && agree(y[0], y[1], kernel->states, kernel->state_count, units)
             && agree(back[0], back[1], model->states, model->state_count, units))
-            *serves = kernel->scales;
+            *serves = kernel->scales || is_of_table(units);
     }
     if (st == JLT_ERR_UNSUPPORTED) st = JLT_OK;
 done:
@@ -68,31 +71,5 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     if (scales) *out = units;
 done:
     jlt_instance_destroy(instance);
-    return st;
-}
-
-jlt_status jlt_course_units_of_integrals(double *one, unsigned count, const jlt_instance *counted, const jlt_question *question,
-                                         const jlt_units *units)
-{
-    const jlt_descriptor *d = counted->descriptor;
-    const unsigned n = d->state_count;
-    double x[JLT_PLAN_STATES_MAX], y[JLT_PLAN_STATES_MAX], here[JLT_PLAN_STATES_MAX], there[JLT_PLAN_STATES_MAX];
-    jlt_instance *plain = NULL;
-    jlt_status st = JLT_OK;
-
-    for (unsigned i = 0; i < count; i++) one[i] = 1;
-    if (count == 0) return st;
-    JLT_TRY(jlt_instance_create(&plain, d, question->params));
-    for (int beside = 1; beside >= 0; beside--) { /* at the start last */
-        jlt_units_count(y, question->start, d->states, n, units);
-        for (unsigned i = 0; i < n; i++) y[i] += beside * (0.25 + i % 7 / 16.);
-        jlt_units_restore(x, y, d->states, n, units);
-        d->integral_values.call(x, plain->prepared, here);
-        d->integral_values.call(y, counted->prepared, there);
-        for (unsigned i = 0; i < count; i++)
-            if (here[i] != 0 && there[i] != 0 && isfinite(here[i]) && isfinite(there[i])) one[i] = fabs(there[i] / here[i]);
-    }
-done:
-    jlt_instance_destroy(plain);
     return st;
 }

@@ -17,9 +17,4 @@ JLT_CHECKED jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, co
 JLT_CHECKED jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x,
                                               const jlt_units *units);
 
-/** What 1 of each of the first `count` integrals, in the table's units, is in these: from the values in both at the start or, where
- *  one is 0, beside it. counted: the asked model's kernel in these units. Errors: NOMEM; as jlt_instance_create. */
-JLT_CHECKED jlt_status jlt_course_units_of_integrals(double *one, unsigned count, const jlt_instance *counted,
-                                                     const jlt_question *question, const jlt_units *units);
-
 #endif
