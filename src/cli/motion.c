@@ -36,8 +36,8 @@ static const struct argp_option option_table[] = {
 static const struct argp_option contact_table[] = {
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do where a condition of the model breaks (`valid` in its table; of the top, contact: the plane would have to "
-      "pull): go on and say at the end for how many orbits (default), tell its least value in a column of its own, or end the "
-      "orbit as lost_NAME", 11 },
+      "pull): go on and say at the end for how many orbits (default), tell its least value at steps, and within one where it "
+      "breaks, in a column of its own, or end the orbit as lost_NAME", 11 },
     { 0 },
 };
 
