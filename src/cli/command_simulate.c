@@ -56,9 +56,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "One orbit: states at given times, drift of the integrals, what is observed along it, and what ends it."
-    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|), in units of the problem), "
-    "what the table observes, "
-    "with --track the other states and quantities of the larger table (empty where another tier has taken over), the tiers "
+    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to |F(start)|, or, where that is smaller, "
+    "to the least of 1 and what F changes by where all states change by the largest of them, in units of the problem), what the "
+    "table observes, with --track the other states and quantities of the larger table (empty where another tier has taken over), the tiers "
     "compared, and fate: alive, lost_NAME (a condition of the model has been broken since the start, for the top lost_contact: the "
     "plane would have had to pull), unknown_NAME (that condition has had no value since the start, and none has been broken), "
     "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none). Where the "

@@ -7,11 +7,12 @@
 
 #include "kernel/descriptor.h"
 #include "scene/course_conditions.h"
+#include "scene/course_drift.h"
 #include "scene/course_more.h"
 #include "scene/course_units.h"
 #include "top/rod.h"
 
-enum { INTEGRALS_MAX = 8, CHANGES_MAX = 16 };
+enum { CHANGES_MAX = 16 };
 
 typedef struct {
     double t;
@@ -31,7 +32,7 @@ struct jlt_course {
     bool is_rod;
 
     jlt_instance *watch; /* the asked model's kernel: integrals */
-    double first[INTEGRALS_MAX], drift[INTEGRALS_MAX];
+    jlt_course_drift drift;
 
     jlt_leg legs[2], *leg; /* leg: the one that is followed; NULL: none yet */
     jlt_rod rod;
@@ -54,12 +55,7 @@ const jlt_instance *jlt_course_kernel(const jlt_course *self)
     return self->is_rod ? self->watch : self->leg->view.instance;
 }
 
-unsigned jlt_course_integrals(const jlt_course *self)
-{
-    const unsigned count = self->watch->descriptor->integral_count;
-    if (self->watch->descriptor->integral_values.call == NULL) return 0;
-    return count < INTEGRALS_MAX ? count : INTEGRALS_MAX;
-}
+unsigned jlt_course_integrals(const jlt_course *self) { return self->drift.count; }
 
 const char *jlt_course_integral(const jlt_course *self, unsigned index)
 {
@@ -76,15 +72,6 @@ void jlt_course_change(const jlt_course *self, unsigned index, double *t, const 
     *from = self->plan.candidates[c->from].tier.name;
     *to = self->plan.candidates[c->to].tier.name;
     *why = c->why;
-}
-
-static void integrals(const jlt_course *self, double *values, const double *x)
-{
-    double all[JLT_PLAN_STATES_MAX];
-
-    if (jlt_course_integrals(self) == 0) return;
-    self->watch->descriptor->integral_values.call(x, self->watch->prepared, all);
-    memcpy(values, all, jlt_course_integrals(self) * sizeof *values);
 }
 
 unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities)
@@ -206,7 +193,7 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
-    integrals(self, self->first, self->start);
+    JLT_TRY(jlt_course_drift_begin(&self->drift, self->watch, self->start));
     JLT_TRY(jlt_course_conditions_open(&self->conditions, model, question->params, &self->units));
     st = JLT_ERR_NOMEM;
     self->seen = calloc(jlt_observed_count(self->conditions.observed) + 1, sizeof *self->seen);
@@ -274,13 +261,9 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
 /* Everything a row says of the states in self->x at t, both in the course's units. */
 static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
-    double now[INTEGRALS_MAX];
-
-    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift, .observed = self->seen };
+    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift.value, .observed = self->seen };
     settle(self, row, end == JLT_END_POLE);
-    integrals(self, now, self->x);
-    for (unsigned i = 0; i < jlt_course_integrals(self); i++)
-        self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
+    jlt_course_drift_note(&self->drift, self->x);
     jlt_observed_values(self->conditions.observed, self->seen, self->x);
     note_conditions(self, t, self->x);
     row->least = self->conditions.least;

@@ -25,7 +25,7 @@ typedef struct {
     jlt_end end;              /* TIME; POLE: the orbit ends here; INTERRUPT: t was not reached */
     double t;                 /* in the table's unit, the start is at 0 */
     const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
-    const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
+    const double *drift;      /* shape (integrals,): |F - F(start)|, relative as in course_drift.h */
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
     double least;             /* least value since the start of the model's conditions (`valid` in its table), looked at where
                                  steps end and, where all hold there, within the step; INFINITY: the model has none */

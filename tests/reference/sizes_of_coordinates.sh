@@ -82,4 +82,26 @@ for q in 1 1e-6 1e6; do
     [ "$(grep -c ',fold,' out)" -eq 1 ] || fail "q = $q: $(grep -c ',fold,' out) folds"
     grep -q 'branch 0: the range ends' err || fail "q = $q: $(cat err)"
 done
+# One orbit by every method: errors are relative to the start's size, and so is the drift. In 20 units of time an error of the
+# tolerance 1e-12 grows by its share a step, by shear, to less than a thousand of it.
+cat > spring.tt <<'TABLE'
+model spring
+param L > 0
+default L = 1
+state x
+state v
+eq x = v
+eq v = -x - x^3/L^2
+integral H = v^2/2 + x^2/2 + x^4/(4*L^2)
+TABLE
+spring() { jellett simulate ./spring.tt --set L="$1" --start x="$1",v=0 --times 20 --method "$2" 2> err | tail -1; }
+of_one=$(spring 1 gauss)
+for method in gauss dop853 taylor msadams; do
+    for L in 1e-3 1e-9 1e-20; do
+        row=$(spring "$L" "$method")
+        echo "$of_one,$row" | awk -F, -v L="$L" '
+            function far(a, b) { return (a - b)^2 > 1e-18 }
+            { exit far($2, $7/L) || far($3, $8/L) || $9 > 1e-9 || $9 == 0 }' || fail "$method, L = $L: $row, not L times $of_one"
+    done
+done
 exit $status
