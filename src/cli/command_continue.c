@@ -264,6 +264,14 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
 }
 
+/* A branch goes through its first orbit, and one run follows one half of it. */
+static void tell_half(const jlt_grid_axis *axis, double value, int direction)
+{
+    if (!(value > axis->low && value < axis->high)) return;
+    fprintf(stderr, "jellett: from %s=%.10g the branch was followed one way, at first to %s values; the other way: run it %s\n",
+            axis->name, value, direction > 0 ? "larger" : "smaller", direction > 0 ? "with --decreasing" : "without --decreasing");
+}
+
 static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
                         const options *o, const jlt_system *system)
 {
@@ -277,6 +285,7 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
 
     to->chart = system->flow.chart;
     const jlt_status st = jlt_tree_grow(&left, to->chart, &maps, first, o->direction, o->generations, &run, &sink);
+    if (st == JLT_OK) tell_half(axis, first->value, o->direction);
     if (st == JLT_OK && o->generations > 0) tell_left(&left, o->generations);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
