@@ -302,7 +302,9 @@ static double first_step(jlt_dop853 *self, jlt_stepper *stepper)
         size = jlt_larger(size, fabs(stepper->x[i]) / w);
         speed = jlt_larger(speed, fabs(stepper->f[i]) / w);
     }
-    double h = size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed;
+    const double unit = jlt_first_unit(speed);
+    speed *= unit;
+    double h = unit * (size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed);
     h = jlt_smaller(h, stepper->max_step);
     for (unsigned i = 0; i < columns; i++) self->trial[i] = stepper->x[i] + stepper->direction * h * stepper->f[i];
     slope(stepper->field, self->trial, self->stage);
@@ -311,9 +313,9 @@ static double first_step(jlt_dop853 *self, jlt_stepper *stepper)
         const double w = jlt_larger(fabs(stepper->x[i]), stepper->scale[i]);
         bend = jlt_larger(bend, fabs(self->stage[i] - stepper->f[i]) / w / h);
     }
-    const double steepest = jlt_larger(speed, bend);
-    const double by_order = steepest <= 1e-15 ? jlt_larger(1e-6, h * 1e-3)
-                                              : 0.5 * jlt_inverse_root(steepest / stepper->tolerance, 1.0 / 8);
+    const double steepest = jlt_larger(speed, bend * unit * unit);
+    const double by_order = steepest <= 1e-15 ? jlt_larger(1e-6 * unit, h * 1e-3)
+                                              : unit * 0.5 * jlt_inverse_root(steepest / stepper->tolerance, 1.0 / 8);
     return isfinite(bend) ? jlt_smaller(jlt_smaller(100 * h, by_order), stepper->max_step) : h;
 }
 

@@ -325,7 +325,8 @@ static jlt_status start(jlt_stepper *stepper)
             size = jlt_larger(size, fabs(stepper->x[c]) / w);
             speed = jlt_larger(speed, fabs(stepper->f[c]) / w);
         }
-        const double h = size < 1e-5 || speed < 1e-5 ? 1e-3 : 0.1 * size / speed;
+        const double unit = jlt_first_unit(speed);
+        const double h = unit * (size < 1e-5 || speed == 0 ? 1e-3 : 0.1 * size / (speed * unit));
         stepper->h_next = jlt_smaller(jlt_smaller(h, time_of_change(self, stepper)), stepper->max_step);
     }
     return JLT_OK;

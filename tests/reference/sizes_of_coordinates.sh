@@ -104,4 +104,26 @@ for method in gauss dop853 taylor msadams; do
             { exit far($2, $7/L) || far($3, $8/L) || $9 > 1e-9 || $9 == 0 }' || fail "$method, L = $L: $row, not L times $of_one"
     done
 done
+# The same motion by any clock: x' = e (-x + cos phi), whose second return is at 4 pi/e; its x is that of e = 1 within the tolerance
+# 1e-12 for each unit of time.
+cat > clock.tt <<'TABLE'
+model clock
+param e > 0
+default e = 1
+state x
+state phi
+angle C S = cos(phi) sin(phi)
+eq x = e*(-x + C)
+eq phi = e
+periodic phi = 2*pi
+TABLE
+clock() { jellett section ./clock.tt --set e="$1" --section phi=0 --start x=0.2 --returns 2 --method "$2" 2> err | tail -1; }
+of_one=$(clock 1 gauss)
+for method in gauss dop853; do
+    for e in 1e-6 1e-11 1e-14 1e-50 1e9; do
+        row=$(clock "$e" "$method")
+        echo "$of_one,$row" | awk -F, -v e="$e" '{ exit $10 != "alive" || ($3/e/$8 - 1)^2 > 1e-22 || ($4 - $9)^2 > 1e-22 }' ||
+            fail "$method, e = $e: $row, not as $of_one"
+    done
+done
 exit $status
