@@ -6,6 +6,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "dynamics/chart_level.h"
 #include "dynamics/lyapunov.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -16,11 +17,14 @@ enum { BLOCK = 256 };
 /* The point that exponents are measured from. */
 jlt_status jlt_lyapunov_chart_skip(jlt_map *map, double *q, size_t skip)
 {
+    const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_image image;
     const jlt_status st = skip > 0 ? jlt_map_point(map, &image, q, skip, 1) : JLT_OK;
 
-    if (skip > 0 && st == JLT_OK) memcpy(q, image.q, jlt_map_flow(map)->chart->dim * sizeof *q);
-    return st;
+    if (skip == 0 || st != JLT_OK) return st;
+    if (!jlt_chart_level_follows(chart, image.x)) return JLT_ERR_NO_CONVERGENCE;
+    memcpy(q, image.q, chart->dim * sizeof *q);
+    return JLT_OK;
 }
 
 jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_system *system, jlt_motion_map *map)

@@ -10,7 +10,8 @@ typedef struct {
     size_t returns, skip, threads;
 } jlt_lyapunov_chart_options;
 
-/** Follow q, shape (dim,), for `skip` returns, to the point that exponents are measured from. Errors: as jlt_map_point. */
+/** Follow q, shape (dim,), for `skip` returns, to the point that exponents are measured from. Errors: as jlt_map_point, and
+ *  NO_CONVERGENCE, that point is on another branch of a chart that solves for states. */
 JLT_CHECKED jlt_status jlt_lyapunov_chart_skip(jlt_map *map, double *q, size_t skip);
 
 /** The maps of many starts: in lanes, unless a method was asked for; sets the options' threads where none were. Errors: as

@@ -5,6 +5,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "dynamics/chart_level.h"
+
 /* Of many orbits, for each thread: those that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. For all threads together: the most of these rows. */
 enum { BLOCK = 256, ROWS = 1024, ROWS_MAX = 1 << 16 };
@@ -52,6 +54,15 @@ static bool stopped(const jlt_section_run *f)
     return (double)(now.tv_sec - f->cut_at.tv_sec) + 1e-9 * (double)(now.tv_nsec - f->cut_at.tv_nsec) > 0.5;
 }
 
+/* Where DP of the next return is taken: not a number where the chart's point is another state than the orbit's. */
+static void point_before(double *before, const jlt_section_run *f, const jlt_return *at)
+{
+    const jlt_chart *chart = f->system->flow.chart;
+    const bool is_lifted = f->table.check && jlt_chart_level_follows(chart, at->x);
+
+    for (unsigned k = 0; k < chart->dim; k++) before[k] = is_lifted ? at->q[k] : NAN;
+}
+
 /* Orbit number `index` of its block. */
 static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
 {
@@ -64,7 +75,7 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
     if (st != JLT_OK) return st;
     JLT_TRY(put(f, &at, NULL));
     while (at.fate == JLT_FATE_ALIVE && at.number < f->returns && !stopped(f)) {
-        memcpy(before, at.q, f->system->flow.chart->dim * sizeof *before);
+        point_before(before, f, &at);
         JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
         if (at.interrupted) break;
         JLT_TRY(put(f, &at, before));

@@ -96,8 +96,9 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
 bool jlt_section_table_verdict(const jlt_section_table *table)
 {
     if (table->unchecked > 0)
-        fprintf(stderr, "jellett: DP could not be computed at %zu of %zu returns\n", table->unchecked,
-                table->unchecked + table->checked);
+        fprintf(stderr, "jellett: DP could not be computed at %zu of %zu returns%s\n", table->unchecked,
+                table->unchecked + table->checked,
+                table->system->flow.chart->solved_count > 0 ? ": from or to another branch of --solve there is none" : "");
     if (table->checked == 0) return table->unchecked == 0;
     fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g, %.2g of its bound\n",
             table->worst_defect, table->worst_share);

@@ -35,7 +35,7 @@ void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)
     count->starts++;
     count->by_fate[end->fate]++;
     jlt_failures_add(&count->failures, end->fate, end->unbounded, end->t);
-    if (end->least > 0) count->valid[end->fate]++;
+    if (end->least > 0 && end->fate != JLT_FATE_INVALID) count->valid[end->fate]++;
     if (isnan(end->least)) count->unknown++;
 }
 

@@ -129,8 +129,7 @@ bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     return first < INFINITY;
 }
 
-/* The first zero of an event's function within the last step, which begins and ends on one side of it; at most *theta. */
-static jlt_status first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
+jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
 {
     jlt_crossing list[JLT_CROSSINGS_MAX];
     jlt_watch watch = { .event = *event, .side = side };
@@ -145,7 +144,7 @@ static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned s
 {
     const jlt_event event = { .column = state, .level = end };
 
-    return isfinite(end) ? first_zero(theta, stepper, &event, side) : JLT_OK;
+    return isfinite(end) ? jlt_edge_first_zero(theta, stepper, &event, side) : JLT_OK;
 }
 
 typedef struct {
@@ -233,7 +232,7 @@ jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_ev
                            ? stays_far(stepper, event, w0, w1) || stands_still(stepper, event, w0, w1)
                            : stays_above(stepper, event, w0, w1);
     if (holds) return JLT_OK;
-    return first_zero(theta, stepper, event, 1);
+    return jlt_edge_first_zero(theta, stepper, event, 1);
 }
 
 /* Between thirds, of which the larger end goes. */

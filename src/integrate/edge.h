@@ -15,6 +15,10 @@
  *  polynomial of their own 13 of values. Errors: those of jlt_stepper_dense and of partial steps. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 
+/** The first zero of an event's function within the last step, whose start is on this side of it. In/out: *theta, replaced by that
+ *  of the zero if that is smaller. Errors and cost: as jlt_edge_left. */
+JLT_CHECKED jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side);
+
 /** The same for the function of an event, where it is positive at both ends of the step. In/out: *theta, replaced by the first
  *  theta at which the function is not positive, if that is smaller. Errors: as jlt_edge_left. */
 JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);

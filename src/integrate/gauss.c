@@ -315,20 +315,19 @@ static double time_of_change(gauss *self, jlt_stepper *stepper)
 static jlt_status start(jlt_stepper *stepper)
 {
     gauss *self = stepper->state;
+    double size = 0, speed = 0;
+
     self->has_past = false;
     self->guessed = 0;
-    if (!(stepper->h_next > 0)) {
-        /* As for dop853, but cheaper: a first guess is only the start of a fast controller. */
-        double size = 0, speed = 0;
-        for (unsigned c = 0; c < stepper->columns; c++) {
-            const double w = jlt_larger(fabs(stepper->x[c]), stepper->scale[c]);
-            size = jlt_larger(size, fabs(stepper->x[c]) / w);
-            speed = jlt_larger(speed, fabs(stepper->f[c]) / w);
-        }
-        const double unit = jlt_first_unit(speed);
-        const double h = unit * (size < 1e-5 || speed == 0 ? 1e-3 : 0.1 * size / (speed * unit));
-        stepper->h_next = jlt_smaller(jlt_smaller(h, time_of_change(self, stepper)), stepper->max_step);
+    if (stepper->h_next > 0) return JLT_OK;
+    for (unsigned c = 0; c < stepper->columns; c++) { /* as for dop853, but cheaper: the controller is fast */
+        const double w = jlt_larger(fabs(stepper->x[c]), stepper->scale[c]);
+        size = jlt_larger(size, fabs(stepper->x[c]) / w);
+        speed = jlt_larger(speed, fabs(stepper->f[c]) / w);
     }
+    const double unit = jlt_first_unit(speed);
+    const double h = unit * (size < 1e-5 || speed == 0 ? 1e-3 : 0.1 * size / (speed * unit));
+    stepper->h_next = jlt_smaller(jlt_smaller(h, time_of_change(self, stepper)), stepper->max_step);
     return JLT_OK;
 }
 

@@ -112,6 +112,12 @@ jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const j
     return st;
 }
 
+jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
+{
+    *theta = INFINITY;
+    return jlt_edge_first_zero(theta, self->stepper, event, 1);
+}
+
 void jlt_orbit_drift(const jlt_orbit *self, double *drift)
 {
     memcpy(drift, self->invariants.drift, self->options.invariants.count * sizeof *drift);

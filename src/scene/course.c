@@ -103,7 +103,9 @@ static void note_conditions(jlt_course *self, double t, const double *x)
     jlt_course_conditions *conditions = &self->conditions;
     const char *unknown;
 
-    if (!jlt_course_conditions_note(conditions, &unknown, t, x) || conditions->unknown != NULL || !is_inside(self, x)) return;
+    if (!jlt_course_conditions_note(conditions, &unknown, t, x) || jlt_course_conditions_by(conditions->unknown_at, t)
+        || !is_inside(self, x))
+        return;
     conditions->unknown_at = t;
     conditions->unknown = unknown;
 }
@@ -267,10 +269,15 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     jlt_observed_values(self->conditions.observed, self->seen, self->x);
     note_conditions(self, t, self->x);
     row->least = self->conditions.least;
-    row->lost_at = self->conditions.lost_at;
-    row->lost = self->conditions.lost;
-    row->unknown_at = self->conditions.unknown_at;
-    row->unknown = self->conditions.unknown;
+    row->lost_at = row->unknown_at = NAN;
+    if (jlt_course_conditions_by(self->conditions.lost_at, t)) {
+        row->lost_at = self->conditions.lost_at;
+        row->lost = self->conditions.lost;
+    }
+    if (jlt_course_conditions_by(self->conditions.unknown_at, t)) {
+        row->unknown_at = self->conditions.unknown_at;
+        row->unknown = self->conditions.unknown;
+    }
     if (self->more.count > 0) {
         jlt_course_more_fill(&self->more, self->leg);
         row->more = self->more.values;

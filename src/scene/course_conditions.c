@@ -15,6 +15,9 @@ void jlt_course_conditions_close(jlt_course_conditions *self)
     self->observed = NULL;
 }
 
+/* Steps of a regular clock end beyond the times of rows, so what was noted there may lie after the row that is looked at. */
+bool jlt_course_conditions_by(double noted, double t) { return fabs(noted) <= fabs(t); }
+
 bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x)
 {
     unsigned condition = 0;
@@ -22,7 +25,7 @@ bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknow
 
     *unknown = jlt_observed_condition(self->observed, condition);
     if (value < self->least) self->least = value;
-    if (value <= 0 && isnan(self->lost_at)) {
+    if (value <= 0 && !jlt_course_conditions_by(self->lost_at, t)) {
         self->lost_at = t;
         self->lost = jlt_observed_condition(self->observed, condition);
     }
@@ -44,20 +47,35 @@ static double value_of(void *context, const double *y)
     return jlt_observed_condition_value(self->conditions->observed, self->index, x);
 }
 
+/* Where in the last step a condition is broken first; INFINITY: nowhere, or at its start. *least as of jlt_orbit_loss. */
+static double break_within(double *least, watched *one, const jlt_stepper *stepper)
+{
+    const jlt_event event = { .value = value_of, .context = one };
+    const bool ends_broken = value_of(one, stepper->x) <= 0;
+    double theta;
+
+    if (!ends_broken) return jlt_orbit_loss(one->leg->orbit, &theta, least, &event) == JLT_OK ? theta : INFINITY;
+    if (!(value_of(one, stepper->x_start) > 0)) return INFINITY;
+    return jlt_orbit_zero(one->leg->orbit, &theta, &event) == JLT_OK && theta < 1 ? theta : 1;
+}
+
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(leg->orbit);
     const unsigned dim = stepper->field->dim;
-    double y[JLT_WAY_VALUES_MAX + 1];
+    double y[JLT_WAY_VALUES_MAX + 1], first = INFINITY;
 
-    for (unsigned i = 0; isnan(self->lost_at) && i < jlt_observed_conditions(self->observed); i++) {
+    if (!isnan(self->lost_at)) return;
+    for (unsigned i = 0; i < jlt_observed_conditions(self->observed); i++) {
         watched one = { self, leg, i };
-        double theta, least;
-        const jlt_event event = { .value = value_of, .context = &one };
-        if (jlt_orbit_loss(leg->orbit, &theta, &least, &event) != JLT_OK || theta > 1) continue;
-        jlt_stepper_values(stepper, theta, y);
+        double least = INFINITY;
+        const double theta = break_within(&least, &one, stepper);
         self->least = fmin(self->least, least);
-        self->lost_at = jlt_leg_time(leg, stepper->columns > dim ? y[dim] : stepper->tau_start + theta * stepper->h);
+        if (theta >= first || theta >= 1) continue;
+        first = theta;
         self->lost = jlt_observed_condition(self->observed, i);
     }
+    if (first >= 1) return;
+    jlt_stepper_values(stepper, first, y);
+    self->lost_at = jlt_leg_time(leg, stepper->columns > dim ? y[dim] : stepper->tau_start + first * stepper->h);
 }

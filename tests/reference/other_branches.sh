@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Levels leave a section's other states on several branches. What is told of a return is of the orbit itself, and not of another one
+# with the same coordinates; and a condition is lost when it is, neither before nor after.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*" | cut -c1-300 | head -5; status=1; }
+rows() { grep -v '^#' | tail -n +2; }
+
+cat > quartic.tt <<'TABLE'
+model quartic
+param w > 0
+default w = 1/3
+state y
+state p
+state phi
+eq y = + p
+eq p = - y - y^3
+eq phi = + w
+periodic phi = 2*pi
+integral H = p^2/2 + y^2/2 + y^4/4
+TABLE
+
+# 1. A row has a derivative where its return begins and ends on the branch p > 0, and then it is the one from there. Returns before
+# that were on the other branch are left empty.
+jellett section ./quartic.tt --section phi=0 --level H=1 --solve p=1 --start y=0.3 --returns 12 --check > out 2> err ||
+    fail "section: $(cat err)"
+rows < out > list
+awk -F, 'NR > 1 { if (($7 != "") != (before > 0 && $5 > 0)) exit 1; some += $7 != "" } { before = $5 }
+         END { exit NR != 13 || some < 2 || some > 10 }' list || fail "derivatives of another branch: $(cat list)"
+awk -F, 'NR > 1 && $7 != "" { print y, $7 } { y = sprintf("%s", $4) }' list | while read -r y trace; do
+    jellett section ./quartic.tt --section phi=0 --level H=1 --solve p=1 --start y="$y" --returns 1 --check 2> err | rows |
+        awk -F, -v trace="$trace" '$2 == 1 { found = ($7 - trace)^2 < 1e-20 } END { exit !found }' || echo "$y $trace"
+done > off
+[ ! -s off ] || fail "not the derivative from there: $(cat off)"
+
+# 2. Exponents begin where the orbit is after --skip, or not at all.
+jellett section ./quartic.tt --section phi=0 --level H=1 --solve p=1 --start y=0.3 --returns 3 2> err | tail -1 | cut -d, -f5 |
+    grep -q '^-' || fail "the third return is not on the other branch"
+jellett lyapunov ./quartic.tt --section phi=0 --level H=1 --solve p=1 --start y=0.3 --skip 3 --returns 1 > out 2> err
+[ $? -eq 4 ] || fail "exponents of another orbit: $(rows < out)"
+
+# 3. The force of contact comes to zero at t = 1.4785 (SciPy, DOP853 at 1e-13), between rows and between steps.
+start=gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3
+for tier in level five; do
+    jellett simulate --set g=0.2 --start "$start" --tier "$tier" \
+        --times 1.24,1.4,1.478,1.479,1.5 2> err | rows | awk -F, '{ print $NF }' | tr '\n' ' ' > fates
+    [ "$(cat fates)" = "alive alive alive lost_contact lost_contact " ] || fail "$tier: $(cat fates)"
+    grep -q 'contact is lost by t = 1.4782' err || fail "$tier: $(cat err)"
+    jellett simulate --set g=0.2 --start "$start" --tier "$tier" \
+        --times 1.24,1.4 2> err > out && ! grep -q lost err && ! grep -q ',lost' out || fail "$tier, before the loss: $(cat err out)"
+done
+
+# 4. A pendulum on a string: an orbit that ends by losing a condition has not held it.
+cat > string.tt <<'TABLE'
+model string
+param p
+param g
+default p = 0.2, g = 3
+state z in (-1, 1)
+state w
+state phi
+root s = sqrt(1 - z^2)
+eq z = + s*w
+eq w = - p^2*z/s^3 - g*s
+eq phi = + p/s^2
+periodic phi = 2*pi
+valid taut : w^2 + p^2/s^2 - g*z > 0
+TABLE
+jellett fates ./string.tt --section z=-0.5 --grid w=0.2:3:8,phi=0:0:1 --returns 3 --contact end --sweep p=0.2:0.5:4 2> err |
+    rows > list
+awk -F, '$3 + $(NF) > $2 { exit 1 } { lost += $3 } END { exit !(NR == 4 && lost == 14) }' list || fail "lost and held at once: $(cat list)"
+exit "$status"
