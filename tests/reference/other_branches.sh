@@ -51,7 +51,7 @@ for tier in level five; do
     [ "$(cat fates)" = "alive alive alive lost_contact lost_contact " ] || fail "$tier: $(cat fates)"
     grep -q 'contact is lost by t = 1.4782' err || fail "$tier: $(cat err)"
     jellett simulate --set g=0.2 --start "$start" --tier "$tier" \
-        --times 1.24,1.4 2> err > out && ! grep -q lost err && ! grep -q ',lost' out || fail "$tier, before the loss: $(cat err out)"
+        --times 1.24,1.4 2> err > out && ! grep -q lost err && ! grep -q ',lost' out || fail "$tier, before it: $(cat err out)"
 done
 
 # 4. A pendulum on a string: an orbit that ends by losing a condition has not held it.
@@ -72,5 +72,6 @@ valid taut : w^2 + p^2/s^2 - g*z > 0
 TABLE
 jellett fates ./string.tt --section z=-0.5 --grid w=0.2:3:8,phi=0:0:1 --returns 3 --contact end --sweep p=0.2:0.5:4 2> err |
     rows > list
-awk -F, '$3 + $(NF) > $2 { exit 1 } { lost += $3 } END { exit !(NR == 4 && lost == 14) }' list || fail "lost and held at once: $(cat list)"
+awk -F, '$3 + $(NF) > $2 { exit 1 } { lost += $3 } END { exit !(NR == 4 && lost == 14) }' list ||
+    fail "lost and held at once: $(cat list)"
 exit "$status"
