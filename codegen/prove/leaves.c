@@ -280,7 +280,7 @@ static void meet(cover *c, const ttc_subcase *b)
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate
-               && !ttc_task_moves(task, &value)) {
+               && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
