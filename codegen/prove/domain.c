@@ -309,3 +309,23 @@ void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_m
     }
     ttc_ratio_clear(task->ring, &value);
 }
+
+void ttc_domain_require_field(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    unsigned char *support = ttc_domain_support(task, TTC_DOMAIN_WITHOUT_CLAIM);
+    ttc_ratio value;
+    if (support == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; support != NULL && i < model->divisor_count && ttc_task_open(task); i++) {
+        const ttc_divisor *d = &model->divisors[i];
+        const bool counts =
+            d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, support, d->owner));
+        if (!counts || !ttc_question_depends(task, d->divisor) || ttc_question_uses_root(task, d->divisor)) continue;
+        ttc_evaluate(task->field, &value, d->divisor);
+        if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &value) && ttc_task_may_have_point(task))
+            ttc_task_unsettle(task, "with these values the field divides by zero on a whole part of the domain");
+    }
+    ttc_ratio_clear(task->ring, &value);
+    free(support);
+}

@@ -14,10 +14,24 @@ static void prove_root(ttc_task *task)
     ttc_ratio_clear(task->ring, &radicand);
 }
 
+static void prove_nothing(ttc_task *task) { (void)task; }
+
+/* What is given has values, but for some points here and there. */
+static void look_at_values(ttc_task *task)
+{
+    const ttc_claim values = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = task->claim->place,
+                               .family = task->claim->family };
+    ttc_task inner = { .model = task->model, .claim = &values, .role = task->role, .owner = task->owner, .outer = task };
+    ttc_task_run(&inner, prove_nothing);
+    ttc_task_adopt(task, &inner);
+    task->is_lifted = true;
+}
+
 /* The field is defined under the substitution, and the values obey the signs of the parameters that they replace. */
 static void prove_variant(ttc_task *task)
 {
     ttc_ratio value;
+    if (!task->is_lifted) look_at_values(task);
     if (task->tested != NULL) {
         ttc_domain_require_tested(task);
         return;
