@@ -105,6 +105,13 @@ bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id)
     return ttc_question_depends(task, id) && !depends_on_states(task->model, id);
 }
 
+/* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. When that has been shown, there are
+ * states under it. */
+static bool is_of_parameters(const ttc_task *task)
+{
+    return task->role == TTC_DIVIDES_VARIANT && (task->tested != NULL || task->claim->when.count == 0);
+}
+
 /* Divisors in the definition of an angle are kept with one name of the pair. */
 static bool symbol_counts(const ttc_model *model, const unsigned char *support, uint32_t symbol)
 {
@@ -114,8 +121,7 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
-    /* A variant is a matter of parameters. */
-    if (task->role == TTC_DIVIDES_VARIANT && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
+    if (is_of_parameters(task) && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
     if (task->role == TTC_DIVIDES_LIFT) return false; /* that they are not zero is what is to be shown */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
@@ -229,8 +235,7 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
 void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
-    /* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. */
-    const bool parameters_alone = task->role == TTC_DIVIDES_VARIANT;
+    const bool parameters_alone = is_of_parameters(task);
     unsigned char *support = ttc_domain_support(task, extent);
     ttc_ratio value, end;
     if (support == NULL) {
