@@ -133,6 +133,8 @@ void ttc_prove_reduction(ttc_task *task)
     ttc_model *target = ttc_resolve(task->resolver, task->resolver_context, task->model, "the target", task->claim->target, reason,
                                     sizeof reason);
     if (target == NULL) ttc_task_unsettle(task, "%s", reason);
+    else if (target->equation_count == 0)
+        ttc_task_unsettle(task, "%s is a table of coordinates, in which nothing moves", task->claim->target);
     else prove_onto(task, target);
     ttc_model_destroy(target);
 }
