@@ -328,7 +328,8 @@ void ttc_domain_require_field(ttc_task *task)
             d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, support, d->owner));
         if (!counts || !ttc_question_depends(task, d->divisor) || ttc_question_uses_root(task, d->divisor)) continue;
         ttc_evaluate(task->field, &value, d->divisor);
-        if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &value) && ttc_task_may_have_point(task))
+        const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &value);
+        if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
             ttc_task_unsettle(task, "with these values a denominator of the field vanishes on a whole part of the domain");
     }
     ttc_ratio_clear(task->ring, &value);

@@ -75,7 +75,8 @@ static void prove_slope(ttc_task *task)
     ttc_ratio slope;
     ttc_ratio_init(task->ring, &slope);
     ttc_evaluate(task->field, &slope, elimination_of(task)->slope);
-    if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &slope) && ttc_task_may_have_point(task))
+    const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &slope);
+    if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "on a whole part of the domain the integral does not tell the state: its slope is zero there");
     ttc_ratio_clear(task->ring, &slope);
 }
