@@ -105,6 +105,13 @@ bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id)
     return ttc_question_depends(task, id) && !depends_on_states(task->model, id);
 }
 
+/* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. When that has been shown, there are
+ * states under it. */
+static bool is_of_parameters(const ttc_task *task)
+{
+    return task->role == TTC_DIVIDES_VARIANT && (task->tested != NULL || task->claim->when.count == 0);
+}
+
 /* Divisors in the definition of an angle are kept with one name of the pair. */
 static bool symbol_counts(const ttc_model *model, const unsigned char *support, uint32_t symbol)
 {
@@ -114,8 +121,7 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
-    /* A variant is a matter of parameters. */
-    if (task->role == TTC_DIVIDES_VARIANT && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
+    if (is_of_parameters(task) && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
     if (task->role == TTC_DIVIDES_LIFT) return false; /* that they are not zero is what is to be shown */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
@@ -229,8 +235,7 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
 void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
-    /* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. */
-    const bool parameters_alone = task->role == TTC_DIVIDES_VARIANT;
+    const bool parameters_alone = is_of_parameters(task);
     unsigned char *support = ttc_domain_support(task, extent);
     ttc_ratio value, end;
     if (support == NULL) {
@@ -308,4 +313,25 @@ void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_m
         ttc_task_require(task, &value, TTC_IS_NONZERO, "a denominator vanishes%s", where);
     }
     ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_domain_require_field(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    unsigned char *support = ttc_domain_support(task, TTC_DOMAIN_WITHOUT_CLAIM);
+    ttc_ratio value;
+    if (support == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; support != NULL && i < model->divisor_count && ttc_task_open(task); i++) {
+        const ttc_divisor *d = &model->divisors[i];
+        const bool counts =
+            d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, support, d->owner));
+        if (!counts || !ttc_question_depends(task, d->divisor) || ttc_question_uses_root(task, d->divisor)) continue;
+        ttc_evaluate(task->field, &value, d->divisor);
+        const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &value);
+        if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
+            ttc_task_unsettle(task, "with these values a denominator of the field vanishes on a whole part of the domain");
+    }
+    ttc_ratio_clear(task->ring, &value);
+    free(support);
 }

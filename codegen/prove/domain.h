@@ -29,8 +29,10 @@ void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_m
 bool ttc_domain_divides_by_tested(const ttc_task *task);
 bool ttc_domain_speaks_of_tested(const ttc_task *task);
 
-/* Requires of a variant's parameters what their records say, and the domain records that speak of parameters alone. */
+/* Requires of a variant's parameters what their records say, and the domain records that speak of parameters alone; and that the
+ * field divides by nothing that they make zero everywhere. */
 void ttc_domain_require_tested(ttc_task *task);
+void ttc_domain_require_field(ttc_task *task);
 
 /* Whether an expression depends on symbols under test, and on no state. */
 bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id);

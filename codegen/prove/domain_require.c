@@ -91,6 +91,7 @@ static void require_regions(ttc_task *task, uint32_t last)
 
 void ttc_domain_require_tested(ttc_task *task)
 {
+    if (task->extent == TTC_DOMAIN_OUT_OF_QUESTION) ttc_domain_require_field(task);
     for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
         ttc_domain_require_symbol(task, NULL, task->model, task->tested->items[i].symbol, " in the variant");
     require_regions(task, 0);

@@ -80,6 +80,8 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
 
 static bool divides(ttc_task *task)
 {
+    const bool is_given = task->role == TTC_DIVIDES_VARIANT && task->claim->when.count > 0; /* it is asked where it is not */
+    if (task->role == TTC_DIVIDES_FIELD || task->role == TTC_DIVIDES_LIFT || is_given) return false;
     unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
     bool result = of_claim == NULL;
     for (size_t i = 0; !result && i < task->model->divisor_count; i++) result = of_claim[i] != 0;
@@ -93,9 +95,7 @@ static bool divides(ttc_task *task)
 static void check_defined(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
-    const bool is_asked = task->role == TTC_DIVIDES_CLAIM || task->role == TTC_DIVIDES_TIME;
-
-    if (!is_asked || task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->is_degenerate || c->is_partial || !divides(task)) return;
+    if (task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->is_degenerate || c->is_partial || !divides(task)) return;
     /* In the same field, where roots have the signs of this leaf: what has failed is the claim's own. */
     const ttc_ring_status failed = task->ring->status;
     ttc_conditions whole = task->domain;
@@ -280,7 +280,7 @@ static void meet(cover *c, const ttc_subcase *b)
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate
-               && !ttc_task_moves(task, &value)) {
+               && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {

@@ -102,16 +102,36 @@ bool ttc_pole_is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
     return nonzero;
 }
 
-bool ttc_pole_is_followed(const ttc_pole_end *end, const fmpz_mpoly_t polynomial, bool is_apart)
+/* An exponential is bounded where its exponent is; a logarithm where its argument is, and is kept from zero. */
+static bool is_bounded(const ttc_pole_end *end, const ttc_symbol_entry *function, bool is_apart)
+{
+    ttc_task *task = end->task;
+    ttc_ratio of;
+    if (function->kind == TTC_COSINE || function->kind == TTC_SINE) return true;
+    ttc_ratio_init(task->ring, &of);
+    ttc_evaluate(task->field, &of, function->definition);
+    const bool bounded = ttc_task_open(task) && is_nonzero(end, of.denominator) &&
+                         (function->kind == TTC_EXP || is_nonzero(end, of.numerator)) &&
+                         ttc_pole_is_followed(end, of.denominator, is_apart) && ttc_pole_is_followed(end, of.numerator, is_apart);
+    ttc_ratio_clear(task->ring, &of);
+    return bounded;
+}
+
+static bool function_is_followed(const ttc_pole_end *end, size_t symbol, bool is_apart)
 {
     const ttc_model *model = end->task->model;
+    if (symbol >= model->symbol_count) return true;
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    if (entry->kind == TTC_ROOT || entry->definition == TTC_NONE || !ttc_symbol_is_function(entry->kind)) return true;
+    return !ttc_model_depends(model, entry->definition, end->state) && is_bounded(end, entry, is_apart);
+}
+
+bool ttc_pole_is_followed(const ttc_pole_end *end, const fmpz_mpoly_t polynomial, bool is_apart)
+{
     const ttc_ring *ring = end->task->ring;
     for (slong v = 0; v < (slong)ring->variable_count; v++) {
         if (fmpz_mpoly_degree_si(polynomial, v, ring->context) < 1) continue;
-        const size_t symbol = ttc_valuation_symbol(end->task->field, v);
-        if (symbol < model->symbol_count && model->symbols[symbol].kind != TTC_ROOT &&
-            ttc_symbol_is_function(model->symbols[symbol].kind) &&
-            ttc_model_depends(model, model->symbols[symbol].definition, end->state)) return false;
+        if (!function_is_followed(end, ttc_valuation_symbol(end->task->field, v), is_apart)) return false;
         for (size_t i = 0; i < ring->generator_count; i++) {
             const ttc_ratio *square = &ring->generators[i].square;
             if (ring->generators[i].variable != v || end->vanishes[i]) continue;

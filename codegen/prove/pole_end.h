@@ -30,7 +30,8 @@ void ttc_pole_put_state(const ttc_pole_end *end, ttc_ratio *out, const fmpz_mpol
 bool ttc_pole_is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial);
 
 /* Whether what a polynomial is made of can be followed to the end: of functions of the state the values there are not looked
- * for, and what divides under other roots must not become zero. is_apart: moreover no other root changes with the state. */
+ * for, those of other states must stay bounded, and what divides under other roots must not become zero. is_apart: moreover no
+ * other root changes with the state. */
 bool ttc_pole_is_followed(const ttc_pole_end *end, const fmpz_mpoly_t polynomial, bool is_apart);
 
 /* Fill end->vanishes. */

@@ -14,10 +14,24 @@ static void prove_root(ttc_task *task)
     ttc_ratio_clear(task->ring, &radicand);
 }
 
+static void prove_nothing(ttc_task *task) { (void)task; }
+
+/* What is given has values, but for some points here and there. */
+static void look_at_values(ttc_task *task)
+{
+    const ttc_claim values = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = task->claim->place,
+                               .family = task->claim->family };
+    ttc_task inner = { .model = task->model, .claim = &values, .role = task->role, .owner = task->owner, .outer = task };
+    ttc_task_run(&inner, prove_nothing);
+    ttc_task_adopt(task, &inner);
+    task->is_lifted = true;
+}
+
 /* The field is defined under the substitution, and the values obey the signs of the parameters that they replace. */
 static void prove_variant(ttc_task *task)
 {
     ttc_ratio value;
+    if (!task->is_lifted) look_at_values(task);
     if (task->tested != NULL) {
         ttc_domain_require_tested(task);
         return;
@@ -51,13 +65,41 @@ static void prove_time(ttc_task *task)
     ttc_ratio_clear(task->ring, &left);
 }
 
+static const ttc_elimination *elimination_of(const ttc_task *task)
+{
+    return &task->model->eliminations[task->claim->family];
+}
+
+static void prove_slope(ttc_task *task)
+{
+    ttc_ratio slope;
+    ttc_ratio_init(task->ring, &slope);
+    ttc_evaluate(task->field, &slope, elimination_of(task)->slope);
+    const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &slope);
+    if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
+        ttc_task_unsettle(task, "on a whole part of the domain the integral does not tell the state: its slope is zero there");
+    ttc_ratio_clear(task->ring, &slope);
+}
+
+/* With the state free: where it follows from the level there are no points at which the slope vanishes. */
+static void look_at_slope(ttc_task *task)
+{
+    const ttc_claim slope = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = task->claim->place,
+                              .family = task->claim->family };
+    ttc_task inner = { .model = task->model, .claim = &slope, .role = TTC_DIVIDES_FIELD, .outer = task };
+    ttc_task_run(&inner, prove_slope);
+    ttc_task_adopt(task, &inner);
+    task->is_lifted = true;
+}
+
 /* With the solution in its place the integral has the level's value, and the solution moves as the state did. */
 static void prove_elimination(ttc_task *task)
 {
-    const ttc_elimination *elimination = &task->model->eliminations[task->claim->family];
+    const ttc_elimination *elimination = elimination_of(task);
     const ttc_claim *integral = &task->model->claims[elimination->integral];
     const ttc_symbol_entry *state = &task->model->symbols[elimination->state];
     ttc_ratio left, right;
+    if (!task->is_lifted) look_at_slope(task);
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
     ttc_evaluate(task->field, &left, integral->expression);

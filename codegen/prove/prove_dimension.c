@@ -262,8 +262,8 @@ static bool is_component(ttc_task *task, size_t codimension)
     return result;
 }
 
-/* A point at which the minor is not zero, and no square root by which the levels were solved: the leaf's real points are there of
- * its dimension, and so is their image. */
+/* A point at which the minor, if any, is not zero, and no square root by which the levels were solved: the leaf's real points are
+ * there of its dimension, and so is their image. */
 static bool has_dimension(ttc_task *task, const ttc_ratio *minor)
 {
     const size_t mark = ttc_conditions_mark(&task->domain);
@@ -290,7 +290,8 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
     const size_t found = rank_with(task, image, true, true, &minor) - fixed, wanted = onto ? target->state_count : dimension;
     if (!ttc_task_open(task) || codimension > task->claim->modulo_count) goto done;
     if (found != wanted) {
-        if (is_component(task, codimension))
+        /* Of an embedding it is the real points that must have the leaf's dimension. */
+        if (is_component(task, codimension) && (onto || has_dimension(task, NULL)))
             ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu%s", found,
                             onto ? target->name : task->model->name, wanted,
                             onto || codimension == 0 ? " states" : " on the level");

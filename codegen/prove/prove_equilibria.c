@@ -213,7 +213,7 @@ static void check_left_null(ttc_task *task, const ttc_claim *member, const ttc_r
         ttc_evaluate(task->field, &gradient[i], ttc_derive_state(task->model, member->expression, i));
         zero = zero && ttc_ratio_is_zero(task->ring, &gradient[i]);
     }
-    if (ttc_task_open(task) && zero)
+    if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "the gradient of %s vanishes on the whole family", member->name);
     for (size_t j = 0; gradient != NULL && j < n && ttc_task_open(task); j++) {
         ttc_ratio_set_integer(task->ring, &sum, 0);

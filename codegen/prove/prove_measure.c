@@ -90,7 +90,8 @@ void ttc_prove_measure(ttc_task *task)
     ttc_ratio_init(task->ring, &rate);
     ttc_ratio_init(task->ring, &entry);
     ttc_evaluate(task->field, &density, claim->expression);
-    if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &density))
+    const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &density);
+    if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "the density %s is zero", claim->name);
     ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
     for (size_t i = 0; i < task->model->state_count && ttc_task_open(task); i++) {

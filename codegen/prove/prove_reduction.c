@@ -98,13 +98,6 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
         }
 }
 
-/* A root of the image may have got the sign that leaves none. */
-static bool has_points(ttc_task *task)
-{
-    const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
-    return result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED;
-}
-
 static void prove_onto(ttc_task *task, const ttc_model *target)
 {
     ttc_valuation *map = ttc_valuation_map(target, task->field);
@@ -125,7 +118,7 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
     }
     ttc_prove_chain_rule(task, task->claim, target, map);
     ttc_prove_same_observations(task, target, map);
-    if (ttc_task_open(task) && has_points(task)) ttc_prove_dimension(task, target);
+    if (ttc_task_open(task) && ttc_task_may_have_point(task)) ttc_prove_dimension(task, target);
     ttc_task_leave_map(task);
     ttc_valuation_destroy(map);
 }
@@ -140,6 +133,8 @@ void ttc_prove_reduction(ttc_task *task)
     ttc_model *target = ttc_resolve(task->resolver, task->resolver_context, task->model, "the target", task->claim->target, reason,
                                     sizeof reason);
     if (target == NULL) ttc_task_unsettle(task, "%s", reason);
+    else if (target->equation_count == 0)
+        ttc_task_unsettle(task, "%s is a table of coordinates, in which nothing moves", task->claim->target);
     else prove_onto(task, target);
     ttc_model_destroy(target);
 }

@@ -153,6 +153,8 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
     return search(task, ratio, relation, false, text);
 }
 
+bool ttc_task_may_have_point(ttc_task *task) { return !says_none(search(task, NULL, TTC_IS_ZERO, false, NULL)); }
+
 void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
 {
     char *point = NULL;

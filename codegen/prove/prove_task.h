@@ -34,7 +34,7 @@ struct ttc_task {
     ttc_verdict_source verdict_of;
     void *verdict_context;
     const ttc_task *outer; /* in another table: the claim that it is looked at for; NULL */
-    bool is_lifted;        /* the other table was looked at, once for all leaves */
+    bool is_lifted;        /* the other table, or what is asked elsewhere, was looked at: once for all leaves */
     const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none, or they have been shown */
     ttc_domain_extent extent;   /* in which that is to be shown */
     uint32_t tested_root;       /* the root whose radicand is to be shown positive; 0: none */
@@ -83,6 +83,8 @@ bool ttc_task_open(const ttc_task *task); /* nothing against the claim so far, a
 
 /** Look for a point of the leaf at which a ratio stands in a relation to zero. text, when not NULL, receives the point. */
 ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
+/* Whether the leaf is not known to have none: a root that has come in since may have got the sign that leaves none. */
+bool ttc_task_may_have_point(ttc_task *task);
 
 /** Run `prover` on every leaf: the claim's `when` and the family's, the family's states, the zero levels of its `modulo`, each
  *  of their factors, each sign of a root whose radicand became a square; then draw the verdict. */
