@@ -9,10 +9,15 @@
 enum { SAMPLES = 16, BISECTIONS = 60 };
 static const double ahead = 1e-8; /* of the time that has passed: half of its digits */
 
+/* How far x is from where it counts as being at an end of its interval, which may be infinite. */
+static double margin(double x, double end, double side)
+{
+    return isfinite(end) ? side * (x - end) - JLT_FIELD_NEAREST * fabs(end) : INFINITY;
+}
+
 static double distance(double x, double end, double side, double scale)
 {
-    const double size = jlt_larger(fabs(end), scale > 0 ? scale : 1);
-    return (side * (x - end) - JLT_FIELD_NEAREST * fabs(end)) / size;
+    return margin(x, end, side) / jlt_larger(fabs(end), scale > 0 ? scale : 1);
 }
 
 /* The least distance of x (states,) from an interval's end. NaN counts as outside. */
@@ -110,8 +115,9 @@ bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     double values[JLT_REGION_CONDITIONS_MAX], first = INFINITY;
 
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
-        const double below = time_to_zero(x[i] - domain->intervals[i].low, ahead_of * f[i]);
-        const double above = time_to_zero(domain->intervals[i].high - x[i], -ahead_of * f[i]);
+        const double low = domain->intervals[i].low, high = domain->intervals[i].high;
+        const double below = time_to_zero(margin(x[i], low, 1), ahead_of * f[i]);
+        const double above = time_to_zero(margin(x[i], high, -1), -ahead_of * f[i]);
         if (!(fmin(below, above) < first)) continue;
         first = fmin(below, above);
         *out = (jlt_edge_part){ .index = i, .is_upper = above < below };

@@ -176,4 +176,13 @@ grep -q 'the orbit return before it ends' "$scratch/err" || fail "lyapunov, an o
 for tier in level five track full; do
     run 0 simulate --set g=0 --tier $tier --start gamma3=0.2,v_nu=0.1,omega_tau=0.2,omega_n=0.1,omega3=0.3 --until 2 --every 1
 done
+
+# The end of an interval at which a start stands is named, wherever the orbit would go from there.
+printf 'model between\nstate z in (-1, 1)\nstate w\neq z = w\neq w = -z\n' > "$scratch/between.tt"
+for end in 1 -1; do
+    for w in 0 0.1 -0.1; do
+        run 4 simulate "$scratch/between.tt" --start "z=$(awk -v e="$end" 'BEGIN { printf "%.14g", e*(1 - 1e-14) }'),w=$w" --times 1
+        grep -q "z is at the end $end of its interval" "$scratch/err" || fail "the end $end, w = $w: $(cat "$scratch/err")"
+    done
+done
 exit $status
