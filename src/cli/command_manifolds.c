@@ -112,8 +112,9 @@ static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic 
             p->chart->names[0], saddle->points[0], p->chart->names[1], saddle->points[1], saddle->re[0], saddle->re[1],
             saddle->residual);
     for (int k = 0; k < JLT_SEPARATRICES; k++)
-        fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
-                p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end]);
+        fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s%s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
+                p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end],
+                p->curve[k].end == JLT_MANIFOLD_POLE && p->chart->solved_count > 0 ? ", or leave the branch of --solve" : "");
     fputs("# homoclinic points:\n", file);
     write_crossings(file, p, "# ");
     fprintf(file, "branch,side,sigma,length,%s,%s\n", p->chart->names[0], p->chart->names[1]);

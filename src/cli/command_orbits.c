@@ -238,6 +238,8 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
         fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
         st = JLT_OK;
     }
+    if (st == JLT_OK && list->count == 0 && system->flow.chart->solved_count > 0)
+        fputs("jellett: orbits with a return on another branch of --solve are not found\n", stderr);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "orbits");
 }
 

@@ -155,6 +155,9 @@ static jlt_exit run(int argc, char **argv)
         /* empty where no cell is visited */
         jlt_csv_row(common->table.file, (const double[]){ row->overlap, row->mirror_overlap }, 2);
     }
+    if (table[0].strayed > 0)
+        fprintf(stderr, "jellett: %zu orbits, of both directions, left the branch of --solve and were followed no further: try "
+                        "another --direction or section\n", table[0].strayed);
     code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, table, rows);
 done:

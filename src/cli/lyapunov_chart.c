@@ -66,7 +66,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     double *q = malloc(block * d * sizeof *q);
     jlt_map_images images = { 0 };
     jlt_progress progress;
-    size_t unresolved = 0;
+    size_t unresolved = 0, strayed = 0;
     jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
 
     if (o->returns == 0) o->returns = 10;
@@ -83,6 +83,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
             const double exponent =
                 has_returned ? jlt_lyapunov_finite_exponent(images.slope + i * d * d, images.T[i], o->returns, &system->flow) : NAN;
             unresolved += has_returned && isnan(exponent);
+            strayed += images.status[i] == JLT_ERR_NO_CONVERGENCE && chart->solved_count > 0;
             jlt_csv_values(table->file, q + i * d, d);
             fputc(',', table->file);
             jlt_csv_row(table->file, (const double[]){ exponent, has_returned ? images.T[i] : NAN }, 2);
@@ -96,6 +97,9 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     if (unresolved > 0)
         fprintf(stderr, "jellett: returns of %zu starts contract by more than the tolerance resolves: they have no exponent\n",
                 unresolved);
+    if (strayed > 0)
+        fprintf(stderr, "jellett: of %zu starts a return left the branch of --solve, or was not found: they have no exponent\n",
+                strayed);
     if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
 }

@@ -151,8 +151,9 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start)
 {
     if (status != JLT_ERR_NO_CONVERGENCE) return jlt_motion_fail(status, system, start);
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "Newton's method finds no periodic orbit from %s: try another --start or --period",
-                            start);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                            "Newton's method finds no periodic orbit from %s%s: try another --start or --period", start,
+                            system->flow.chart->solved_count > 0 ? ", or a return left the branch of --solve" : "");
 }
 
 jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits)

@@ -32,7 +32,8 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
 
 /** The point q = gamma(sigma), sigma >= 0, and, unless NULL, tangent, shape (2,), its derivative by the variational equations,
  *  which costs five times as much.
- *  Errors: ARG, sigma < 0 or not finite; as jlt_map_apply; DOMAIN where the branch ends at a pole.
+ *  Errors: ARG, sigma < 0 or not finite; as jlt_map_apply; DOMAIN where the branch ends at a pole, or is on another branch of a
+ *  chart that solves for states.
  *  Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
 

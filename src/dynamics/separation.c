@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_level.h"
 #include "dynamics/section_batch.h"
 
 enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
@@ -14,6 +15,7 @@ typedef struct {
     const jlt_separation_options *options;
     unsigned char *first[2]; /* per cell: 1 + row from which it counts as visited, 0 never; forwards and backwards */
     size_t alive[2];         /* orbits forwards and backwards */
+    size_t strayed;          /* orbits that left the chart's branch of the states it solves for */
 } cells;
 
 typedef struct {
@@ -66,6 +68,10 @@ static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t inde
         st = jlt_section_batch_next(batch, &row);
         if (st != JLT_OK || row.fate != JLT_FATE_ALIVE) break;
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
+        if (!jlt_chart_level_follows(self->chart, row.x)) {
+            self->strayed += 1 + mirrored;
+            return JLT_OK; /* its cells would be those of other states */
+        }
         if (row.number <= o->settle) continue;
         visit(self, backwards, row.q, row.number - o->settle);
         if (!mirrored) continue;
@@ -199,7 +205,7 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
     JLT_TRY(follow_all(&self, flow, starts, count));
     for (row = 0; row <= last; row++) {
         out[row] = (jlt_separation){
-            .returns = (size_t)1 << row, .alive_forward = self.alive[0], .alive_backward = self.alive[1]
+            .returns = (size_t)1 << row, .alive_forward = self.alive[0], .alive_backward = self.alive[1], .strayed = self.strayed
         };
         count_row(&out[row], &self, row);
     }

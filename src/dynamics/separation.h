@@ -12,6 +12,8 @@
 typedef struct {
     size_t returns;        /* counted after the settling, of each orbit, at most */
     size_t alive_forward, alive_backward; /* orbits that had not ended after options->returns: the same in every row */
+    size_t strayed;        /* of the others those that left the branch of a chart that solves for states: their further returns
+                              count nowhere. The same in every row */
     size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */
     double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart; NaN: no cell was visited */
     double mirror_overlap; /* the same of the forward set's mirror image and the backward set: tends to 1 with length */

@@ -74,4 +74,50 @@ jellett fates ./string.tt --section z=-0.5 --grid w=0.2:3:8,phi=0:0:1 --returns 
     rows > list
 awk -F, '$3 + $(NF) > $2 { exit 1 } { lost += $3 } END { exit !(NR == 4 && lost == 14) }' list ||
     fail "lost and held at once: $(cat list)"
+
+# 5. Of a flow on the circle u^2 + w^2 = 1 attractors and repellers are apart; on the branch w > 0 alone one of each.
+cat > circle.tt <<'TABLE'
+model circle
+param k
+default k = 0.1
+state u
+state w
+state z
+state phi
+angle C S = cos(phi) sin(phi)
+eq u = - w*(w^2 - 1/4)
+eq w = + u*(w^2 - 1/4)
+eq z = k*z*u*w
+eq phi = 1
+periodic phi = 2*pi
+integral square = u^2 + w^2
+reversor u -> -u, phi -> -phi
+TABLE
+jellett separation ./circle.tt --section phi=0 --level square=1 --solve w=0.5 --grid u=-0.98:0.98:40,z=-1:1:4 \
+    --cells u=-1:1:40,z=-2:2:40 --returns 64 --settle 100 > out 2> err || fail "separation: $(cat err)"
+rows < out | awk -F, 'NR == 1 { exit !($4 > 0 && $6 == 0) }' || fail "attractor and repeller as one: $(rows < out)"
+grep -q 'left the branch of --solve' err || fail "orbits that strayed are not told: $(cat err)"
+
+# 6. Separatrices end with the branch: of Duffing's forced oscillator, with y = (x - 7/10)^2 in place of x, the half x < 7/10.
+cat > folded.tt <<'TABLE'
+model folded
+param f
+default f = 0.01
+state x
+state v
+state y
+state phi
+angle C S = cos(phi) sin(phi)
+eq x = v
+eq v = x - x^3 + f*C
+eq y = 2*(x - 7/10)*v
+eq phi = 1
+periodic phi = 2*pi
+integral K = y - (x - 7/10)^2
+TABLE
+jellett manifolds ./folded.tt --section phi=0 --level K=0 --solve x=0 --start y=0.497,v=0 --length 5 --crossings points.csv \
+    > out 2> err || fail "manifolds: $(cat err)"
+grep -q 'unstable branch, side -1: .* runs into orbits that end, or leave the branch of --solve' out || fail "ends: $(cat out)"
+rows < points.csv | awk -F, '{ exit !($1^2 < 1e-12 && ($2 - 4.463549)^2 < 1e-8) }' || fail "homoclinic points: $(rows < points.csv)"
+[ "$(rows < points.csv | wc -l)" -eq 1 ] || fail "more homoclinic points than the branch has: $(rows < points.csv)"
 exit "$status"
