@@ -152,8 +152,9 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
 
 static const char *const ends[] = {
     "the range ends", "the number of points is reached",
-    "no shorter step converges (a pole, an empty level, a tangency, or a family: levels may tell its orbits apart)", "interrupted",
-    "it closes", "it ends at a period doubling"
+    "no shorter step converges (a pole, an empty level, another branch of --solve, a tangency, or a family: levels may tell its "
+    "orbits apart)",
+    "interrupted", "it closes", "it ends at a period doubling"
 };
 
 static void tell_end(void *unused, const jlt_tree_end *e)

@@ -242,7 +242,8 @@ static jlt_exit examine(study *s, jlt_transfer_case *c, const jlt_transfer *tran
     if (st == JLT_ERR_EMPTY)
         return jlt_command_fail(JLT_EXIT_INPUT,
                                 "--boxes: nothing stays in them, for no box leads back to itself: choose others, or another "
-                                "--section");
+                                "--section%s",
+                                s->system->flow.chart->solved_count > 0 ? ", or another branch by --solve" : "");
     if (st == JLT_ERR_NO_CONVERGENCE)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "ARPACK does not converge on the matrix of %zu boxes, as where many "
                                 "eigenvalues lie on one circle (integrable motion): add --noise, or compare densities alone by "
