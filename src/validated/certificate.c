@@ -302,8 +302,8 @@ static bool digest_of(char digest[65], json_t *certificate)
     return text != NULL;
 }
 
-/* What was proved, in numbers that do not say so. */
-static jlt_certificate_report contradict(const char *problem)
+/* What was proved, in numbers that would not say so. */
+static jlt_certificate_report too_wide(const char *problem)
 {
     jlt_certificate_report report = say(JLT_CERTIFICATE_REFUSED, "");
 
@@ -324,7 +324,7 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
     if (shown == NULL) return NULL;
     problem = jlt_said_problem(kind, given, shown);
     if (problem != NULL) {
-        *report = contradict(problem);
+        *report = too_wide(problem);
         json_decref(shown);
         return NULL;
     }
@@ -364,7 +364,7 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     if (proved == NULL) return;
     if (!jlt_said_follows(said, proved))
         *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
-    else if ((problem = jlt_said_problem(kind, given, said)) != NULL) *report = contradict(problem);
+    else if ((problem = jlt_said_problem(kind, given, said)) != NULL) *report = say(JLT_CERTIFICATE_REFUSED, problem);
     /* Words are made of what has the form of what was proved alone. */
     else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = fail(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
