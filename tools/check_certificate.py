@@ -134,7 +134,9 @@ def replay(certificate, table):
     for i, point in enumerate(shown["orbit"]):
         for j, value in zip(others, orbit[i * width:(i + 1) * width]):
             must(meet(value, read_ball(point[states[j]])), "a point of the orbit is elsewhere")
-    period = sum_of(plus((instant << (P - CLOCK), 0), arrival[2]) for instant, arrival in zip(instants, arrivals))
+    times = [plus((instant << (P - CLOCK), 0), arrival[2]) for instant, arrival in zip(instants, arrivals)]
+    must(all(time[0] > time[1] for time in times), "a leg of the orbit is not shown to take time")
+    period = sum_of(times)
     must(meet(period, read_ball(shown["period"])), "the period is another one")
 
     # on the levels: dw = -F_w^-1 F_q dq; one level is what is served

@@ -152,14 +152,25 @@ bool ttc_claim_speaks_of_family(ttc_claim_kind kind)
            kind == TTC_CLAIM_LEFT_NULL;
 }
 
+bool ttc_claim_is_unnamed(const ttc_claim *claim)
+{
+    return (claim->kind == TTC_CLAIM_REVERSOR || claim->kind == TTC_CLAIM_SYMMETRY) &&
+           strcmp(claim->name, ttc_claim_kind_name(claim->kind)) == 0;
+}
+
+/* One that has the name as its own goes before those that are called so by their keyword. */
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim)
 {
-    for (size_t i = 0; i < model->claim_count; i++)
-        if (!ttc_claim_speaks_of_family(model->claims[i].kind) && strcmp(model->claims[i].name, name) == 0) {
-            *claim = (uint32_t)i;
-            return true;
-        }
-    return false;
+    bool found = false;
+
+    for (size_t i = model->claim_count; i-- > 0;) {
+        const ttc_claim *c = &model->claims[i];
+        if (ttc_claim_speaks_of_family(c->kind) || strcmp(c->name, name) != 0) continue;
+        if (found && ttc_claim_is_unnamed(c)) continue;
+        *claim = (uint32_t)i;
+        found = true;
+    }
+    return found;
 }
 
 ttc_id ttc_model_inside(const ttc_model *model, uint32_t state, bool is_high)

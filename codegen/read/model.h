@@ -298,6 +298,9 @@ void ttc_model_destroy(ttc_model *model); /* legal on NULL */
 
 void ttc_claim_clear(ttc_claim *claim); /* frees what it holds */
 
+/* Whether it is a reversor or a symmetry that is called by its keyword. */
+bool ttc_claim_is_unnamed(const ttc_claim *claim);
+
 /* Find a symbol or a claim by its name; false when there is none. */
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);

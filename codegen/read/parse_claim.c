@@ -237,12 +237,6 @@ static bool check_set_once(ttc_parser *parser, const ttc_claim *claim)
     return ok;
 }
 
-/* A map without a name of its own is called by its keyword. */
-static bool is_unnamed(const ttc_claim *claim)
-{
-    return is_map(claim->kind) && strcmp(claim->name, ttc_claim_kind_name(claim->kind)) == 0;
-}
-
 /* A claim's own name is new; the records that speak of a family stand once for each. */
 static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_token *name)
 {
@@ -251,8 +245,9 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
         return ttc_parse_error(parser, claim->place, "too many claims (expected at most %d)", TTC_SYMBOL_LIMIT);
     for (size_t i = 0; i < model->claim_count; i++) {
         const ttc_claim *other = model->claims + i;
-        bool rivals = ttc_claim_speaks_of_family(claim->kind) ? other->kind == claim->kind
-                                                    : !ttc_claim_speaks_of_family(other->kind) && !is_unnamed(other);
+        bool rivals = ttc_claim_speaks_of_family(claim->kind)
+                          ? other->kind == claim->kind
+                          : !ttc_claim_speaks_of_family(other->kind) && !ttc_claim_is_unnamed(other);
         if (rivals && ttc_token_is(name, other->name))
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' is claimed twice (first in line %u)", other->name,
                                    (unsigned)other->place.line);

@@ -66,6 +66,90 @@ static jlt_exit put(json_t *object, const char *key, const char *name, char *tex
     return failed == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
+/* The expression that a way of the table gives a parameter of the other table by; TTC_NONE: a root, or there is none. */
+static ttc_id expression_of(const ttc_model *model, const char *claim, const char *name)
+{
+    for (size_t i = 0; i < model->way_count; i++) {
+        const ttc_way *way = &model->ways[i];
+        if (strcmp(model->claims[way->claim].name, claim) != 0) continue;
+        for (size_t k = 0; k < way->image.count; k++)
+            if (strcmp(way->image.names[k], name) == 0 && way->image.forms[k] == TTC_GIVEN_PLAIN)
+                return model->claims[way->claim].entries[2 * k];
+    }
+    return TTC_NONE;
+}
+
+/* A parameter of the table to which a step leads, exactly, from those before it, by names; NULL: it has no such value. For the
+ * caller to free(). */
+static char *compute(const jlt_link_step *step, const char *name, const json_t *params)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = diagnostics == NULL ? NULL
+                                           : ttc_model_parse(step->from->table, strlen(step->from->table), "table", diagnostics);
+    const ttc_id value = model == NULL ? TTC_NONE : expression_of(model, step->claim->name, name);
+    ttc_ball *ball = value == TTC_NONE ? NULL : ttc_ball_create(model);
+    const char *param;
+    char *text = NULL;
+    uint32_t symbol;
+    json_t *given;
+
+    if (ball != NULL) {
+        json_object_foreach((json_t *)(uintptr_t)params, param, given)
+            if (ttc_model_find_symbol(model, param, &symbol)) ttc_ball_set_fraction(ball, symbol, json_string_value(given));
+        text = ttc_ball_exact_text(ball, value);
+    }
+    ttc_ball_destroy(ball);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+    return text;
+}
+
+/* Exact parameters of the table to which a step leads, by names, those that have such values; a new reference. */
+static json_t *follow_step(const jlt_link_step *step, const json_t *params)
+{
+    json_t *next = json_object();
+
+    for (unsigned i = 0; i < step->to->param_count; i++) {
+        const char *name = step->to->params[i].name, *same = json_string_value(json_object_get(params, name));
+        const bool is_computed = step->way != NULL && step->way->sources[i] == JLT_SOURCE_PARAMS;
+        char *text = is_computed ? compute(step, name, params) : same == NULL ? NULL : strdup(same);
+        if (text != NULL) json_object_set_new(next, name, json_string(text));
+        free(text);
+    }
+    return next;
+}
+
+/* Parameters of the section's table that are computed from those of the asked one. */
+static jlt_exit of_link(json_t *params, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_surface *surface,
+                        const jlt_assign_list *spread)
+{
+    const jlt_descriptor *asked = surface->asked;
+    json_t *values = json_object();
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (unsigned i = 0; jlt_link_computes(&surface->link) && i < asked->param_count; i++) {
+        char *text = value_of(asked->params[i].name, options, &asked->table, 1);
+        if (text != NULL) json_object_set_new(values, asked->params[i].name, json_string(text));
+        free(text);
+    }
+    for (unsigned i = 0; i < surface->link.count; i++) {
+        json_t *next = follow_step(&surface->link.steps[i], values);
+        json_decref(values);
+        values = next;
+    }
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++) {
+        const char *name = d->params[i].name, *text = json_string_value(json_object_get(values, name));
+        if (surface->link.count == 0 || jlt_link_source(&surface->link, name) != JLT_SOURCE_PARAMS) continue;
+        code = text != NULL ? put(params, name, name, strdup(text), spread)
+                            : jlt_command_fail(JLT_EXIT_INPUT,
+                                               "a theorem is one of %s, whose parameter %s is computed here from parameters of "
+                                               "%s, and is no fraction: ask %s itself, with --set %s=VALUE",
+                                               d->model, name, asked->model, d->model, name);
+    }
+    json_decref(values);
+    return code;
+}
+
 static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options,
                            const jlt_surface *surface, const jlt_assign_list *spread)
 {
@@ -74,18 +158,14 @@ static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor 
 
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < surface->count; i++) {
         const unsigned entry = surface->entries[i];
-        if (entry == JLT_SURFACE_COMPUTED)
-            return jlt_command_fail(JLT_EXIT_INPUT,
-                                    "a theorem is one of %s, whose parameters are computed here from %s of %s: ask %s itself, with "
-                                    "exact values",
-                                    d->model, surface->names[i], surface->asked->model, d->model);
+        if (entry == JLT_SURFACE_COMPUTED) continue;
         char *text = value_of(surface->names[i], options, tables, 3);
         code = entry < d->param_count
                    ? put(params, d->params[entry].name, surface->names[i], text, spread)
                    : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name,
                          surface->names[i], text, spread);
     }
-    return code;
+    return code == JLT_EXIT_DONE ? of_link(params, d, options, surface, spread) : code;
 }
 
 static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d, const jlt_motion_options *options,

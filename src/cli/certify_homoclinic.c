@@ -135,11 +135,14 @@ jlt_status jlt_certify_homoclinic_find(double *x, double *T, unsigned *legs, con
 {
     chase self = { .search = search, .chart = flow->chart };
     jlt_flow either = *flow;
+    unsigned flipped = 0;
     jlt_status st = JLT_ERR_UNSUPPORTED;
 
-    if (flow->chart->dim != 2 || search->signs == NULL) goto done;
+    if (flow->chart->dim != 2) goto done;
+    if (search->signs[flow->chart->column] > 0) goto done;
     for (unsigned i = 0; i < search->states; i++)
-        if (search->signs[i] < 0 && i != flow->chart->column) self.flipped = i;
+        if (search->signs[i] < 0 && i != flow->chart->column) self.flipped = i, flipped++;
+    if (flipped != 1) goto done;
     either.direction = JLT_BOTH;
     JLT_TRY(jlt_map_create(&self.whole, flow));
     JLT_TRY(jlt_map_create(&self.half, &either));

@@ -138,10 +138,11 @@ static const struct argp parser = {
     "besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. "
     "sink: besides, all multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no "
     "invariant measure has a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its "
-    "unstable and stable manifolds cross transversally at a point that the reversor keeps. symmetric: the orbit is its own mirror "
-    "image under a proved reversor, so that the product of its multipliers is 1 exactly, and its trace tells its type; the "
-    "rotation number is enclosed where it is elliptic. elliptic: it is so, without a resonance up to order 4, and its twist "
-    "coefficient is not 0: it is stable on its levels, surrounded by invariant tori. equilibria: at all points of a family that "
+    "unstable and stable manifolds cross transversally at a point that a reversor keeps, the table's first one that serves. "
+    "symmetric: the orbit is its own mirror image under a proved reversor, so that the product of its multipliers is 1 exactly, "
+    "and its trace tells its type; the rotation number is enclosed where it is elliptic. "
+    "elliptic: it is so, without a resonance up to order 4, and its twist coefficient is not 0: it is stable on its levels, "
+    "surrounded by invariant tori. equilibria: at all points of a family that "
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
     "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. Values typed and "
     "defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
@@ -164,28 +165,50 @@ static jlt_exit fail(const jlt_certificate_report *report)
     }
 }
 
-/* An orbit homoclinic to the saddle at q, in doubles; then in balls. */
+static const char unshown[] = "not proved: the orbit near %s is not shown, with %zu digits, to stay in the domain of %s: it "
+                              "leaves it, or comes so near its edge that these cannot be told apart (more digits, or less "
+                              "--spread, may do)";
+
+/* By one reversor: an orbit homoclinic to the saddle at search->saddle in doubles, then in balls. x: room for its points. */
+static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *question, const jlt_reversor *reversor,
+                                  const jlt_system *system, jlt_certify_search *search)
+{
+    double T[JLT_CERTIFY_RETURNS_MAX];
+    unsigned legs = 0;
+    jlt_status st;
+
+    search->signs = reversor->signs;
+    st = jlt_certify_homoclinic_find(x, T, &legs, &system->flow, search);
+    if (st != JLT_OK) return st;
+    return jlt_given_homoclinic_make(question, given, reversor, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
+}
+
+/* By the first reversor that serves. */
 static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
 {
     const jlt_descriptor *d = question->question.descriptor;
-    const jlt_reversor *reversor = jlt_theorem_reversor(d);
-    double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), T[JLT_CERTIFY_RETURNS_MAX],
-           q[JLT_CHART_DIM_MAX];
+    double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), q[JLT_CHART_DIM_MAX];
     double saddle[JLT_CHART_STATES_MAX] = { 0 };
-    const jlt_certify_search search = { .states = d->state_count, .signs = reversor == NULL ? NULL : reversor->signs,
-                                        .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
-    unsigned legs = 0;
-    jlt_status st = JLT_ERR_NOMEM;
+    jlt_certify_search search = { .states = d->state_count, .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
+    jlt_status st = x == NULL ? JLT_ERR_NOMEM : JLT_ERR_UNSUPPORTED;
 
-    if (x == NULL) goto done;
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
         saddle[i] = i == question->question.column ? system->flow.chart->level
                                                    : arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR);
     system->flow.chart->lower(system->flow.chart, q, NULL, saddle);
-    JLT_TRY(jlt_certify_homoclinic_find(x, T, &legs, &system->flow, &search));
-    st = jlt_given_homoclinic_make(question, given, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
-done:
+    for (unsigned i = 0; x != NULL && st != JLT_OK && i < d->reversor_count; i++) {
+        const jlt_status found = jlt_theorem_is_proved(d, &d->reversors[i])
+                                     ? find_homoclinic(given, x, question, &d->reversors[i], system, &search)
+                                     : JLT_ERR_UNSUPPORTED;
+        if (st == JLT_ERR_UNSUPPORTED || found == JLT_OK) st = found;
+    }
     free(x);
+    if (st == JLT_ERR_DOMAIN) return jlt_command_fail(JLT_EXIT_FAILED, unshown, o->motion.starts[0], o->digits, d->model);
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "no symmetric homoclinic orbit was found from %s: no proved reversor of %s flips the section's "
+                                "state, which is to be 0, and one other, and takes the levels and the saddle to themselves",
+                                o->motion.starts[0], d->model);
     return st == JLT_OK ? JLT_EXIT_DONE
                         : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s",
                                            o->motion.starts[0], jlt_status_text(st));
@@ -211,6 +234,8 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     if (!jlt_given_read(&question, *given, *d, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem)) != JLT_OK && *problem != '\0')
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
+    else if (st == JLT_ERR_DOMAIN)
+        code = jlt_command_fail(JLT_EXIT_FAILED, unshown, o->motion.starts[0], o->digits, (*d)->model);
     else if (st != JLT_OK)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
                                 jlt_status_text(st));

@@ -33,8 +33,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "CERTIFICATE...",
     "Replay certificates from their files alone: the proof is carried out again in ball arithmetic."
-    "\vExit status 1: a certificate does not prove what it says, or was changed after it was made. 3: it is none, or speaks of a "
-    "table that is not here.\n\n"
+    "\vWhat it says in numbers must follow from the replay, and its words from these numbers as they are written; it has no "
+    "members but those that are replayed. Exit status 1: a certificate does not prove what it says, or was changed after it was "
+    "made. 3: it is none, or speaks of a table that is not here.\n\n"
     "  jellett check tools/certificates/sink.json",
     NULL, NULL, NULL,
 };

@@ -110,6 +110,7 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
             }
         }
     }
+    if (!jlt_step_holds(step)) st = JLT_ERR_DOMAIN;
     if (!inside) goto done;
     rate(f, step, column);
     if (direction > 0 ? !arb_is_positive(f) : !arb_is_negative(f)) goto done;

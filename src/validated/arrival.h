@@ -29,8 +29,8 @@ void jlt_arrival_clear(jlt_arrival *self);
 
 /** Enclose the arrival of all starts of a box. In: start, shape (dim,), dim that of the step's formulas; the section x[column] =
  *  level; instant > 0, exact, near the crossing; direction, the sign of the crossing. On failure *self is not meaningful.
- *  Errors: NO_PROGRESS, also where steps become shorter than 2^-22 of the way; DOMAIN, as jlt_step_advance; NO_CONVERGENCE, the
- *  crossing is not shown to be one, or to lie in the table's domain; ARG, more conditions than there is room for. */
+ *  Errors: NO_PROGRESS, also where steps become shorter than 2^-22 of the way; DOMAIN, as jlt_step_advance, or the crossing is not
+ *  shown to lie in the table's domain; NO_CONVERGENCE, it is not shown to be one; ARG, more conditions than there is room for. */
 JLT_CHECKED jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr start, unsigned column, const arb_t level,
                                            const arf_t instant, int direction);
 

@@ -4,6 +4,7 @@
 #include "kernel/descriptor.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
+#include "validated/said.h"
 #include "validated/shown.h"
 #include "validated/theorem.h"
 
@@ -25,6 +26,18 @@ static jlt_certificate_report say(jlt_certificate_verdict verdict, const char *p
     return report;
 }
 
+static const char still[] = "a leg of the orbit is not shown to take time: it may end where it begins (its instant is to lie near "
+                            "the next crossing)";
+
+/* An orbit, proved in boxes that are rounded outwards. */
+static jlt_certificate_report judge_boxes(const json_t *legs, const jlt_given *given, arb_srcptr y)
+{
+    return jlt_given_legs_hold(legs, &given->question, y)
+               ? say(JLT_CERTIFICATE_GOOD, "")
+               : say(JLT_CERTIFICATE_REFUSED, "the orbit is there, but not shown to lie in its boxes as they are written (try "
+                                              "another radius)");
+}
+
 static jlt_certificate_report judge(const jlt_cycle_result *result, const char *kind)
 {
     switch (result->verdict) {
@@ -34,6 +47,7 @@ static jlt_certificate_report judge(const jlt_cycle_result *result, const char *
                                             "(try another radius, or more digits)");
     case JLT_CYCLE_OPEN:
         return say(JLT_CERTIFICATE_REFUSED, "the integrals do not determine the states left out, so that the orbit need not close");
+    case JLT_CYCLE_STILL: return say(JLT_CERTIFICATE_REFUSED, still);
     default: return say(JLT_CERTIFICATE_FAILED, "the two determinants exclude each other, which is an error of this program");
     }
     if (strcmp(kind, "sink") == 0 && !result->sink)
@@ -105,7 +119,7 @@ static jlt_certificate_report add_twist(json_t *shown, const jlt_given *given, j
 
     jlt_elliptic_result_init(&result);
     st = jlt_elliptic_prove(cycle, &result, of, type, given->legs.instants, given->kept);
-    report = st == JLT_OK ? judge_elliptic(&result, of->trace) : fail(st);
+    report = st == JLT_OK ? judge_elliptic(&result, of->trace) : fail_along(st);
     if (report.verdict == JLT_CERTIFICATE_GOOD && !set(shown, "twist", jlt_shown_twist(&result, given)))
         report = fail(JLT_ERR_NOMEM);
     jlt_elliptic_result_clear(&result);
@@ -123,7 +137,7 @@ static jlt_certificate_report add_symmetry(json_t *shown, const char *kind, cons
     if (given->kept_count != 2) return say(JLT_CERTIFICATE_MALFORMED, "symmetric: two coordinates on the levels are served");
     jlt_symmetry_result_init(&result);
     st = jlt_symmetry_prove(cycle, &result, of, given->legs.box, given->legs.instants);
-    report = st == JLT_OK ? judge_symmetry(&result) : fail(st);
+    report = st == JLT_OK ? judge_symmetry(&result) : fail_along(st);
     if (report.verdict == JLT_CERTIFICATE_GOOD && !set(shown, "symmetry", jlt_shown_symmetry(&result, given)))
         report = fail(JLT_ERR_NOMEM);
     if (report.verdict == JLT_CERTIFICATE_GOOD && strcmp(kind, "elliptic") == 0)
@@ -139,7 +153,8 @@ static bool serves_turns(const char *kind)
 }
 
 /* The cycle that a certificate of these kinds begins with. */
-static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const jlt_given *given, jlt_cycle *cycle)
+static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_given *given,
+                           jlt_cycle *cycle)
 {
     jlt_cycle_result result;
     const bool is_symmetric = strcmp(kind, "symmetric") == 0 || strcmp(kind, "elliptic") == 0;
@@ -149,6 +164,7 @@ static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, con
     jlt_cycle_result_init(&result, cycle, given->legs.count);
     st = jlt_cycle_prove(cycle, &result, given->legs.box, given->legs.instants, given->kept);
     *report = st == JLT_OK ? judge(&result, kind) : fail_along(st);
+    if (report->verdict == JLT_CERTIFICATE_GOOD) *report = judge_boxes(json_object_get(json, "legs"), given, result.solution);
     if (report->verdict == JLT_CERTIFICATE_GOOD) {
         shown = jlt_shown_cycle(&result, given, is_symmetric || strcmp(kind, "sink") == 0);
         if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
@@ -172,6 +188,7 @@ static jlt_certificate_report judge_homoclinic(const jlt_homoclinic_result *resu
         [JLT_HOMOCLINIC_NO_CONE] = "the cone is not mapped into itself (try a smaller distance)",
         [JLT_HOMOCLINIC_UNSHOWN] = "Krawczyk's operator does not map the boxes into themselves: no homoclinic orbit is shown to be "
                                    "there (try a smaller distance, or more digits)",
+        [JLT_HOMOCLINIC_STILL] = still,
         [JLT_HOMOCLINIC_OPEN] = "the orbit is not shown to begin on the unstable manifold, or its legs to meet",
         [JLT_HOMOCLINIC_TANGENT] = "the orbit is there, but the manifolds may be tangent",
     };
@@ -193,6 +210,10 @@ static json_t *prove_homoclinic(jlt_certificate_report *report, const json_t *js
         jlt_homoclinic_result_init(&result, cycle, homoclinic.question.legs);
         st = jlt_homoclinic_prove(cycle, &result, &homoclinic.question);
         *report = st == JLT_OK ? judge_homoclinic(&result) : fail_along(st);
+        if (report->verdict == JLT_CERTIFICATE_GOOD)
+            *report = judge_boxes(json_object_get(json, "legs"), given, result.saddle.solution);
+        if (report->verdict == JLT_CERTIFICATE_GOOD)
+            *report = judge_boxes(json_object_get(json_object_get(json, "homoclinic"), "legs"), given, result.solution);
         if (report->verdict == JLT_CERTIFICATE_GOOD) {
             shown = jlt_shown_homoclinic(&result, given);
             if (shown == NULL) *report = fail(JLT_ERR_NOMEM);
@@ -245,7 +266,7 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
                                                      "and sink");
         else if (st != JLT_OK) *report = fail(st);
         else if (strcmp(kind, "homoclinic") == 0) shown = prove_homoclinic(report, json, &given, cycle);
-        else shown = prove_cycle(report, kind, &given, cycle);
+        else shown = prove_cycle(report, kind, json, &given, cycle);
     }
     jlt_cycle_destroy(cycle);
     jlt_given_clear(&given);
@@ -281,16 +302,32 @@ static bool digest_of(char digest[65], json_t *certificate)
     return text != NULL;
 }
 
+/* What was proved, in numbers that would not say so. */
+static jlt_certificate_report too_wide(const char *problem)
+{
+    jlt_certificate_report report = say(JLT_CERTIFICATE_REFUSED, "");
+
+    snprintf(report.problem, sizeof report.problem, "%s (try more digits)", problem);
+    return report;
+}
+
 json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, json_t *given, const jlt_descriptor *own)
 {
     const jlt_descriptor *d;
     json_t *shown = NULL, *certificate = NULL;
+    const char *problem;
     char digest[65];
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
     d = jlt_given_table(given, own, report->problem);
     if (d != NULL && is_defined(report, JLT_CERTIFICATE_MALFORMED, kind, d)) shown = prove(report, kind, given, d);
     if (shown == NULL) return NULL;
+    problem = jlt_said_problem(kind, given, shown);
+    if (problem != NULL) {
+        *report = too_wide(problem);
+        json_decref(shown);
+        return NULL;
+    }
     certificate = json_pack("{s:s,s:s,s:o,s:O,s:o}", "certificate", format_name, "kind", kind, "theorem",
                             jlt_theorem_words(kind, d, given, shown), "given", given, "shown", shown);
     if (certificate == NULL || !digest_of(digest, certificate) || !set(certificate, "digest", json_string(digest))) {
@@ -301,61 +338,6 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
     return certificate;
 }
 
-/* Whether all of the ball proved, rounded outwards, is surely in the one said. */
-static bool holds_ball(const json_t *said, const json_t *proved)
-{
-    const slong bits = 64 + 4 * (slong)strlen(json_string_value(json_object_get(proved, "middle")));
-    arb_t middle, radius, inner;
-    arf_t reach, room;
-    bool good;
-
-    arb_init(middle);
-    arb_init(radius);
-    arb_init(inner);
-    arf_init(reach);
-    arf_init(room);
-    good = jlt_given_legs_number(middle, json_string_value(json_object_get(said, "middle")), bits)
-           && jlt_given_legs_number(radius, json_string_value(json_object_get(said, "radius")), bits)
-           && jlt_given_legs_ball(inner, proved, bits);
-    if (good) {
-        arb_sub(inner, inner, middle, bits);
-        arb_get_abs_ubound_arf(reach, inner, bits);
-        arb_get_lbound_arf(room, radius, bits);
-        good = arf_cmp(reach, room) <= 0;
-    }
-    arf_clear(reach);
-    arf_clear(room);
-    arb_clear(middle);
-    arb_clear(radius);
-    arb_clear(inner);
-    return good;
-}
-
-/* Everything said holds of everything recomputed: the same form, balls that contain balls, other text alike. */
-static bool covers(const json_t *said, const json_t *proved)
-{
-    const char *name;
-    json_t *part;
-    bool good = true;
-
-    if (json_typeof(said) != json_typeof(proved)) return false;
-    if (json_is_array(said)) {
-        good = json_array_size(said) == json_array_size(proved);
-        for (size_t i = 0; good && i < json_array_size(said); i++)
-            good = covers(json_array_get(said, i), json_array_get(proved, i));
-        return good;
-    }
-    if (!json_is_object(said)) return json_equal(said, proved);
-    if (json_object_size(said) != json_object_size(proved)) return false;
-    if (json_object_get(said, "middle") != NULL && json_object_get(proved, "middle") != NULL)
-        return json_equal(said, proved) || holds_ball(said, proved);
-    json_object_foreach((json_t *)(uintptr_t)said, name, part) {
-        const json_t *other = json_object_get(proved, name);
-        good = good && other != NULL && covers(part, other);
-    }
-    return good;
-}
-
 void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, const jlt_descriptor *own)
 {
     const char *form = json_string_value(json_object_get(certificate, "certificate"));
@@ -364,12 +346,15 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     const json_t *given = json_object_get(certificate, "given"), *said = json_object_get(certificate, "shown");
     const jlt_descriptor *d;
     json_t *proved = NULL, *words = NULL;
+    const char *problem;
     char found[65];
 
     *report = say(JLT_CERTIFICATE_MALFORMED, "it is no certificate of this program's form");
     if (form == NULL || strcmp(form, format_name) != 0 || kind == NULL || !jlt_theorem_is_kind(kind) || digest == NULL
         || !json_is_object(given) || !json_is_object(said))
         return;
+    *report = say(JLT_CERTIFICATE_MALFORMED, "it has members that a certificate of its kind has not");
+    if (json_object_size(certificate) != 6 || !jlt_said_is_form(kind, given)) return;
     d = jlt_given_table(given, own, report->problem);
     if (d == NULL) return;
     *report = say(JLT_CERTIFICATE_REFUSED, "its digest is not that of its text: it was changed after it was made");
@@ -377,8 +362,9 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     if (!is_defined(report, JLT_CERTIFICATE_REFUSED, kind, d)) return;
     proved = prove(report, kind, given, d);
     if (proved == NULL) return;
-    if (!covers(said, proved))
+    if (!jlt_said_follows(said, proved))
         *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
+    else if ((problem = jlt_said_problem(kind, given, said)) != NULL) *report = say(JLT_CERTIFICATE_REFUSED, problem);
     /* Words are made of what has the form of what was proved alone. */
     else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = fail(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))

@@ -3,6 +3,9 @@
  *      {"certificate": "jellett 1", "kind": KIND, "theorem": [SENTENCE, ...], "given": {...}, "shown": {...},
  *       "digest": SHA-256}
  *
+ *  It has these members and no others. Each number in `shown` contains what a replay encloses there; its words are those that
+ *  its numbers make, and what they conclude from a number follows from that number as it is written (said.h).
+ *
  *  `given` is described in given.h. `shown` is what was proved of it: the orbit's points, period, determinant, trace and
  *  multipliers as balls, bounds of the model's conditions along it, and the claims of the table that the theorem rests on. The
  *  digest is that of all the rest as compact JSON with sorted keys. Kind `cycle`: there is one such orbit. Kind

@@ -86,6 +86,7 @@ typedef struct {
     unsigned legs;
     bool adjusts;         /* instants follow the arrivals */
     bool closes;          /* the legs meet */
+    bool goes_on;         /* each takes time */
     arb_t time, expansion;
     arb_mat_t D;          /* of all legs, (kept, kept) */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX];
@@ -120,6 +121,7 @@ static void follow(shooting *self, arb_srcptr y, arb_srcptr next)
     arb_mat_init(D, arb_mat_nrows(self->D), arb_mat_ncols(self->D));
     self->closes = jlt_cycle_map_restrict(self->cycle, D, y, self->kept) && jlt_cycle_map_meets(self->cycle, next, self->kept)
                    && self->closes;
+    self->goes_on = arb_is_positive(arrival->time) && self->goes_on;
     arb_mat_mul(self->D, D, self->D, bits);
     arb_add(self->time, self->time, arrival->time, bits);
     arb_add(self->expansion, self->expansion, arrival->expansion, bits);
@@ -135,7 +137,7 @@ static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
     const slong n = (slong)self->cycle->unknowns;
     arb_srcptr turns = self->cycle->question->turns;
 
-    self->closes = true;
+    self->closes = self->goes_on = true;
     arb_zero(self->time);
     arb_zero(self->expansion);
     arb_mat_one(self->D);
@@ -306,8 +308,8 @@ jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr
     result->verdict = JLT_CYCLE_UNSHOWN;
     JLT_TRY(jlt_krawczyk_prove(&problem, &verdict, result->solution, box));
     if (verdict == JLT_KRAWCZYK_UNSHOWN) goto done;
-    result->verdict = orbit.closes ? JLT_CYCLE_PROVED : JLT_CYCLE_OPEN;
-    if (!orbit.closes) goto done;
+    result->verdict = !orbit.goes_on ? JLT_CYCLE_STILL : orbit.closes ? JLT_CYCLE_PROVED : JLT_CYCLE_OPEN;
+    if (result->verdict != JLT_CYCLE_PROVED) goto done;
     arb_set(result->period, orbit.time);
     arb_mat_trace(result->trace, orbit.D, bits);
     arb_mat_det(result->matrix_determinant, orbit.D, bits);

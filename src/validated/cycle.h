@@ -45,6 +45,7 @@ typedef enum {
     JLT_CYCLE_PROVED,
     JLT_CYCLE_UNSHOWN,  /* Krawczyk's operator leaves the box: no orbit there, or too little precision */
     JLT_CYCLE_OPEN,     /* the integrals do not tell the states left out apart */
+    JLT_CYCLE_STILL,    /* a leg is not shown to take time: it may end where it begins, or before */
     JLT_CYCLE_CONTRADICTED /* the two determinants exclude each other: an error of this program */
 } jlt_cycle_verdict;
 
@@ -85,9 +86,9 @@ JLT_CHECKED jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcpt
 void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs); /* ends with jlt_cycle_result_clear */
 void jlt_cycle_result_clear(jlt_cycle_result *result);
 
-/** The proof. Out: *result, set up before by jlt_cycle_result_init for so many legs; where the verdict is UNSHOWN or OPEN the
- *  verdict alone is meaningful. In: box, shape (legs, states - 1); instants, shape (legs,), > 0, exact; kept, as above. Errors: as
- *  jlt_arrival_compute. Cost: a few arrivals of each leg. */
+/** The proof. Out: *result, set up before by jlt_cycle_result_init for so many legs; where the verdict is UNSHOWN, OPEN or STILL
+ *  the verdict alone is meaningful. In: box, shape (legs, states - 1); instants, shape (legs,), > 0, exact; kept, as above.
+ *  Errors: as jlt_arrival_compute. Cost: a few arrivals of each leg. */
 JLT_CHECKED jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, arb_srcptr instants,
                                        const unsigned *kept);
 

@@ -2,6 +2,7 @@
 
 #include "kernel/descriptor.h"
 #include "validated/given_turns.h"
+#include "validated/numerals.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -58,8 +59,8 @@ static bool read_params(jlt_given *self, const json_t *given, slong bits, char *
     for (unsigned i = 0; i < d->param_count; i++) {
         const json_t *value = json_object_get(params, d->params[i].name);
         const bool is_ball = json_is_object(value);
-        if (!(is_ball ? jlt_given_legs_ball(self->params + i, value, bits)
-                      : jlt_given_legs_number(self->params + i, json_string_value(value), bits)))
+        if (!(is_ball ? jlt_numerals_ball(self->params + i, value, bits)
+                      : jlt_numerals_read(self->params + i, json_string_value(value), bits)))
             return refuse(problem, "parameter %s: no number", d->params[i].name);
         if (!allows(&d->params[i], self->params + i))
             return refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
@@ -83,7 +84,7 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
     self->question.column = (unsigned)column;
     if (direction != 1 && direction != -1) return refuse(problem, "section: the direction is 1 or -1");
     self->question.direction = (int)direction;
-    return jlt_given_legs_number(self->section, json_string_value(json_object_get(section, "value")), bits)
+    return jlt_numerals_read(self->section, json_string_value(json_object_get(section, "value")), bits)
            || refuse(problem, "section: no value");
 }
 
@@ -110,8 +111,8 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
             return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
-        if (!(json_is_object(value) ? jlt_given_legs_ball(out, value, bits)
-                                    : jlt_given_legs_number(out, json_string_value(value), bits)))
+        if (!(json_is_object(value) ? jlt_numerals_ball(out, value, bits)
+                                    : jlt_numerals_read(out, json_string_value(value), bits)))
             return refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }

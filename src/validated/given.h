@@ -13,7 +13,9 @@
  *                                                                                        not 0, as the table proves; absent: none
  *        "digits": N }
  *
- *  NUMBER is a string, "p/q" or a decimal: its exact value is meant. N is 5 to JLT_GIVEN_DIGITS_MAX decimals to compute with. */
+ *  NUMBER is a string, a fraction or a decimal as numerals.h has them: its exact value is meant. Boxes are those that are written,
+ *  with the orbit in them; legs take times > 0. N is 5 to JLT_GIVEN_DIGITS_MAX decimals to compute with. There are no other
+ *  members. */
 #ifndef JLT_VALIDATED_GIVEN_H
 #define JLT_VALIDATED_GIVEN_H
 

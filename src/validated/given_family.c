@@ -1,6 +1,7 @@
 #include "validated/given_family.h"
 
 #include "kernel/descriptor.h"
+#include "validated/numerals.h"
 #include "validated/shown.h"
 
 #include <flint/fmpq_vec.h>
@@ -8,8 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { FRACTION_MAX = 4096 };
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
@@ -49,16 +48,6 @@ static bool read_family(jlt_given_family *self, const char *name, char *problem)
     return true;
 }
 
-static bool read_fraction(fmpq_t out, const json_t *value)
-{
-    const char *text = json_string_value(value);
-    const bool good = text != NULL && strlen(text) < FRACTION_MAX && text[strspn(text, "0123456789-/")] == '\0'
-                      && fmpq_set_str(out, text, 10) == 0 && !fmpz_is_zero(fmpq_denref(out));
-
-    if (good) fmpq_canonicalise(out);
-    return good;
-}
-
 /* Whether the table allows both ends: a parameter's sign; a state's interval where its ends are numbers. */
 static bool allows(const jlt_given_family *self, const ttc_symbol_entry *symbol, const fmpq_t low, const fmpq_t high)
 {
@@ -88,8 +77,9 @@ static bool read_side(jlt_given_family *self, uint32_t number, const json_t *box
     if (self->is_given[number])
         return value == NULL || refuse(problem, "box: the family '%s' gives %s itself", self->question.family->name, symbol->name);
     if (value == NULL) return refuse(problem, "box: %s %s has no value: give one, or a range", what, symbol->name);
-    if (!read_fraction(low, is_range ? json_object_get(value, "low") : value)
-        || !read_fraction(high, is_range ? json_object_get(value, "high") : value))
+    if ((is_range && json_object_size(value) != 2)
+        || !jlt_numerals_fraction(low, json_string_value(is_range ? json_object_get(value, "low") : value))
+        || !jlt_numerals_fraction(high, json_string_value(is_range ? json_object_get(value, "high") : value)))
         return refuse(problem, "box: %s %s: no number", what, symbol->name);
     if (is_range && fmpq_cmp(low, high) >= 0)
         return refuse(problem, "box: the range of %s is empty: low is below high", symbol->name);

@@ -1,5 +1,6 @@
 #include "validated/given_homoclinic.h"
 
+#include "validated/numerals.h"
 #include "validated/theorem.h"
 
 #include <stdio.h>
@@ -11,10 +12,8 @@ static bool refuse(char *problem, const char *text)
 }
 
 /* All but the legs. */
-static void begin(jlt_given_homoclinic *self, const jlt_given *of, int landing)
+static void begin(jlt_given_homoclinic *self, const jlt_given *of, const jlt_reversor *reversor, int landing)
 {
-    const jlt_reversor *reversor = jlt_theorem_reversor(of->question.descriptor);
-
     *self = (jlt_given_homoclinic){ .frame = _arb_vec_init(4) };
     arb_init(self->reach);
     arb_init(self->slope);
@@ -54,20 +53,25 @@ bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, 
     const json_t *legs = json_object_get(part, "legs");
     const slong bits = jlt_step_accuracy_for(of->question.digits).bits;
     const json_int_t landing = json_integer_value(json_object_get(part, "landing"));
+    const json_t *flipped = json_object_get(part, "reversor");
+    const jlt_descriptor *d = of->question.descriptor;
+    const jlt_reversor *reversor = flipped == NULL ? jlt_theorem_reversor(d) : jlt_theorem_reversor_of(d, flipped);
     bool good = true;
 
-    begin(self, of, (int)landing);
+    begin(self, of, reversor, (int)landing);
+    if (flipped != NULL && reversor == NULL)
+        return refuse(problem, "homoclinic: no proved reversor of the table flips the states that are named");
     if (part == NULL || of->legs.count != 1) return refuse(problem, "homoclinic: it needs a saddle of one leg, and an orbit");
     if (of->kept_count != 2) return refuse(problem, "homoclinic: two coordinates on the levels are served");
     if (of->question.free_count > 0) return refuse(problem, "homoclinic: parameters are numbers, not intervals");
     if (landing != 1 && landing != -1) return refuse(problem, "homoclinic: landing is 1 or -1");
     for (unsigned i = 0; i < 4; i++)
         good = good
-               && jlt_given_legs_number(self->frame + i, json_string_value(json_array_get(json_array_get(frame, i / 2), i % 2)),
+               && jlt_numerals_read(self->frame + i, json_string_value(json_array_get(json_array_get(frame, i / 2), i % 2)),
                                         bits);
     if (!good) return refuse(problem, "homoclinic: the frame is two rows of two numbers");
-    good = jlt_given_legs_number(self->reach, json_string_value(json_object_get(part, "reach")), bits)
-           && jlt_given_legs_number(self->slope, json_string_value(json_object_get(part, "slope")), bits)
+    good = jlt_numerals_read(self->reach, json_string_value(json_object_get(part, "reach")), bits)
+           && jlt_numerals_read(self->slope, json_string_value(json_object_get(part, "slope")), bits)
            && arb_is_positive(self->reach) && arb_is_positive(self->slope);
     if (!good) return refuse(problem, "homoclinic: reach and slope are numbers > 0");
     if (has_turns(legs)) return refuse(problem, "homoclinic: its legs have no turns");
@@ -85,7 +89,13 @@ static json_t *upper(const arb_t value)
     return json_string(text);
 }
 
-static json_t *write(const jlt_given_homoclinic *self)
+/* The states that it flips, where the table has others too. */
+static json_t *name_of(const jlt_descriptor *d, const jlt_reversor *reversor)
+{
+    return d->reversor_count > 1 ? jlt_theorem_flipped(d, reversor) : NULL;
+}
+
+static json_t *write(const jlt_given_homoclinic *self, const jlt_reversor *reversor)
 {
     const unsigned digits = self->question.question->digits;
     json_t *frame = json_array();
@@ -93,25 +103,26 @@ static json_t *write(const jlt_given_homoclinic *self)
     for (unsigned i = 0; i < 2; i++)
         json_array_append_new(frame, json_pack("[o,o]", jlt_given_legs_decimal(self->frame + 2 * i, digits),
                                                jlt_given_legs_decimal(self->frame + 2 * i + 1, digits)));
-    return json_pack("{s:o,s:o,s:o,s:i,s:o}", "frame", frame, "reach", upper(self->reach), "slope", upper(self->slope), "landing",
-                     self->question.landing, "legs", jlt_given_legs_write(&self->legs, self->question.question, NULL));
+    return json_pack("{s:o,s:o,s:o,s:i,s:o*,s:o}", "frame", frame, "reach", upper(self->reach), "slope", upper(self->slope),
+                     "landing", self->question.landing, "reversor", name_of(self->question.question->descriptor, reversor),
+                     "legs", jlt_given_legs_write(&self->legs, self->question.question, NULL));
 }
 
-jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x, const double *T,
-                                     int landing)
+jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, const jlt_reversor *reversor, unsigned legs,
+                                     const double *x, const double *T, int landing)
 {
     jlt_given_homoclinic self;
     jlt_cycle *cycle = NULL;
     jlt_status st = JLT_ERR_ARG;
 
-    begin(&self, of, landing);
+    begin(&self, of, reversor, landing);
     if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX || of->legs.count != 1 || of->kept_count != 2 || of->question.free_count > 0)
         goto done;
     jlt_given_legs_guess(&self.legs, &of->question, legs, x, T);
     take_legs(&self);
     JLT_TRY(jlt_cycle_create(&cycle, &of->question));
     JLT_TRY(jlt_homoclinic_make(cycle, &self.question));
-    st = json_object_set_new(given, "homoclinic", write(&self)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+    st = json_object_set_new(given, "homoclinic", write(&self, reversor)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
 done:
     jlt_cycle_destroy(cycle);
     jlt_given_homoclinic_clear(&self);

@@ -4,6 +4,7 @@
  *        "frame": [[NUMBER, NUMBER], [NUMBER, NUMBER]],        its columns are directions, in the coordinates
  *        "reach": NUMBER, "slope": NUMBER,                     see homoclinic.h
  *        "landing": 1 or -1,                                   direction in which the last leg meets the section
+ *        "reversor": [NAME, ...],                              the states that it flips; absent: the table's first one is meant
  *        "legs": [as in given.h, without turns] } */
 #ifndef JLT_VALIDATED_GIVEN_HOMOCLINIC_H
 #define JLT_VALIDATED_GIVEN_HOMOCLINIC_H
@@ -24,10 +25,10 @@ bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, 
                                char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_homoclinic_clear(jlt_given_homoclinic *self);
 
-/** Make it, and set "homoclinic" of `given`, from guesses: x, shape (legs, states), points of the section from one near the saddle
- *  to the last before the symmetric point, and T, shape (legs,), times from each to the next; landing, as above. Errors: as
- *  jlt_homoclinic_make; ARG, more than JLT_CYCLE_LEGS_MAX legs, or the saddle has more than one. */
-JLT_CHECKED jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, unsigned legs, const double *x,
-                                                 const double *T, int landing);
+/** Make it, and set "homoclinic" of `given`, by this proved reversor, from guesses: x, shape (legs, states), points of the section
+ *  from one near the saddle to the last before the symmetric point, and T, shape (legs,), times from each to the next; landing, as
+ *  above. Errors: as jlt_homoclinic_make; ARG, more than JLT_CYCLE_LEGS_MAX legs, or the saddle has more than one. */
+JLT_CHECKED jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, const jlt_reversor *reversor, unsigned legs,
+                                                 const double *x, const double *T, int landing);
 
 #endif

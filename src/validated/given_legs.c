@@ -1,38 +1,9 @@
 #include "validated/given_turns.h"
+#include "validated/numerals.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-bool jlt_given_legs_number(arb_t out, const char *text, slong bits)
-{
-    bool good = text != NULL && text[0] != '\0' && text[strspn(text, "0123456789+-./eE")] == '\0';
-
-    if (good && strchr(text, '/') != NULL) {
-        fmpq_t fraction;
-        fmpq_init(fraction);
-        good = fmpq_set_str(fraction, text, 10) == 0 && !fmpz_is_zero(fmpq_denref(fraction));
-        if (good) fmpq_canonicalise(fraction);
-        if (good) arb_set_fmpq(out, fraction, bits);
-        fmpq_clear(fraction);
-    } else if (good) {
-        good = strlen(text) < 4096 && arb_set_str(out, text, bits) == 0;
-    }
-    return good && arb_is_finite(out);
-}
-
-bool jlt_given_legs_ball(arb_t out, const json_t *ball, slong bits)
-{
-    arb_t radius;
-    bool good;
-
-    arb_init(radius);
-    good = jlt_given_legs_number(radius, json_string_value(json_object_get(ball, "radius")), bits)
-           && jlt_given_legs_number(out, json_string_value(json_object_get(ball, "middle")), bits) && !arb_is_negative(radius);
-    if (good) arb_add_error(out, radius);
-    arb_clear(radius);
-    return good;
-}
 
 static void make_room(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count)
 {
@@ -52,11 +23,11 @@ static bool read_leg(arb_ptr box, arb_ptr instant, const jlt_cycle_question *que
         return false;
     }
     for (unsigned s = 0; s < d->state_count; s++) {
-        if (s == question->column || jlt_given_legs_ball(box++, json_object_get(balls, d->states[s].name), bits)) continue;
+        if (s == question->column || jlt_numerals_ball(box++, json_object_get(balls, d->states[s].name), bits)) continue;
         snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "box: %s has no middle and radius", d->states[s].name);
         return false;
     }
-    if (jlt_given_legs_number(instant, json_string_value(json_object_get(leg, "instant")), bits)) {
+    if (jlt_numerals_read(instant, json_string_value(json_object_get(leg, "instant")), bits)) {
         arb_get_mid_arb(instant, instant);
         if (arb_is_positive(instant)) return true;
     }
@@ -79,6 +50,19 @@ bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *questio
         good = read_leg(self->box + i * (question->descriptor->state_count - 1), self->instants + i, question,
                         json_array_get(legs, i), problem);
     return good && jlt_given_turns_read(self, question, legs, problem);
+}
+
+bool jlt_given_legs_hold(const json_t *legs, const jlt_cycle_question *question, arb_srcptr y)
+{
+    const jlt_descriptor *d = question->descriptor;
+    const slong bits = 2 * jlt_step_accuracy_for(question->digits).bits;
+
+    for (size_t i = 0; i < json_array_size(legs); i++) {
+        const json_t *box = json_object_get(json_array_get(legs, i), "box");
+        for (unsigned s = 0; s < d->state_count; s++)
+            if (s != question->column && !jlt_numerals_hold(json_object_get(box, d->states[s].name), y++, bits)) return false;
+    }
+    return true;
 }
 
 void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question)

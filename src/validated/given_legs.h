@@ -1,4 +1,4 @@
-/** Legs of an orbit as certificates have them, and exact numbers written as text: see given.h. */
+/** Legs of an orbit as certificates have them: see given.h. */
 #ifndef JLT_VALIDATED_GIVEN_LEGS_H
 #define JLT_VALIDATED_GIVEN_LEGS_H
 
@@ -28,13 +28,10 @@ void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *questi
 /** Legs as in given.h; a new reference. radius: of all boxes, as text; NULL: their own, of three digits and no less. */
 json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius);
 
+/** Whether points, shape (legs, states - 1), surely lie in the boxes of an array of legs, each as it is written, unrounded. */
+bool jlt_given_legs_hold(const json_t *legs, const jlt_cycle_question *question, arb_srcptr y);
+
 /** A number's middle as a decimal; a new reference. */
 json_t *jlt_given_legs_decimal(const arb_t value, unsigned digits);
-
-/** One NUMBER, rounded outwards to so many bits; false: it is none. */
-bool jlt_given_legs_number(arb_t out, const char *text, slong bits);
-
-/** {"middle": NUMBER, "radius": NUMBER}, as the least ball that surely holds it. */
-bool jlt_given_legs_ball(arb_t out, const json_t *ball, slong bits);
 
 #endif

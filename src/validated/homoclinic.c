@@ -76,6 +76,8 @@ static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *resu
     if (verdict == JLT_KRAWCZYK_UNSHOWN) goto done;
     result->verdict = JLT_HOMOCLINIC_CONTRADICTED;
     if (verdict == JLT_KRAWCZYK_CONTRADICTED) goto done;
+    result->verdict = JLT_HOMOCLINIC_STILL;
+    if (!chain->goes_on) goto done;
     result->verdict = JLT_HOMOCLINIC_OPEN;
     if (!begins_in(chain, around, result->solution) || !chain->meets) goto done;
     result->verdict = find_tangent(result, chain) ? JLT_HOMOCLINIC_PROVED : JLT_HOMOCLINIC_TANGENT;

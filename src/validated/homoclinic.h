@@ -39,6 +39,7 @@ typedef enum {
     JLT_HOMOCLINIC_NO_CONE,     /* the cone is not mapped into itself, or its directions do not grow */
     JLT_HOMOCLINIC_UNSHOWN,     /* Krawczyk's operator leaves the boxes */
     JLT_HOMOCLINIC_OPEN,        /* the legs need not meet, or the orbit may begin outside N, or at the saddle */
+    JLT_HOMOCLINIC_STILL,       /* a leg is not shown to take time */
     JLT_HOMOCLINIC_TANGENT,     /* the manifolds may be tangent */
     JLT_HOMOCLINIC_CONTRADICTED /* an error of this program */
 } jlt_homoclinic_verdict;
@@ -62,7 +63,8 @@ JLT_CHECKED jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result
 
 /** Choose frame, reach, slope, box and instants of `question`, in which nothing is rigorous, so that the proof can succeed. In/out:
  *  box and instants, guesses that are refined by Newton's method; the boxes get radii. In: legs, landing, and all members before
- *  frame. Errors: as jlt_cycle_prove, jlt_cycle_refine; NO_CONVERGENCE: no saddle, no cone, or no such orbit near the guess. */
+ *  frame. Errors: as jlt_cycle_prove, jlt_cycle_refine; NO_CONVERGENCE: no saddle, no cone, or no such orbit near the guess;
+ *  UNSUPPORTED: section, levels or saddle are not shown to be their own mirror images under the reversor. */
 JLT_CHECKED jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *question);
 
 #endif

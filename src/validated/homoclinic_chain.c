@@ -221,7 +221,7 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
     const slong n = (slong)self->of->unknowns, last = (slong)q->legs - 1;
 
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
-    self->meets = true;
+    self->meets = self->goes_on = true;
     begin(self, G, DG, y);
     for (slong i = 0; i <= last; i++) {
         arb_srcptr here = y + i * n;
@@ -229,6 +229,7 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
                                                    i < last ? q->question->direction : q->landing, NULL);
         if (st != JLT_OK) return st;
         watch(self);
+        self->goes_on = arb_is_positive(self->of->arrival.time) && self->goes_on;
         if (self->adjusts) arb_get_mid_arb(self->own_instants + i, self->of->arrival.time);
         if (i == last) land(self, G, DG, 1 + i * n, i * n, here);
         else {

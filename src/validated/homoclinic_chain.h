@@ -16,6 +16,7 @@ typedef struct {
     /* of the evaluation last made: */
     bool inside;               /* x_0 has |u| < reach */
     bool meets;                /* the legs meet */
+    bool goes_on;              /* each takes time */
     arb_t start;               /* u of x_0 */
     arb_mat_t DG, landing;     /* (n, n); derivative of the last arrival in its start, (states, unknowns) */
     arb_ptr point;             /* (dim,), the last arrival */

@@ -1,5 +1,6 @@
 /* Chooses frame, cone and radii for the proof of a homoclinic orbit, and refines the orbit. */
 #include "validated/homoclinic_chain.h"
+#include "validated/symmetry.h"
 
 #include <math.h>
 
@@ -101,6 +102,17 @@ done:
     return st;
 }
 
+/* Whether the reversor takes section, levels and saddle to themselves; else UNSUPPORTED. */
+static jlt_status look_at_reversor(jlt_cycle *of, const jlt_cycle_result *saddle, const jlt_homoclinic_question *q)
+{
+    bool symmetric = false;
+    jlt_status st = JLT_OK;
+
+    if (jlt_symmetry_keeps(of, q->signs))
+        st = jlt_symmetry_maps(of, &symmetric, saddle, q->saddle_box, q->saddle_instant, q->signs);
+    return st != JLT_OK || symmetric ? st : JLT_ERR_UNSUPPORTED;
+}
+
 jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *q)
 {
     jlt_homoclinic_chain chain;
@@ -116,6 +128,8 @@ jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *q)
     JLT_TRY(look(of, D, q));
     st = JLT_ERR_NO_CONVERGENCE;
     if (saddle.verdict != JLT_CYCLE_PROVED || !saddle.saddle || !choose_frame(q->frame, D)) goto done;
+    JLT_TRY(look_at_reversor(of, &saddle, q));
+    st = JLT_ERR_NO_CONVERGENCE;
     arb_one(q->reach);
     arb_zero(q->slope);
     has_chain = true;

@@ -172,13 +172,9 @@ json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *g
         [JLT_SYMMETRY_UNSETTLED] = "not settled", [JLT_SYMMETRY_ELLIPTIC] = "elliptic", [JLT_SYMMETRY_HYPERBOLIC] = "hyperbolic",
         [JLT_SYMMETRY_INVERSE_HYPERBOLIC] = "inverse hyperbolic",
     };
-    const jlt_descriptor *d = given->question.descriptor;
-    json_t *flipped = json_array(), *part = json_pack("{s:s}", "type", types[result->type]);
-    bool good = true;
+    json_t *part = json_pack("{s:s}", "type", types[result->type]);
+    bool good = set(part, "reversor", jlt_theorem_flipped(given->question.descriptor, result->reversor));
 
-    for (unsigned i = 0; i < d->state_count; i++)
-        if (result->reversor->signs[i] < 0) good = json_array_append_new(flipped, json_string(d->states[i].name)) == 0 && good;
-    good = set(part, "reversor", flipped) && good;
     if (result->type == JLT_SYMMETRY_ELLIPTIC)
         good = set(part, "rotation", jlt_shown_ball(result->rotation, given->question.digits)) && good;
     if (good) return part;

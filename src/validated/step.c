@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PIECES = 16, TRIES = 60 };
+enum { PIECES = 16, FINEST = PIECES << 20, TRIES = 60 }; /* parts of a step over which conditions are looked at */
 
 struct jlt_step {
     const jlt_formulas *of;
@@ -212,6 +212,61 @@ static void over(const jlt_step *self, arb_t value, unsigned output, const arb_t
                   self->accuracy.bits);
 }
 
+/* The same by the mean value theorem, which is sharper over short parts, above all where the output is least: with m the middle,
+ * P(m) + P'(span)(span - m) + remainder. */
+static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, const arb_t span)
+{
+    const unsigned K = self->accuracy.order - 1;
+    const slong bits = self->accuracy.bits;
+    arb_srcptr a = jlt_jets_output(self->around.hull, output);
+    arb_t middle, slope, rest;
+
+    arb_init(middle);
+    arb_init(slope);
+    arb_init(rest);
+    for (unsigned i = K - 1; i > 0; i--) {
+        arb_mul(slope, slope, span, bits);
+        arb_addmul_ui(slope, a + i, i, bits);
+    }
+    arb_get_mid_arb(middle, span);
+    jlt_rough_sum(value, a, K, rest, middle, bits);
+    arb_sub(middle, span, middle, bits);
+    arb_addmul(value, slope, middle, bits);
+    arb_pow_ui(rest, span, K, bits);
+    arb_addmul(value, rest, jlt_jets_output(self->around.rough, output) + K, bits);
+    arb_clear(middle);
+    arb_clear(slope);
+    arb_clear(rest);
+}
+
+/* Part p of so many equal ones of [0, h]: (2p + 1 +- 1) h/(2 parts). */
+static void set_part(arb_t span, const arb_t h, unsigned p, unsigned parts, slong bits)
+{
+    arb_set_ui(span, 2 * p + 1);
+    mag_one(arb_radref(span));
+    arb_mul(span, span, h, bits);
+    arb_div_ui(span, span, 2 * parts, bits);
+}
+
+/* Whether an output is positive over such a part, which is cut in halves as long as that is not seen. */
+static bool is_positive(const jlt_step *self, unsigned output, const arb_t h, unsigned p, unsigned parts)
+{
+    bool positive, settled;
+    arb_t span, value;
+
+    arb_init(span);
+    arb_init(value);
+    set_part(span, h, p, parts, self->accuracy.bits);
+    over(self, value, output, span);
+    if (!arb_is_positive(value) && parts > PIECES) over_by_slope(self, value, output, span);
+    positive = arb_is_positive(value);
+    settled = positive || arb_is_nonpositive(value) || parts == FINEST;
+    arb_clear(span);
+    arb_clear(value);
+    return settled ? positive
+                   : is_positive(self, output, h, 2 * p, 2 * parts) && is_positive(self, output, h, 2 * p + 1, 2 * parts);
+}
+
 /* Conditions over [0, h], piece by piece. False where the set may leave the domain. */
 static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
 {
@@ -222,18 +277,13 @@ static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
     arb_init(span);
     arb_init(value);
     for (unsigned p = 0; p < PIECES; p++) {
-        arb_set_ui(span, 2 * p + 1); /* (2p + 1 +- 1) h/32 */
-        mag_one(arb_radref(span));
-        arb_mul(span, span, h, bits);
-        arb_div_ui(span, span, 2 * PIECES, bits);
+        set_part(span, h, p, PIECES, bits);
         for (unsigned i = 0; i < self->of->valid_count; i++) {
             over(self, value, jlt_formulas_valid(self->of, i), span);
             lower(least + i, value, bits);
         }
-        for (unsigned i = 0; inside && i < self->of->domain_count; i++) {
-            over(self, value, jlt_formulas_domain(self->of, i), span);
-            inside = arb_is_positive(value);
-        }
+        for (unsigned i = 0; inside && i < self->of->domain_count; i++)
+            inside = is_positive(self, jlt_formulas_domain(self->of, i), h, p, PIECES);
     }
     arb_clear(span);
     arb_clear(value);

@@ -9,13 +9,40 @@
 #include <stdlib.h>
 #include <string.h>
 
+bool jlt_theorem_is_proved(const jlt_descriptor *descriptor, const jlt_reversor *reversor)
+{
+    const jlt_claim *claim = &descriptor->claims[reversor->claim];
+
+    return claim->verdict == JLT_PROVED && claim->condition[0] == '\0';
+}
+
 const jlt_reversor *jlt_theorem_reversor(const jlt_descriptor *descriptor)
 {
-    for (unsigned i = 0; i < descriptor->reversor_count; i++) {
-        const jlt_claim *claim = &descriptor->claims[descriptor->reversors[i].claim];
-        if (claim->verdict == JLT_PROVED && claim->condition[0] == '\0') return &descriptor->reversors[i];
-    }
+    for (unsigned i = 0; i < descriptor->reversor_count; i++)
+        if (jlt_theorem_is_proved(descriptor, &descriptor->reversors[i])) return &descriptor->reversors[i];
     return NULL;
+}
+
+json_t *jlt_theorem_flipped(const jlt_descriptor *descriptor, const jlt_reversor *reversor)
+{
+    json_t *flipped = json_array();
+
+    for (unsigned i = 0; i < descriptor->state_count; i++)
+        if (reversor->signs[i] < 0) json_array_append_new(flipped, json_string(descriptor->states[i].name));
+    return flipped;
+}
+
+const jlt_reversor *jlt_theorem_reversor_of(const jlt_descriptor *descriptor, const json_t *flipped)
+{
+    const jlt_reversor *found = NULL;
+
+    for (unsigned i = 0; i < descriptor->reversor_count && found == NULL; i++) {
+        const jlt_reversor *reversor = &descriptor->reversors[i];
+        json_t *names = jlt_theorem_is_proved(descriptor, reversor) ? jlt_theorem_flipped(descriptor, reversor) : NULL;
+        if (names != NULL && json_equal(names, flipped)) found = reversor;
+        json_decref(names);
+    }
+    return found;
 }
 
 static bool has_radius(const json_t *values)
@@ -124,15 +151,12 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *c
 static void write_image(FILE *out, const jlt_descriptor *d)
 {
     const jlt_reversor *reversor = jlt_theorem_reversor(d);
-    bool first = true;
+    json_t *flipped = reversor == NULL ? NULL : jlt_theorem_flipped(d, reversor);
 
-    if (reversor == NULL) return;
+    if (flipped == NULL) return;
     fputs("The image of the orbit under the reversor ", out);
-    for (unsigned i = 0; i < d->state_count; i++) {
-        if (reversor->signs[i] > 0) continue;
-        fprintf(out, "%s%s -> -%s", first ? "" : ", ", d->states[i].name, d->states[i].name);
-        first = false;
-    }
+    jlt_theorem_text_flips(out, flipped);
+    json_decref(flipped);
     fputs(", time reversed, is another periodic orbit, which has the inverse multipliers on the images of the levels: "
           "it repels.", out);
 }
@@ -195,6 +219,19 @@ bool jlt_theorem_is_kind(const char *kind)
     for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
         if (strcmp(contents[i].kind, kind) == 0) return true;
     return false;
+}
+
+/* Where the table has more than one reversor, which. */
+static void write_saddle(FILE *out, const subject *s)
+{
+    const json_t *flipped = json_object_get(json_object_get(s->given, "homoclinic"), "reversor");
+
+    fputs("Both multipliers are real, one outside the unit circle, one inside: a saddle. Its image under the reversor ", out);
+    if (flipped != NULL) {
+        jlt_theorem_text_flips(out, flipped);
+        fputc(' ', out);
+    }
+    fputs("passes through the same box after the same time, hence is the orbit itself.", out);
 }
 
 static void write_homoclinic(FILE *out, const subject *s)
@@ -264,9 +301,7 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
     case IMAGE: write_image(out, s->descriptor); break;
     case SINK_MEASURE: write_sink_measure(out, s); break;
     case EXPANDS: write_expansion(out, s); break;
-    case SADDLE:
-        fputs("Both multipliers are real, one outside the unit circle, one inside: a saddle. Its image under the reversor passes "
-              "through the same box after the same time, hence is the orbit itself.", out); break;
+    case SADDLE: write_saddle(out, s); break;
     case HOMOCLINIC: write_homoclinic(out, s); break;
     case TRANSVERSAL: write_tangent(out, s); break;
     case WAY:

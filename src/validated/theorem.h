@@ -15,4 +15,13 @@ bool jlt_theorem_is_kind(const char *kind);
  *  condition. NULL: the table has none. */
 const jlt_reversor *jlt_theorem_reversor(const jlt_descriptor *descriptor);
 
+/** Whether a reversor of the table is proved without a condition. */
+bool jlt_theorem_is_proved(const jlt_descriptor *descriptor, const jlt_reversor *reversor);
+
+/** The proved reversor that flips these states, an array of names in the table's order, and no others; NULL: the table has none. */
+const jlt_reversor *jlt_theorem_reversor_of(const jlt_descriptor *descriptor, const json_t *flipped);
+
+/** The names of the states that it flips; a new reference, NULL when memory is out. */
+json_t *jlt_theorem_flipped(const jlt_descriptor *descriptor, const jlt_reversor *reversor);
+
 #endif

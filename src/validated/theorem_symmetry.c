@@ -22,10 +22,7 @@ void jlt_theorem_symmetry_write(FILE *out, const json_t *given, const json_t *sy
     const bool many = json_array_size(json_object_get(given, "legs")) > 1;
 
     fputs("The orbit is its own mirror image under the reversor ", out);
-    for (size_t i = 0; i < json_array_size(flipped); i++) {
-        const char *name = jlt_theorem_text(json_array_get(flipped, i));
-        fprintf(out, "%s%s -> -%s", i == 0 ? "" : ", ", name, name);
-    }
+    jlt_theorem_text_flips(out, flipped);
     fprintf(out, ", which maps the section and the levels to themselves: its image passes through the same box%s after the "
                  "same time%s. So DP on the levels is conjugate to its inverse, and det DP = 1 exactly. ",
             many ? "es" : "", many ? "s" : "");

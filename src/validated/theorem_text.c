@@ -31,3 +31,11 @@ void jlt_theorem_text_named(FILE *out, const json_t *values)
         between = ", ";
     }
 }
+
+void jlt_theorem_text_flips(FILE *out, const json_t *flipped)
+{
+    for (size_t i = 0; i < json_array_size(flipped); i++) {
+        const char *name = jlt_theorem_text(json_array_get(flipped, i));
+        fprintf(out, "%s%s -> -%s", i == 0 ? "" : ", ", name, name);
+    }
+}

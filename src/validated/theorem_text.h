@@ -15,4 +15,7 @@ void jlt_theorem_text_ball(FILE *out, const json_t *ball);
 /** "NAME = BALL, ..." of an object of balls. */
 void jlt_theorem_text_named(FILE *out, const json_t *values);
 
+/** "STATE -> -STATE, ..." of an array of states that a reversor flips. */
+void jlt_theorem_text_flips(FILE *out, const json_t *flipped);
+
 #endif

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A certificate is one of what was asked, exactly: of a section's value as its table has it, of turns in the periods of the table,
-# and of a sink with any number of multipliers.
+# of a sink with any number of multipliers, of a level whatever its name, of parameters that are computed from those asked for, of a
+# homoclinic orbit by whichever reversor serves, of an orbit as near the edge of its domain as can be told.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -80,4 +81,95 @@ assert holds(c["shown"]["trace"], 2*math.exp(-math.pi/10) + math.exp(-math.pi))
 assert holds(c["shown"]["determinant"], math.exp(-math.pi/5 - math.pi)) and c["shown"]["multipliers"] == []
 P
 expect 1 "not shown to attract" jellett certify sink "${damped[@]}" --set rate=-1/20
+
+# A level may have the name that a symmetry goes by which has none of its own.
+cat > named.tt << 'T'
+model named
+state x
+state y
+state z
+eq x = y
+eq y = -x
+eq z = -z
+symmetry x -> -x, y -> -y
+integral symmetry = x^2 + y^2
+T
+expect 0 "" jellett certify sink ./named.tt --section y=0 --direction down --level symmetry=1 --solve x=1 --start z=0 -o named.json
+expect 0 "Levels: symmetry = 1." jellett check -m ./named.tt named.json
+
+# Parameters of the section's table that are computed from those asked for have exact values too; what has none is said.
+cat > computed.tt << 'T'
+model computed
+param J > 0
+default J = 2
+state x
+state p
+state z in (0, inf)
+eq x = p
+eq p = J/2*(1 - x^2)*p - z*x
+eq z = 0*z
+integral K = z
+reduction held : by pol.tt with x = x, p = p, K = K, c = J/2
+T
+cat > pol.tt << 'T'
+model pol
+param c > 0
+param K > 0
+default K = 1, c = 5
+state x
+state p
+eq x = p
+eq p = c*(1 - x^2)*p - K*x
+embedding whole : into computed.tt with x = x, p = p, z = K, J = 2*c
+section turning : by heights.tt at p = 0 with x = x
+T
+printf 'model heights\nparam c > 0\nparam K > 0\ndefault K = 1, c = 5\nstate x\nlift into pol.tt with x = x, p = 0\n' > heights.tt
+expect 0 "" jellett certify sink ./computed.tt --set J=4/3 --start x=-2.0086198608748 -o pol.json
+expect 0 " with K = 1, c = 2/3. " jellett check -m ./pol.tt pol.json
+expect 0 "" jellett certify sink ./computed.tt --spread c=1e-12 --start x=-2.0086198608748 -o pol.json
+expect 0 " with K = 1, c = 1 +- 1/1000000000000. " jellett check -m ./pol.tt pol.json
+sed -i 's/c = J.2$/c = sqrt(J)/; s/J.2.(1/j*(1/; s/^state x/root j = sqrt(J)\n&/' computed.tt
+sed -i 's/J = 2.c/J = c^2/' pol.tt
+expect 3 "ask pol itself, with --set c=VALUE" jellett certify sink ./computed.tt --start x=-2.0086198608748
+
+# Of two reversors the second one takes the section to itself: it is named.
+sed '/^section /d; s/^reversor/reversor px -> -px, py -> -py\n&/' "$JLT_SOURCE_DIR/tools/docs/henon.tt" > two.tt
+homoclinic=(./two.tt --section x=0 --level H=1/8 --solve px=0.4 --start y=-0.2,py=0)
+expect 0 "" jellett certify homoclinic "${homoclinic[@]}" --digits 16 -o two.json
+expect 0 "Its image under the reversor x -> -x, py -> -py passes" jellett check -m ./two.tt two.json
+for flipped in '["px", "py"]' '["x"]' '[]' '"x"' None absent; do
+    python3 - "$flipped" << 'P'
+import hashlib, json, sys
+c = json.load(open("two.json"))
+part = c["given"]["homoclinic"]
+if sys.argv[1] == "absent": del part["reversor"]
+else: part["reversor"] = eval(sys.argv[1])
+del c["digest"]
+c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+json.dump(c, open("other.json", "w"))
+P
+    case $flipped in # the other one, which is also meant where none is named
+        *px* | absent) expect 1 "is not shown to be its own mirror image" jellett check -m ./two.tt other.json ;;
+        *) expect 3 "no proved reversor of the table flips the states" jellett check -m ./two.tt other.json ;;
+    esac
+done
+sed -i '/^reversor x/d' two.tt
+expect 4 "no proved reversor of henon flips the section's state" jellett certify homoclinic "${homoclinic[@]}"
+
+# A wall 1e-9 beside the orbit, which comes as far as y = 2.67844147915...; and one among whose places some are too near. None is
+# said to be passed.
+cat > wall.tt << 'T'
+model wall
+param edge > 0
+default edge = 2.67844148
+state x
+state y
+eq x = y
+eq y = (1 - x^2)*y - x
+domain inside : edge - y > 0
+T
+orbit=(./wall.tt --section y=0 --direction down --start x=2.0086198608748)
+expect 0 "" jellett certify sink "${orbit[@]}" -o wall.json
+expect 0 proved jellett check -m ./wall.tt wall.json
+expect 1 "is not shown, with 20 digits, to stay in the domain" jellett certify sink "${orbit[@]}" --spread edge=1e-8
 exit $status

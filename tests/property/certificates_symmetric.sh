@@ -115,6 +115,10 @@ sys.exit(not abs((a * s - b * r) / (s - r) - twist) < abs(a - b) / 10)
 END
 change coefficient 'c["shown"]["twist"]["coefficient"]["radius"] = "1e-30"'
 expect 1 "$scratch/coefficient.json" 'does not follow'
+change coefficient 'c["shown"]["twist"]["coefficient"]["radius"] = "300"'
+expect 1 "$scratch/coefficient.json" 'the twist, as it is written, may be 0'
+change trace 'c["shown"]["trace"]["radius"] = "3"'
+expect 1 "$scratch/trace.json" 'the trace, as it is written, does not tell the type of the orbit'
 change coordinate 'c["shown"]["twist"]["coordinate"] = "px"'
 expect 1 "$scratch/coordinate.json" 'does not follow'
 change less 'c["kind"] = "symmetric"'

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "validated/numerals.h"
 #include "validated/range.h"
 #include "validated/shown.h"
 
@@ -150,7 +151,7 @@ static void balls_are_written_outwards_also_around_zero(void **unused)
         arb_set_d(ball, balls[i][0]);
         mag_set_d(arb_radref(ball), balls[i][1]);
         text = jlt_shown_ball(ball, 20);
-        assert_true(jlt_given_legs_ball(read, text, 200));
+        assert_true(jlt_numerals_ball(read, text, 200));
         assert_true(arb_contains(read, ball));
         assert_true(mag_cmp_2exp_si(arb_radref(read), 2) <= 0); /* written twice as wide, with three digits */
         json_decref(text);
@@ -172,10 +173,10 @@ static void bounds_are_written_outwards(void **unused)
         arf_randtest(value, dice, 100, 6);
         low = jlt_shown_lower_bound(value);
         high = jlt_shown_upper_bound(value);
-        assert_true(jlt_given_legs_number(read, json_string_value(low), 200));
+        assert_true(jlt_numerals_read(read, json_string_value(low), 200));
         arb_sub_arf(read, read, value, 300);
         assert_true(arb_is_nonpositive(read));
-        assert_true(jlt_given_legs_number(read, json_string_value(high), 200));
+        assert_true(jlt_numerals_read(read, json_string_value(high), 200));
         arb_sub_arf(read, read, value, 300);
         assert_true(arb_is_nonnegative(read));
         json_decref(low);
