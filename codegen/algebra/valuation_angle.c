@@ -182,6 +182,18 @@ void ttc_valuation_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angl
     value_at_angle(v, out, angle, is_sine, NO_SYMBOL);
 }
 
+/* A sine of a cosine that a zero level has bound may be that of another angle, or its opposite. Those of angles that are not bound
+ * come first: they are told by their angles, and have no sign to choose. */
+static void meet_free_sines(ttc_valuation *v, uint32_t cosine)
+{
+    ttc_ratio sine;
+    if (!ttc_valuation_is_bound(v, cosine)) return;
+    ttc_ratio_init(v->ring, &sine);
+    for (size_t i = 0; i < v->basis_count && v->ring->status == TTC_RING_OK; i++)
+        if (!ttc_valuation_is_bound(v, v->basis[i])) ttc_valuation_value(v, &sine, v->model->symbols[v->basis[i]].partner);
+    ttc_ratio_clear(v->ring, &sine);
+}
+
 /* Of an angle in the basis the cosine is a free variable, and the sine a square root of 1 - cos^2. */
 void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
@@ -201,6 +213,7 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
     if (!in_basis(v, cosine)) goto done;
     if (is_sine) {
         ttc_valuation_value(v, out, cosine); /* which a zero level may have bound */
+        meet_free_sines(v, cosine);
         ttc_ratio_multiply(v->ring, out, out, out);
         ttc_ratio_set_integer(v->ring, &one, 1);
         ttc_ratio_subtract(v->ring, &angle, &one, out);

@@ -346,11 +346,35 @@ static ttc_truth roots_are_real(ttc_witness *point)
     return truth;
 }
 
+/* Conditions leave out the signs that intervals give to states, as values are chosen within these. An angle is not chosen where its
+ * cosine is given. */
+static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
+{
+    ttc_truth truth = TTC_HOLDS;
+    ttc_ratio angle;
+    arb_t ball;
+    ttc_ratio_init(point->ring, &angle);
+    arb_init(ball);
+    for (slong v = 0; truth != TTC_FAILS && v < (slong)point->ring->variable_count; v++) {
+        if (angle_of(point, v) == 0) continue;
+        ttc_ratio_set_variable(point->ring, &angle, v);
+        const unsigned signs = ttc_conditions_signs(conditions, angle.numerator);
+        if (signs == TTC_CAN_BE_ANY) continue;
+        ttc_witness_enclose(ball, point, &angle, FIRST_PRECISION);
+        if (signs == TTC_CAN_BE_POSITIVE ? arb_is_positive(ball) : arb_is_negative(ball)) continue;
+        truth = arb_contains_zero(ball) ? TTC_UNCLEAR : TTC_FAILS;
+    }
+    arb_clear(ball);
+    ttc_ratio_clear(point->ring, &angle);
+    return truth;
+}
+
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (conditions->contradictory) return TTC_FAILS;
     if (has_obscure_angle(point)) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
+    if (truth == TTC_HOLDS) truth = angles_have_their_signs(point, conditions);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {
         ttc_truth one = meets(point, &conditions->items[i]);
         if (one != TTC_HOLDS) truth = one;

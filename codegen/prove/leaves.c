@@ -3,7 +3,7 @@
  * A zero level h = 0 is factored. On a factor A s^d + ... of degree d <= 2 in a symbol s, s follows from the other symbols where
  * A is not zero; where A = 0 as well, that is one more level, and is cut in its turn. So the leaves cover every real point, and
  * what is shown at a generic point of a leaf holds on all of it, by continuity. */
-#include "prove/subcase.h"
+#include "prove/divided.h"
 #include "prove/domain.h"
 
 #include <flint/fmpz_mpoly_factor.h>
@@ -40,23 +40,12 @@ static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
     return zero;
 }
 
-static void add_leads(ttc_task *task, const ttc_subcase *b)
-{
-    ttc_ratio lead;
-    ttc_ratio_init(task->ring, &lead);
-    for (size_t i = 0; i < b->lead_count; i++) {
-        ttc_evaluate(task->field, &lead, b->leads[i]);
-        ttc_conditions_add(&task->domain, &lead, TTC_IS_NONZERO);
-    }
-    ttc_ratio_clear(task->ring, &lead);
-}
-
 /* False: the leaf has no points. */
 static bool look_for_point(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     char *text = NULL;
-    add_leads(task, b);
+    ttc_subcase_add_leads(task, b);
     ttc_domain_add(task, &task->domain, task->extent);
     if (ttc_ring_has_no_value(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);
@@ -76,41 +65,6 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
     }
     free(text);
     return true;
-}
-
-static bool divides(ttc_task *task)
-{
-    const bool is_given = task->role == TTC_DIVIDES_VARIANT && task->claim->when.count > 0; /* it is asked where it is not */
-    if (task->role == TTC_DIVIDES_FIELD || task->role == TTC_DIVIDES_LIFT || is_given) return false;
-    unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
-    bool result = of_claim == NULL;
-    for (size_t i = 0; !result && i < task->model->divisor_count; i++) result = of_claim[i] != 0;
-    free(of_claim);
-    return result;
-}
-
-/* Where a claim divides by zero on a whole part of the domain, it says nothing there; but what uses it takes it with everything
- * cancelled. This leaf, on which the claim has no value, is such a part where it has points without it. A family may exist on a
- * part alone. */
-static void check_defined(cover *c, const ttc_subcase *b)
-{
-    ttc_task *task = c->task;
-    if (task->claim->kind == TTC_CLAIM_EQUILIBRIA || b->is_degenerate || c->is_partial || !divides(task)) return;
-    /* In the same field, where roots have the signs of this leaf: what has failed is the claim's own. */
-    const ttc_ring_status failed = task->ring->status;
-    ttc_conditions whole = task->domain;
-    task->ring->status = TTC_RING_OK;
-    ttc_conditions_init(&task->domain, task->field);
-    add_leads(task, b);
-    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
-    if (task->ring->status == TTC_RING_OK && !task->domain.contradictory) {
-        const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &c->undefined_at);
-        c->is_partial = result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED;
-    }
-    c->is_partial |= task->ring->status != TTC_RING_OK && !ttc_ring_has_no_value(task->ring->status);
-    ttc_conditions_clear(&task->domain);
-    task->domain = whole;
-    task->ring->status = failed;
 }
 
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
@@ -172,12 +126,13 @@ static void visit(cover *c, const ttc_subcase *b)
             ttc_subcase_check_foundations(task);
             if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
             put_off(c);
+            c->is_partial |= !task->has_point && ttc_divided_perhaps(task, b);
             if (ttc_ring_has_no_value(task->ring->status))
                 ttc_task_unsettle(task, "%s", ttc_ring_status_text(task->ring->status));
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
         }
-        if (is_here && !has_points) check_defined(c, b);
+        if (is_here && !has_points && !c->is_partial) c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
         if (before == TTC_UNSETTLED && task->status != TTC_REFUTED) {
             free(task->remainder);
             task->status = before;
@@ -276,7 +231,8 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
-        if (is_invariant(task) && b->goal_count == 1) check_defined(c, b);
+        if (is_invariant(task) && b->goal_count == 1 && !c->is_partial)
+            c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate

@@ -1,5 +1,32 @@
 /* Claims about the flow, or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
-#include "prove/prove_task.h"
+#include "prove/tangent.h"
+
+#include "algebra/independence.h"
+
+/* Whether some rate along a free state is known not to be zero, by its form or at a point. */
+static bool is_known_to_move(ttc_task *task, ttc_id expression)
+{
+    ttc_tangent tangent;
+    bool known = false, ok = ttc_tangent_init(task, &tangent);
+    ttc_ratio *row = ttc_task_ratios(task, tangent.columns);
+    if (ok && row != NULL) ttc_tangent_gradient(task, &tangent, row, expression);
+    for (size_t k = 0; ok && row != NULL && !known && k < tangent.columns && ttc_task_open(task); k++)
+        known = !fmpz_mpoly_is_zero(row[k].numerator, task->ring->context)
+                && (ttc_ring_settles(task->ring, row[k].numerator)
+                    || ttc_task_search(task, &row[k], TTC_IS_NONZERO, NULL) == TTC_POINT_FOUND);
+    ttc_task_free(task, row, tangent.columns);
+    ttc_tangent_clear(task, &tangent);
+    return known;
+}
+
+/* That the form of an integral has states in it says nothing where functions may depend on each other. */
+static void require_moving(ttc_task *task, const ttc_ratio *value)
+{
+    const ttc_claim *claim = task->claim;
+    if (!ttc_task_open(task) || ttc_ring_settles_all(task->ring, value, 1) || is_known_to_move(task, claim->expression)) return;
+    ttc_task_unsettle(task, "that %s depends on the states rests on the independence of exponentials, logarithms or pi, "
+                            "which is not known", claim->name);
+}
 
 void ttc_prove_integral(ttc_task *task)
 {
@@ -18,6 +45,8 @@ void ttc_prove_integral(ttc_task *task)
         ttc_evaluate(task->field, &value, rate);
         ttc_task_require_zero(task, &value, "d(%s)/dt", claim->name);
     }
+    ttc_evaluate(task->field, &value, claim->expression);
+    require_moving(task, &value);
     ttc_ratio_clear(task->ring, &value);
 }
 

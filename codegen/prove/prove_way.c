@@ -151,14 +151,15 @@ static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint3
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* A parameter of B, seen from S: that of its name, which obeys the condition of the way; what the condition says; or what the
- * embedding says, where that is more than a number. */
+/* A parameter of B, seen from S: that of its name, which obeys the condition of the way; what the condition says; what the
+ * embedding says, where that is more than a number; or, where it says nothing, that of its name again, whatever the way gives. */
 static void bind_parameter(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint32_t *spares)
 {
     const ttc_model *table = task->model;
     const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
     const ttc_binding *condition = condition_on(task->outer->claim, symbol);
     const uint32_t shared = shared_param(table, &way_of(task->outer)->image, entry->name);
+    const uint32_t named = ttc_param_of(table, entry->name);
     const ttc_id given = ttc_given_for(embedding_of(task), entry->name);
     const ttc_id value = condition == NULL ? TTC_NONE : in_table(table, task->outer, condition->expression);
     if (condition != NULL && value == TTC_NONE)
@@ -168,7 +169,8 @@ static void bind_parameter(ttc_task *task, ttc_valuation *map, uint32_t symbol, 
     else if (is_told(table, given)) {
         ttc_valuation_bind(map, symbol, given);
         ttc_prove_constant(task, entry->name, given);
-    } else bind_free(task, map, symbol, spares);
+    } else if (given == TTC_NONE && named != UINT32_MAX) ttc_valuation_bind(map, symbol, table->symbols[named].node);
+    else bind_free(task, map, symbol, spares);
 }
 
 static void bind_embedded(ttc_task *task, ttc_valuation *map)

@@ -46,6 +46,9 @@ bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const
 bool ttc_subcase_open(ttc_task *task, const ttc_subcase *subcase, unsigned choices);
 void ttc_subcase_close(ttc_task *task);
 
+/* What solutions divide by is not zero: to the conditions of the task. */
+void ttc_subcase_add_leads(ttc_task *task, const ttc_subcase *subcase);
+
 /* What a claim rests on through `modulo` must be proved, under conditions that hold in the field at hand. */
 void ttc_subcase_check_foundations(ttc_task *task);
 

@@ -36,6 +36,17 @@ void ttc_subcase_close(ttc_task *task)
     task->ring = NULL;
 }
 
+void ttc_subcase_add_leads(ttc_task *task, const ttc_subcase *subcase)
+{
+    ttc_ratio lead;
+    ttc_ratio_init(task->ring, &lead);
+    for (size_t i = 0; i < subcase->lead_count; i++) {
+        ttc_evaluate(task->field, &lead, subcase->leads[i]);
+        ttc_conditions_add(&task->domain, &lead, TTC_IS_NONZERO);
+    }
+    ttc_ratio_clear(task->ring, &lead);
+}
+
 void ttc_subcase_check_foundations(ttc_task *task)
 {
     const ttc_model *model = task->model;
