@@ -152,8 +152,7 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
 
 static const char *const ends[] = {
     "the range ends", "the number of points is reached",
-    "no shorter step converges (a pole, an empty level, another branch of --solve, a tangency, or a family: levels may tell its "
-    "orbits apart)",
+    "no shorter step converges (a pole, an empty level, a branch of --solve, a tangency, or a family: levels tell orbits apart)",
     "interrupted", "it closes", "it ends at a period doubling"
 };
 
