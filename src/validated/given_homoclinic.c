@@ -95,7 +95,7 @@ static json_t *name_of(const jlt_descriptor *d, const jlt_reversor *reversor)
     return d->reversor_count > 1 ? jlt_theorem_flipped(d, reversor) : NULL;
 }
 
-static json_t *write(const jlt_given_homoclinic *self, const jlt_reversor *reversor)
+static json_t *write_given(const jlt_given_homoclinic *self, const jlt_reversor *reversor)
 {
     const unsigned digits = self->question.question->digits;
     json_t *frame = json_array();
@@ -122,7 +122,7 @@ jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, const j
     take_legs(&self);
     JLT_TRY(jlt_cycle_create(&cycle, &of->question));
     JLT_TRY(jlt_homoclinic_make(cycle, &self.question));
-    st = json_object_set_new(given, "homoclinic", write(&self, reversor)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+    st = json_object_set_new(given, "homoclinic", write_given(&self, reversor)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
 done:
     jlt_cycle_destroy(cycle);
     jlt_given_homoclinic_clear(&self);

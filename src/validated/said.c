@@ -92,7 +92,7 @@ bool jlt_said_follows(const json_t *said, const json_t *proved)
 /* ---- its own words ---- */
 
 /* A number of `shown` by its name, as it is written. */
-static void read(arb_t out, const json_t *shown, const char *name)
+static void read_number(arb_t out, const json_t *shown, const char *name)
 {
     const json_t *ball = json_object_get(shown, name);
 
@@ -107,7 +107,7 @@ static int side(const json_t *shown, const char *name, slong of)
     int found;
 
     arb_init(value);
-    read(value, shown, name);
+    read_number(value, shown, name);
     arb_sub_si(value, value, of, bits);
     found = arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
     arb_clear(value);
@@ -123,8 +123,8 @@ static int side_of_circle(const json_t *multiplier)
 
     arb_init(re);
     arb_init(im);
-    read(re, multiplier, "re");
-    read(im, multiplier, "im");
+    read_number(re, multiplier, "re");
+    read_number(im, multiplier, "im");
     arb_mul(re, re, re, bits);
     arb_addmul(re, im, im, bits);
     arb_sub_ui(re, re, 1, bits);
