@@ -19,7 +19,7 @@ JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
  *  of the zero if that is smaller. Errors and cost: as jlt_edge_left. */
 JLT_CHECKED jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side);
 
-/** The same for the function of an event, where it is positive at both ends of the step. In/out: *theta, replaced by the first
+/** As jlt_edge_left, for the function of an event that is positive at both ends of the step. In/out: *theta, replaced by the first
  *  theta at which the function is not positive, if that is smaller. Errors: as jlt_edge_left. */
 JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);
 

@@ -29,9 +29,9 @@ typedef struct {
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
     double least;             /* least value since the start of the model's conditions (`valid` in its table), looked at where
                                  steps end and, where all hold there, within the step; INFINITY: the model has none */
-    double lost_at;           /* time at which `least` was first seen not to be positive; NaN: never */
+    double lost_at;           /* time, up to t, at which a condition was first broken; NaN: never */
     const char *lost;         /* the condition that was broken then; NULL: none */
-    double unknown_at;        /* time at which a condition was first seen to have no value, and none to be broken; NaN: never */
+    double unknown_at;        /* time, up to t, at which one was first seen to have no value, and none to be broken; NaN: never */
     const char *unknown;      /* that condition; NULL: none */
     const double *more;       /* shape (jlt_course_tells_more,): what the question wants beside this, as attitude and track; NULL:
                                  nothing; the course's own */
