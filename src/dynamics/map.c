@@ -44,8 +44,8 @@ static int watch(void *context, jlt_orbit *orbit)
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;
-    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, jlt_rest_slow(stepper->asked))
-                    && jlt_approach_is_near(self->flow.field, stepper->x, surroundings);
+    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, stepper->size, jlt_rest_slow(stepper->asked))
+                    && jlt_approach_is_near(self->flow.field, stepper->x, stepper->size, surroundings);
     return was_slow && self->is_slow;
 }
 

@@ -309,6 +309,7 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
 jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
     jlt_status st = JLT_OK;
+    const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
     double f[JLT_CHART_STATES_MAX];
     jlt_outcome outcome = { .t = self->t_start, .x = self->x };
     jlt_fate fate;
@@ -339,8 +340,8 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         row->direction = outcome.crossing.direction;
         self->accepted = self->flow.chart->turn != 0; /* it goes on from within a turn of the section */
         self->rest = (jlt_rest_watch){ 0 };
-        self->rests = jlt_rest_is_slower(self->flow.field, self->x, jlt_rest_slow(jlt_orbit_stepper(self->orbit)->asked))
-                      && jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit);
+        self->rests = jlt_rest_is_slower(self->flow.field, self->x, stepper->size, jlt_rest_slow(stepper->asked))
+                      && jlt_rest_ends(stepper, self->limit);
     } else {
         end_by(self, row, &outcome);
     }

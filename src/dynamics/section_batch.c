@@ -20,8 +20,7 @@ typedef struct {
     jlt_fate fate;         /* of the end */
     jlt_lane_end lane_end;
     bool has_lane_end, is_slow; /* is_slow: the lane's next return was slower than what it may be left to */
-    bool has_end;          /* it ends after its rows, or was interrupted there */
-    bool is_interrupted;
+    bool has_end, is_interrupted; /* has_end: it ends after its rows, or was interrupted there */
 } course;
 
 struct jlt_section_batch {
@@ -161,11 +160,12 @@ static void row_of(const jlt_section_batch *self, double *row, const double *x)
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
 {
     jlt_section_batch *self = context;
+    const jlt_field *field = flow_of(self, lane)->field;
     course *at = &self->courses[lane];
     double row[COLUMNS_MAX];
 
     (void)number;
-    at->is_slow = at->is_slow || jlt_rest_is_slower(flow_of(self, lane)->field, x, self->slow);
+    at->is_slow |= jlt_rest_is_slower(field, x, jlt_field_size_at(field, self->starts + lane * self->columns), self->slow);
     if (at->is_slow) return 0;
     row_of(self, row, x);
     const jlt_status st = keep(self, lane, row);

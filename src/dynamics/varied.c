@@ -85,7 +85,8 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                .time_rate = plain->time_rate != NULL ? time_rate : NULL,
                                .root = -1,
                                .domain = plain->domain,
-                               .scale = self->scale };
+                               .scale = self->scale,
+                               .sized = plain->sized };
     if (kernels != NULL && kernels->rhs_jacobian != NULL && plain->dim <= JLT_BATCH_STATES_MAX) {
         self->batch = (jlt_kernel_batch){ .isa = kernels->isa,
                                           .lanes = kernels->lanes,

@@ -13,6 +13,7 @@ struct jlt_gsl_ode {
     jlt_gsl_ode_field field;
     void *context;
     size_t dim;
+    double tolerance;
     double clock; /* since the reset; msadams tells a new step from a repeated one by it */
 };
 
@@ -28,7 +29,7 @@ static int call(double t, const double x[], double f[], void *self)
 }
 
 jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t dim, jlt_gsl_ode_field field, void *context,
-                              double tolerance, const double *scale)
+                              double tolerance)
 {
     const gsl_odeiv2_step_type *const types[] = { gsl_odeiv2_step_rk8pd, gsl_odeiv2_step_rkf45, gsl_odeiv2_step_msadams };
     jlt_gsl_ode *self;
@@ -41,7 +42,8 @@ jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t d
     self->field = field;
     self->context = context;
     self->dim = dim;
-    self->driver = gsl_odeiv2_driver_alloc_scaled_new(&self->system, types[kind], 1e-3, tolerance, tolerance, 1, 0, scale);
+    self->tolerance = tolerance;
+    self->driver = gsl_odeiv2_driver_alloc_y_new(&self->system, types[kind], 1e-3, tolerance, tolerance);
     if (self->driver == NULL) {
         free(self);
         return JLT_ERR_NOMEM;
@@ -57,10 +59,17 @@ void jlt_gsl_ode_destroy(jlt_gsl_ode *self)
     free(self);
 }
 
-jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self)
+jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale)
 {
+    gsl_odeiv2_driver *d = self->driver;
+    gsl_odeiv2_control *control = gsl_odeiv2_control_scaled_new(self->tolerance, self->tolerance, 1, 0, scale, self->dim);
+
+    if (control == NULL) return JLT_ERR_NOMEM;
+    gsl_odeiv2_control_free(d->c);
+    d->c = control;
     self->clock = 0;
-    return gsl_odeiv2_driver_reset(self->driver) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
+    if (gsl_odeiv2_control_set_driver(control, d) != GSL_SUCCESS) return JLT_ERR_ARG;
+    return gsl_odeiv2_driver_reset(d) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
 }
 
 jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *taken, size_t *rejected, double limit)

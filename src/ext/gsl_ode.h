@@ -13,14 +13,14 @@ typedef void (*jlt_gsl_ode_field)(void *context, const double *x, double *f);
 
 typedef struct jlt_gsl_ode jlt_gsl_ode;
 
-/** Create it. The error of x_i in a step is held under tolerance*(|x_i| + scale_i) by GSL's scaled control. `scale`, shape (dim,),
- *  is copied. Errors: NOMEM. */
+/** Create it, to be reset before its first step. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t dim, jlt_gsl_ode_field field,
-                                          void *context, double tolerance, const double *scale);
+                                          void *context, double tolerance);
 void jlt_gsl_ode_destroy(jlt_gsl_ode *self); /* NULL is legal */
 
-/** Forget the past (after x was changed). Errors: ARG, GSL refuses. */
-JLT_CHECKED jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self);
+/** Forget the past (after x was changed). From now on the error of x_i in a step is held under tolerance*(|x_i| + scale_i) by GSL's
+ *  scaled control; `scale`, shape (dim,), is copied. Errors: ARG, GSL refuses; NOMEM. */
+JLT_CHECKED jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale);
 
 /** One accepted step from x in place. In/out: *h, signed, the length tried and then the one proposed next; *rejected grows
  *  by the attempts that failed. Out: *taken, its length. In: limit, signed, |*taken| <= |limit|.

@@ -101,7 +101,7 @@ static jlt_status way_left(double *y, const double *a, const double *f, unsigned
     return st;
 }
 
-bool jlt_approach_is_near(const jlt_field *field, const double *x, double distance)
+bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance)
 {
     static const double singular = 1e-9;
     double a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], slowest, fastest;
@@ -118,9 +118,9 @@ bool jlt_approach_is_near(const jlt_field *field, const double *x, double distan
     if (jlt_eigen_least_squares(y, a, f, n, n, singular) != JLT_OK) return true;
     multiply(image, a, y, n, 1);
     for (unsigned i = 0; i < n; i++) {
-        const double size = fmax(fabs(x[i]), 1);
-        if (fabs(y[i]) > distance * size) return false;
-        if (fabs(image[i] - f[i]) > fmax(8 * rounding, distance * distance) * fastest * size) return false;
+        const double unit = fmax(fabs(x[i]), size);
+        if (fabs(y[i]) > distance * unit) return false;
+        if (fabs(image[i] - f[i]) > fmax(8 * rounding, distance * distance) * fastest * unit) return false;
     }
     return true;
 }

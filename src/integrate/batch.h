@@ -57,7 +57,7 @@ typedef struct {
     bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself. Set -1 for none: a
                                         zeroed structure makes x[0] the root */
-    double root_floor;               /* end near a pole when root <= this and every |x_i'| <= root_rest max(1, |x_i|) */
+    double root_floor;               /* end near a pole when root <= this and every |x_i'| <= root_rest max(size, |x_i|) */
     double root_rest;                /* 0: rates are not tested; otherwise a root <= root_floor also ends the lane once max_steps
                                         are spent, and a root <= 1e-100 at once */
     double root_least;               /* the root's error is relative to max(root, this); a root that falls below this and returns
@@ -66,7 +66,8 @@ typedef struct {
                                         JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): root mean square over states and clock, each relative to
-                                        max(1, largest |x_j| but for the root); the root relative to itself */
+                                        max(size, largest |x_j| but for the root), where the size is jlt_field_size of the orbit's
+                                        start, and the clock's to that over the size; the root relative to itself */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_descriptor *project;   /* descriptor whose integrals are restored: after every step that crosses the section, unless

@@ -17,7 +17,7 @@ static double margin(double x, double end, double side)
 
 static double distance(double x, double end, double side, double scale)
 {
-    return margin(x, end, side) / jlt_larger(fabs(end), scale > 0 ? scale : 1);
+    return margin(x, end, side) / jlt_larger(fabs(end), scale);
 }
 
 /* The least distance of x (states,) from an interval's end. NaN counts as outside. */
@@ -29,7 +29,7 @@ static double least_of_intervals(const jlt_stepper *stepper, const double *x)
 
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
         const double low = domain->intervals[i].low, high = domain->intervals[i].high;
-        const double scale = field->scale != NULL ? field->scale[i] : 1;
+        const double scale = jlt_stepper_unit(stepper, i);
         const double above = isfinite(low) ? distance(x[i], low, 1, scale) : INFINITY;
         const double below = isfinite(high) ? distance(x[i], high, -1, scale) : INFINITY;
         if (!(above >= least)) least = above;

@@ -39,6 +39,27 @@ static unsigned conditions_of(const jlt_descriptor *descriptor)
     return 0;
 }
 
+double jlt_field_size(double largest)
+{
+    static const double ordinary = 0x1p-6, least = 0x1p-100;
+
+    return largest > 0 && largest < ordinary ? ldexp(1, ilogb(fmax(largest, least))) : 1;
+}
+
+double jlt_field_scale(const jlt_field *field, unsigned i)
+{
+    return field->scale != NULL ? field->scale[i] : (int)i == field->root ? 0 : 1;
+}
+
+double jlt_field_size_at(const jlt_field *field, const double *x)
+{
+    double largest = 0;
+
+    for (unsigned i = 0; i < field->sized; i++)
+        if (jlt_field_scale(field, i) == 1) largest = fmax(largest, fabs(x[i]));
+    return jlt_field_size(largest);
+}
+
 jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
 {
     if (out == NULL || instance == NULL) return JLT_ERR_ARG;
@@ -63,6 +84,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
                     .gradients = descriptor->domain_gradients.call,
                     .p = instance->prepared },
         .root = has_root ? (int)last : -1,
+        .sized = descriptor->state_count,
     };
     return JLT_OK;
 }

@@ -42,7 +42,18 @@ typedef struct {
     jlt_domain domain;             /* which orbits do not leave */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
+    unsigned sized;                /* leading states of which a scale of 1 stands for jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
+
+/** The size below which the states of an orbit count as small, whose largest one at the start, the root left out, is `largest`: 1,
+ *  or, where that is below 1/64 and not 0, the largest power of two that it is not below, at least 2^-100. */
+double jlt_field_size(double largest);
+
+/** That of an orbit of this field that starts at x, shape (dim,): by its sized states whose scale is 1. */
+double jlt_field_size_at(const jlt_field *field, const double *x);
+
+/** The scale of state i, 1 also where that stands for the size of a start. */
+double jlt_field_scale(const jlt_field *field, unsigned i);
 
 /** How near a state may come to a finite bound of its domain, relative to the bound. Nearer, fewer than 16 bits of the distance
  *  are left, and a field that divides by the root of that distance has no correct digits worth speaking of. */
@@ -59,9 +70,9 @@ unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t);
 
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the
  *  conditions of the table's domain and the intervals of its states; the latter not in a time that lifts roots to states, where it
- *  need not. The last state is taken for the root that vanishes at a pole when the kernel has a time of its own and that state is
- *  bounded below by 0. Errors: ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than JLT_FIELD_DIM_MAX
- *  states. */
+ *  need not. All states are sized. The last state is taken for the root that vanishes at a pole when the kernel has a time of its
+ *  own and that state is bounded below by 0. Errors: ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than
+ *  JLT_FIELD_DIM_MAX states. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance);
 
 #endif

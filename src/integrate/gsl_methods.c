@@ -37,10 +37,7 @@ static jlt_status create_kind(jlt_stepper *stepper, jlt_gsl_ode_kind kind)
     self->trial = jlt_memory_array(2 * (size_t)stepper->stride, sizeof *self->trial);
     if (self->companion == NULL || self->trial == NULL) return JLT_ERR_NOMEM;
     self->end = self->trial + stepper->stride;
-
-    double scale[JLT_FIELD_DIM_MAX + 1]; /* GSL multiplies them, so "not controlled" must stay finite */
-    for (unsigned i = 0; i < stepper->columns; i++) scale[i] = fmin(stepper->scale[i], 1e200);
-    return jlt_gsl_ode_create(&self->ode, kind, stepper->columns, field, stepper, stepper->tolerance, scale);
+    return jlt_gsl_ode_create(&self->ode, kind, stepper->columns, field, stepper, stepper->tolerance);
 }
 
 static void destroy(jlt_stepper *stepper)
@@ -56,8 +53,11 @@ static void destroy(jlt_stepper *stepper)
 static jlt_status start(jlt_stepper *stepper)
 {
     gsl_state *self = stepper->state;
+    double scale[JLT_FIELD_DIM_MAX + 1]; /* GSL multiplies them, so "not controlled" must stay finite */
+
+    for (unsigned i = 0; i < stepper->columns; i++) scale[i] = fmin(stepper->scale[i], 1e200);
     if (!(stepper->h_next > 0)) stepper->h_next = fmin(1e-3, stepper->max_step);
-    return jlt_gsl_ode_reset(self->ode);
+    return jlt_gsl_ode_reset(self->ode, scale);
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)

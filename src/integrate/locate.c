@@ -31,8 +31,7 @@ double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, cons
 
 double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper)
 {
-    const double scale = stepper->scale[event->column];
-    return jlt_larger(fabs(event->level), scale < INFINITY ? scale : 1);
+    return jlt_larger(fabs(event->level), jlt_stepper_unit(stepper, event->column));
 }
 
 jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,

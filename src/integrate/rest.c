@@ -12,25 +12,27 @@ double jlt_rest_slow(double tolerance)
     return jlt_larger(JLT_REST_STILL, jlt_smaller(1e3 * tolerance, 1e-6));
 }
 
-static bool slower(const double *f, const double *x, unsigned count, double speed)
+static bool slower(const double *f, const double *x, unsigned count, double size, double speed)
 {
     for (unsigned i = 0; i < count; i++)
-        if (!(fabs(f[i]) < speed * (fabs(x[i]) > 1 ? fabs(x[i]) : 1))) return false;
+        if (!(fabs(f[i]) < speed * jlt_larger(fabs(x[i]), size))) return false;
     return true;
 }
 
-bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed)
+bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed)
 {
     double f[JLT_FIELD_DIM_MAX], pace = 1;
 
     field->call(x, field->p, f);
     if (field->time_rate != NULL) field->time_rate(x, field->p, &pace);
-    return slower(f, x, field->dim, speed * pace);
+    return slower(f, x, field->dim, size, speed * pace);
 }
 
 bool jlt_rest_is_still(const jlt_field *field, const double *x)
 {
-    return jlt_rest_is_slower(field, x, JLT_REST_STILL) && jlt_approach_is_near(field, x, JLT_REST_STILL);
+    const double size = jlt_field_size_at(field, x);
+
+    return jlt_rest_is_slower(field, x, size, JLT_REST_STILL) && jlt_approach_is_near(field, x, size, JLT_REST_STILL);
 }
 
 static bool stepper_slower(const jlt_stepper *stepper, double speed)
@@ -38,7 +40,7 @@ static bool stepper_slower(const jlt_stepper *stepper, double speed)
     const unsigned dim = stepper->field->dim;
     const double pace = stepper->columns > dim ? stepper->f[dim] : 1;
 
-    return slower(stepper->f, stepper->x, dim, speed * pace);
+    return slower(stepper->f, stepper->x, dim, stepper->size, speed * pace);
 }
 
 static bool is_slow(const jlt_stepper *stepper)
@@ -63,7 +65,8 @@ bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
     jlt_approach approach;
 
     if (decays_to(&approach, stepper, limit)) return true;
-    if (!stepper_slower(stepper, JLT_REST_STILL) || !jlt_approach_is_near(stepper->field, stepper->x, JLT_REST_STILL)) return false;
+    if (!stepper_slower(stepper, JLT_REST_STILL)) return false;
+    if (!jlt_approach_is_near(stepper->field, stepper->x, stepper->size, JLT_REST_STILL)) return false;
     for (unsigned i = 0; i < stepper->field->dim; i++) limit[i] = stepper->x[i];
     return true;
 }

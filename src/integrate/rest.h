@@ -1,7 +1,8 @@
 /** An orbit that comes to rest: it decays onto an equilibrium, or is on one as far as its accuracy goes.
  *
  *  Time never ends there, but what is left of the motion drowns in the errors of the method. Speeds are changes in a unit of
- *  physical time, relative to the state or 1: near a pole everything slows down in tau, and that is no rest. */
+ *  physical time, relative to the state or the size of the orbit's start (jlt_field_size): near a pole everything slows down in
+ *  tau, and that is no rest. */
 #ifndef JLT_INTEGRATE_REST_H
 #define JLT_INTEGRATE_REST_H
 
@@ -14,11 +15,11 @@
  *  at most, for at loose tolerances a thousand of them would be the speed of ordinary motion. */
 double jlt_rest_slow(double tolerance);
 
-/** Whether the field at x, shape (dim,), is slower than `speed`. Cost: 1 evaluation. */
-bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed);
+/** Whether the field at x, shape (dim,), is slower than `speed` on an orbit of this size. Cost: 1 evaluation. */
+bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed);
 
-/** Whether the orbit at x has come to rest: it is slower than JLT_REST_STILL, and as near to an equilibrium. Cost: 1 evaluation; a
- *  Jacobian and its eigenvalues where it is slow. */
+/** Whether an orbit that starts at x is at rest: it is slower than JLT_REST_STILL, and as near to an equilibrium. Cost: 1
+ *  evaluation; a Jacobian and its eigenvalues where it is slow. */
 bool jlt_rest_is_still(const jlt_field *field, const double *x);
 
 /** Counts of an orbit's steps. The caller zeroes it at the start, and at every crossing of a section, since an orbit that comes to

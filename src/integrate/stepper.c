@@ -23,18 +23,18 @@ static bool all_finite(const double *x, unsigned count)
     return true;
 }
 
-/* Zero scales are lifted to a tiny one, so that 0/0 cannot arise. Scales past the columns are 1, where all is 0. */
-static void set_scales(jlt_stepper *self)
+/* For an orbit that starts at x. Scales past the columns are 1, where all is 0. */
+static void set_scales(jlt_stepper *self, const double *x)
 {
     const jlt_field *field = self->field;
-    const unsigned controlled = field->controlled == 0 ? field->dim : field->controlled;
+    const unsigned controlled = field->controlled != 0 ? field->controlled : field->dim;
 
+    self->size = jlt_field_size_at(field, x);
     for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < field->dim; i++) {
-        double scale = field->scale != NULL ? field->scale[i] : (int)i == field->root ? 0 : 1;
-        self->scale[i] = i < controlled ? fmax(scale, 1e-290) : INFINITY;
+        const double scale = jlt_field_scale(field, i), sized = scale == 1 && i < field->sized ? self->size : scale;
+        self->scale[i] = i < controlled ? fmax(sized, JLT_STEPPER_SCALE_LEAST) : INFINITY;
     }
-    self->controlled = controlled + (self->columns - field->dim);
 }
 
 jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field, double tolerance,
@@ -62,6 +62,7 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->direction = 1;
     self->watches = jlt_field_watches(field);
     self->columns = field->dim + (field->time_rate != NULL);
+    self->controlled = self->columns - (field->controlled != 0 ? field->dim - field->controlled : 0);
     self->stride = (self->columns + JLT_STEPPER_WIDTH - 1) / JLT_STEPPER_WIDTH * JLT_STEPPER_WIDTH;
     block = jlt_memory_array((6 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride
                                  + (size_t)field->domain.conditions * field->domain.states, sizeof *block);
@@ -77,7 +78,6 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->scale = self->f_start + self->stride;
     self->dense = self->scale + self->stride;
     self->gradients = self->dense + (JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride;
-    set_scales(self);
     JLT_TRY(method->create(self));
     *out = self;
     self = NULL;
@@ -110,6 +110,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     const unsigned dim = self->field->dim;
 
     if (!isfinite(t) || !all_finite(x, dim)) return JLT_ERR_NONFINITE;
+    set_scales(self, x);
     memcpy(self->x, x, dim * sizeof *x);
     if (self->columns > dim) self->x[dim] = t;
     memset(self->x_low, 0, self->stride * sizeof *self->x_low);

@@ -6,12 +6,16 @@
 #ifndef JLT_INTEGRATE_STEPPER_H
 #define JLT_INTEGRATE_STEPPER_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "integrate/field.h"
 
 enum { JLT_DENSE_DEGREE_MAX = JLT_JET_ORDER_MAX, JLT_STEPPER_WIDTH = 8 };
+
+/** The scale of a state that has none: not 0, for 0/0 would be no number. */
+#define JLT_STEPPER_SCALE_LEAST 1e-290
 
 typedef struct jlt_method jlt_method;
 
@@ -42,6 +46,7 @@ typedef struct {
     bool dense_ready;
 
     double *gradients;    /* room for those of the field's conditions, (conditions, domain states) */
+    double size;          /* of the start, see field.h */
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* something of the field's domain */
@@ -64,6 +69,13 @@ void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
  *  first_step > 0 proposes the first step, 0 leaves it to the method. Errors: NONFINITE, x or the field there. */
 JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
                                          double first_step);
+
+/** The size below which state i counts as small, as an end of its interval or a level near 0 is told by it: its scale; 1 for one
+ *  that has none, being a root or not controlled. */
+static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
+{
+    return self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY ? self->scale[i] : 1;
+}
 
 /** Replace the point by x, shape (dim,), a state near it (a projection). Time, counters and the proposed step stay, and the
  *  last step's polynomial is changed to end at x. Errors: NONFINITE. Cost: 1 evaluation; msadams starts again at order 1. */

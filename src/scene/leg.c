@@ -11,21 +11,6 @@ static int sense(const jlt_leg *self) { return self->view.mirror != NULL ? -1 : 
 
 double jlt_leg_time(const jlt_leg *self, double t) { return sense(self) * t; }
 
-/* A start that is far below 1 as a whole, and not next to nothing, is of that size: errors are relative to it, not to 1. */
-static void measure(jlt_leg *self, const double *y)
-{
-    static const double ordinary = 0x1p-6, least = 0x1p-100;
-    const unsigned dim = self->field.dim;
-    double size = 0;
-
-    for (unsigned i = 0; i < dim; i++)
-        if ((int)i != self->field.root) size = fmax(size, fabs(y[i]));
-    if (!(size > 0) || size >= ordinary) return;
-    size = fmax(size, least);
-    for (unsigned i = 0; i < dim; i++) self->scale[i] = (int)i == self->field.root ? 0 : ldexp(1, ilogb(size));
-    self->field.scale = self->scale;
-}
-
 jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const double *params, const double *x, double t,
                         int direction, const jlt_method *method, const jlt_options *to_orbit)
 {
@@ -36,7 +21,6 @@ jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const
     JLT_TRY(jlt_tier_open(&out->view, out->y, refusal, tier, params, x));
     JLT_TRY(jlt_tier_edges_open(&out->edges, &out->view));
     JLT_TRY(jlt_field_of(&out->field, out->view.instance));
-    measure(out, out->y);
     if (options.project) JLT_TRY(jlt_conserved_of(&options.invariants, &out->conserved, out->view.instance));
     JLT_TRY(jlt_orbit_create(&out->orbit, method, &out->field, &options));
 done:

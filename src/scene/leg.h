@@ -10,7 +10,6 @@ typedef struct {
     jlt_tier_view view;
     jlt_tier_edges edges;
     jlt_field field;
-    double scale[JLT_WAY_VALUES_MAX]; /* field.scale, where the start is far below 1 */
     jlt_conserved conserved;
     jlt_orbit *orbit;
     double t;      /* of the start */

@@ -104,6 +104,19 @@ for method in gauss dop853 taylor msadams; do
             { exit far($2, $7/L) || far($3, $8/L) || $9 > 1e-9 || $9 == 0 }' || fail "$method, L = $L: $row, not L times $of_one"
     done
 done
+# On a section too, in lanes, alone and with derivatives: the orbit is closed, so that ten returns are at its start but for ten
+# tolerances, and DP is 1.
+returned() { jellett section ./spring.tt --set L="$1" --section v=0 --start "x=-$1" --returns 10 "${@:2}" 2> err | tail -1; }
+period=$(returned 1 | cut -d, -f3)
+for how in '--tol=1e-12' '--method=dop853' '--check' '--project' '--backward'; do
+    for L in 1e-3 1e-9 1e-20; do
+        row=$(returned "$L" "$how")
+        echo "$row" | awk -F, -v L="$L" -v period="$period" '
+            function far(a, b) { return (a/b - 1)^2 > 1e-22 }
+            { exit $2 != 10 || $5 != "alive" || far($4, -L) || far($3 < 0 ? -$3 : $3, period) || (NF > 5 && far($6, 1)) }' ||
+            fail "section $how, L = $L: $row, not at the start after $period"
+    done
+done
 # The same motion by any clock: x' = e (-x + cos phi), whose second return is at 4 pi/e; its x is that of e = 1 within the tolerance
 # 1e-12 for each unit of time.
 cat > clock.tt <<'TABLE'

@@ -66,7 +66,8 @@ static bool integrator(void)
 {
     const double scale = 1.0;
     jlt_gsl_ode *ode;
-    const jlt_status st = jlt_gsl_ode_create(&ode, JLT_GSL_RK8PD, 1, rest, NULL, 1e-9, &scale);
+    jlt_status st = jlt_gsl_ode_create(&ode, JLT_GSL_RK8PD, 1, rest, NULL, 1e-9);
+    if (st == JLT_OK) st = jlt_gsl_ode_reset(ode, &scale);
     jlt_gsl_ode_destroy(ode);
     return st == JLT_OK;
 }
