@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "dynamics/chart_crossing.h"
+#include "dynamics/section_conditions.h"
 #include "integrate/rest.h"
 
 typedef struct {
@@ -28,8 +29,7 @@ struct jlt_section {
     jlt_rest_watch rest;
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* the orbit's own integrator has not been there, or is a turn of the section ahead */
-    double least;    /* value of the model's conditions since the start */
-    unsigned condition; /* whose it is */
+    jlt_section_conditions watched; /* the model's conditions since the start */
 };
 
 static const struct {
@@ -86,41 +86,12 @@ static double condition_value(void *context, const double *x)
     return jlt_observed_condition_value(self->observed, self->index, x);
 }
 
-static void note_conditions(jlt_section *self, const double *x)
-{
-    unsigned which = 0;
-    const double least = self->flow.observed != NULL ? jlt_observed_least(self->flow.observed, &which, x) : INFINITY;
-
-    if (isnan(least) ? !(self->least > 0) : !(least < self->least || (isnan(self->least) && least <= 0))) return;
-    self->least = least;
-    self->condition = which;
-}
-
-/* A condition that holds at both ends of the last step, but not in between; once one is lost there is nothing more to tell, and
- * where orbits end by losing one that is an event. */
-static void look_within(jlt_section *self, jlt_orbit *orbit)
-{
-    const bool ends = self->event_count > self->crossings;
-    const unsigned count = self->flow.observed != NULL && !ends ? jlt_observed_conditions(self->flow.observed) : 0;
-
-    for (unsigned i = 0; !(self->least <= 0) && i < count; i++) {
-        condition one = { self->flow.observed, i };
-        const jlt_event event = { .value = condition_value, .context = &one };
-        double theta, least;
-        if (jlt_orbit_loss(orbit, &theta, &least, &event) != JLT_OK || theta > 1) continue;
-        self->least = least;
-        self->condition = i;
-    }
-}
-
 static int watch(void *context, jlt_orbit *orbit)
 {
     jlt_section *self = context;
-    const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
 
-    look_within(self, orbit);
-    note_conditions(self, stepper->x);
-    return jlt_rest_watch_step(&self->rest, stepper, self->limit);
+    jlt_section_conditions_step(&self->watched, orbit);
+    return jlt_rest_watch_step(&self->rest, jlt_orbit_stepper(orbit), self->limit);
 }
 
 /* One event each: their least value has kinks, which no polynomial follows. */
@@ -158,6 +129,8 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
                                              .interrupt = flow->interrupt }));
     self->crossings = self->event_count = jlt_chart_events(flow->chart, self->events, flow->direction);
     if (flow->observed != NULL && flow->end_where_invalid) JLT_TRY(add_conditions(self, flow->observed));
+    self->watched.observed = flow->observed;
+    self->watched.looks_within = self->event_count == self->crossings;
     jlt_orbit_observe(self->orbit, watch, self);
     *out = self;
     self = NULL; /* ownership moved to the caller */
@@ -173,13 +146,13 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
-/* Take x for the point of the current return; f gets the field there. */
-static void arrive(jlt_section *self, const double *x, double *f)
+/* Take x, at the part theta of the last step, for the point of the current return; f gets the field there. */
+static void arrive(jlt_section *self, double theta, const double *x, double *f)
 {
     self->flow.field->call(x, self->flow.field->p, f);
     memcpy(self->x, x, self->flow.chart->states * sizeof *x);
     jlt_chart_turn_back(self->flow.chart, self->x);
-    note_conditions(self, x);
+    jlt_section_conditions_arrive(&self->watched, theta, x);
 }
 
 /* t and x in the flow's units; the row gets them in the table's. */
@@ -191,13 +164,13 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->number = self->number;
     row->direction = 0;
     row->fate = JLT_FATE_ALIVE;
-    row->lost = self->condition;
+    row->lost = self->watched.so_far.condition;
     row->unbounded = JLT_CHART_STATES_MAX;
     row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
-    row->least = self->least;
+    row->least = self->watched.so_far.value;
     row->q[1] = 0; /* of one coordinate pictures show this beside it */
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
@@ -231,11 +204,10 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->accepted = self->rests = false;
     self->rest = (jlt_rest_watch){ 0 };
     self->time_direction = time_direction;
-    self->least = INFINITY;
-    self->condition = 0;
-    arrive(self, x, f);
+    jlt_section_conditions_begin(&self->watched);
+    arrive(self, 0, x, f);
     if (jlt_rest_is_still(self->flow.field, x)) self->start_fate = JLT_FATE_EQUILIBRIUM;
-    if (self->event_count > self->crossings && self->least <= 0) self->start_fate = JLT_FATE_INVALID;
+    if (self->event_count > self->crossings && self->watched.so_far.value <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
     fill(row, self, 0, x, x[chart->column] == chart->level);
     set_fate(row, self, x, self->start_fate);
@@ -263,6 +235,7 @@ static void end(jlt_section *self, jlt_return *row, double t, const double *x, j
 {
     self->number++;
     self->t_start = t;
+    jlt_section_conditions_end(&self->watched);
     fill(row, self, t, x, false);
     set_fate(row, self, x, fate);
     if (!jlt_section_failed(fate)) return;
@@ -292,6 +265,8 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
     switch (outcome->end) {
     case JLT_END_TIME: end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET); return;
     case JLT_END_EVENT:
+        jlt_section_conditions_arrive(&self->watched, outcome->crossing.theta, outcome->x);
+        jlt_section_conditions_turn(&self->watched);
         end(self, row, outcome->t, outcome->x, JLT_FATE_INVALID);
         row->lost = outcome->crossing.event - self->crossings;
         return;
@@ -322,7 +297,10 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         end(self, row, self->t_start, self->limit, JLT_FATE_EQUILIBRIUM);
         return JLT_OK;
     }
-    if (self->accepted) st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
+    if (self->accepted) {
+        jlt_section_conditions_turn(&self->watched);
+        st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
+    }
     self->accepted = false;
     const jlt_crossing_search search = { self->flow.chart, self->flow.direction, self->events, self->crossings, self->event_count,
                                          self->flow.field->dim, self->flow.max_steps };
@@ -335,7 +313,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     } else if (outcome.end == JLT_END_EVENT && outcome.crossing.event < self->crossings) {
         self->number++;
         self->t_start = outcome.t;
-        arrive(self, outcome.x, f);
+        arrive(self, outcome.crossing.theta, outcome.x, f);
         fill(row, self, outcome.t, self->x, true);
         row->direction = outcome.crossing.direction;
         self->accepted = self->flow.chart->turn != 0; /* it goes on from within a turn of the section */
@@ -356,7 +334,8 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
     self->number++;
     self->t_start = t;
     self->accepted = true;
-    arrive(self, x, f);
+    jlt_section_conditions_turn(&self->watched);
+    arrive(self, 0, x, f);
     fill(row, self, t, x, true);
     row->direction = (f[column] > 0) - (f[column] < 0);
 }
@@ -371,9 +350,7 @@ void jlt_section_resume(jlt_section *self, size_t number, double t, const double
 
 void jlt_section_note(jlt_section *self, double least, unsigned which)
 {
-    if (!(least < self->least)) return;
-    self->least = least;
-    self->condition = which;
+    jlt_section_conditions_note(&self->watched, (jlt_section_least){ least, which });
 }
 
 void jlt_section_end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate, unsigned lost)

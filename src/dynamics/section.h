@@ -72,9 +72,9 @@ typedef struct {
     bool interrupted;            /* flow->interrupt became nonzero before the next return; the row holds the point reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
-    double least;                /* least value of the model's conditions since the start, at ends of steps, or within one at whose
-                                    ends they hold, if it is not positive; INFINITY: there are none; NaN: as far as is known all
-                                    held, and one of them had no value */
+    double least;                /* least value of the model's conditions since the start, here, at ends of steps before, or within
+                                    one at whose ends they hold, if it is not positive; INFINITY: there are none; NaN: as far as is
+                                    known all held, and one of them had no value */
 } jlt_return;
 
 typedef struct jlt_section jlt_section;

@@ -74,9 +74,9 @@ typedef struct {
                                         that would lead back across it, orbits are put back onto their starts' levels of its
                                         integrals and, with a root, of root^2 - radicand; NULL: no projection */
     const jlt_batch_watch *watch;    /* NULL: none. Else rows and ends have two entries after the columns: the least value of any
-                                        condition so far, and the index of that condition. Values are taken at the start and at the
-                                        ends of all steps, the one over the section included; within a step where it is <= 0
-                                        between ends at which all conditions hold */
+                                        condition so far, and the index of that condition. Values are taken at the start, at the
+                                        ends of steps before, and here; within a step where one is <= 0 between ends at which all
+                                        conditions hold */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; no `end` is called for unfinished orbits. NULL: none */
 } jlt_batch_map;
 

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# A row of a section knows of the losses before it, and of no other: not of those on the rest of the step that leads over it. What
+# loses a condition for good is lost from that time on, where orbits go on and where they end.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+
+# The section y = 0 is crossed upwards at pi, 3 pi, 5 pi = 15.708, ...; one condition is lost at z = a, the other between b - c and
+# b + c alone, which no end of a step meets.
+cat > late.tt <<'T'
+model late
+param a
+param b
+param c > 0
+default a = 1000, b = 1000, c = 0.001
+state x
+state y
+state z
+eq x = y
+eq y = - x
+eq z = 1
+integral H = x^2 + y^2
+valid open : a - z > 0
+valid dry : (z - b)^2 - c^2 > 0
+T
+section() { jellett section ./late.tt --section y=0 --start x=1,z=0 --returns 5 "$@" 2> err; }
+# The first row with a least value below 0: its number and that value.
+lost() { section --contact report "$@" | awk -F, '/^[0-9]/ && $2 > 0 && $7 < 0 { print $2, $7; exit }'; }
+for how in --method=gauss --method=dop853 --project; do
+    for case in a=15.70:3 a=15.709:4 a=15.8:4 b=15.69:3 b=15.70:3 b=15.71:4 b=15.8:4 b=21.98:4; do
+        read -r row least <<< "$(lost "$how" --set "${case%:*}")"
+        [ "$row" = "${case#*:}" ] || fail "$how, ${case%:*}: lost in row $row ($least), not ${case#*:}: $(cat err)"
+        row=$(section --contact end "$how" --set "${case%:*}" | tail -1 | cut -d, -f2)
+        [ "$row" = "${case#*:}" ] || fail "--contact end $how, ${case%:*}: the orbit ends in row $row, not ${case#*:}"
+    done
+    read -r row least <<< "$(lost "$how" --set a=15.70)"
+    awk -v least="$least" 'BEGIN { exit (least - (15.70 - 15.707963267948966))^2 > 1e-22 }' ||
+        fail "$how: the least value before the crossing at 5 pi is $least"
+done
+exit $status
