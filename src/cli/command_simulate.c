@@ -338,7 +338,7 @@ static void closing_words(const jlt_simulate_request *r)
         fprintf(stderr, "jellett: from t = %.10g on the tier %s in place of %s: %s\n", t, to, from, why);
     }
     if (!isnan(row->lost_at)) {
-        fprintf(stderr, "jellett: %s is lost by t = %.10g, as steps of the method see it", row->lost, row->lost_at);
+        fprintf(stderr, "jellett: %s is lost at t = %.10g", row->lost, row->lost_at);
         if (r->session.descriptor->family[0]->valid_count == 1) fprintf(stderr, " (least value %.6g)", row->least);
         fputs(": from there on the model does not hold\n", stderr);
     }

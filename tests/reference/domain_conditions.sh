@@ -140,7 +140,7 @@ ends "section lifted, in lanes" rows.csv 3 1.6 1e-11
 table short 'state u' 'valid contact : 1 - depth + u > 0'
 for method in gauss dop853 taylor rk8pd msadams; do
     jellett simulate ./short.tt --start u=1,v=0,z=0,w=1 --times 2,4 --method $method > rows.csv 2> err
-    grep -q '^4,.*,lost_contact$' rows.csv && grep -qE 'contact is lost by t = 3.14017(8|9).*least value -(9.99|1e-06)' err ||
+    grep -q '^4,.*,lost_contact$' rows.csv && grep -qE 'contact is lost at t = 3.14017(8|9).*least value -(9.99|1e-06)' err ||
         fail "simulate $method does not tell a short loss: $(cat rows.csv err)"
 done
 

@@ -49,7 +49,7 @@ for tier in level five; do
     jellett simulate --set g=0.2 --start "$start" --tier "$tier" \
         --times 1.24,1.4,1.478,1.479,1.5 2> err | rows | awk -F, '{ print $NF }' | tr '\n' ' ' > fates
     [ "$(cat fates)" = "alive alive alive lost_contact lost_contact " ] || fail "$tier: $(cat fates)"
-    grep -q 'contact is lost by t = 1.4782' err || fail "$tier: $(cat err)"
+    grep -q 'contact is lost at t = 1.4782' err || fail "$tier: $(cat err)"
     jellett simulate --set g=0.2 --start "$start" --tier "$tier" \
         --times 1.24,1.4 2> err > out && ! grep -q lost err && ! grep -q ',lost' out || fail "$tier, before it: $(cat err out)"
 done
