@@ -13,11 +13,10 @@ static unsigned unknowns(const jlt_chart *base) { return base->solved_count + ba
 
 static const double met = 1e-13;     /* of the size of an integral's terms: rounding */
 static const double singular = 1e-13; /* singular values below this part of the largest are none */
-static const double one_branch = 1e-6;
 
-/* F - value of every level (count,), and of its terms' size, to first order; the gradients by the solved states (count, count) and,
- * when not NULL, by all (count, states). Returns the largest |F - value| over its size. */
-static double look(const jlt_chart_level *self, double *off, double *by_solved, double *by_all, const double *x)
+/* F - value of every level (count,), and the size of its terms, to first order; the gradients by the solved states (count, count)
+ * and, when not NULL, by all (count, states). Returns the largest |F - value| over its size. */
+static double look(const jlt_chart_level *self, double *off, double *sizes, double *by_solved, double *by_all, const double *x)
 {
     const unsigned n = self->base.states, count = unknowns(&self->base);
     double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX], worst = 0;
@@ -29,6 +28,7 @@ static double look(const jlt_chart_level *self, double *off, double *by_solved, 
         const double *gradient = gradients + level->integral * n;
         double size = fabs(level->value);
         for (unsigned k = 0; k < n; k++) size = fmax(size, fabs(gradient[k] * x[k]));
+        sizes[i] = size;
         off[i] = values[level->integral] - level->value;
         if (!(fabs(off[i]) <= worst * size)) worst = off[i] == 0 ? worst : fabs(off[i]) / size;
         for (unsigned j = 0; j < count; j++) by_solved[i * count + j] = gradient[self->base.solved[j]];
@@ -41,7 +41,7 @@ static double look(const jlt_chart_level *self, double *off, double *by_solved, 
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {
     const unsigned count = unknowns(&self->base);
-    double off[M], matrix[M * M], step[M], from[M], now = look(self, off, matrix, NULL, x), before;
+    double off[M], sizes[M], matrix[M * M], step[M], from[M], now = look(self, off, sizes, matrix, NULL, x), before;
 
     for (unsigned round = 0; round < ROUNDS && now > 0; round++) {
         double part = 1;
@@ -51,7 +51,7 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
         before = now;
         for (halving = 0; halving < HALVINGS; halving++, part /= 2) {
             for (unsigned i = 0; i < count; i++) x[self->base.solved[i]] = from[i] - part * step[i];
-            now = look(self, off, matrix, NULL, x);
+            now = look(self, off, sizes, matrix, NULL, x);
             if (now < before) break;
         }
         if (halving < HALVINGS) continue;
@@ -66,10 +66,10 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
 static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const double *x)
 {
     const unsigned n = self->base.states, d = self->base.dim, count = unknowns(&self->base);
-    double off[M], matrix[M * M], gradients[M * JLT_CHART_STATES_MAX], column[M], solution[M];
+    double off[M], sizes[M], matrix[M * M], gradients[M * JLT_CHART_STATES_MAX], column[M], solution[M];
     jlt_status st = JLT_OK;
 
-    (void)look(self, off, matrix, gradients, x);
+    (void)look(self, off, sizes, matrix, gradients, x);
     memset(tangent, 0, (size_t)n * d * sizeof *tangent);
     for (unsigned k = 0; k < d; k++) {
         tangent[self->free[k] * d + k] = 1;
@@ -126,9 +126,9 @@ static void lower(const jlt_chart *base, double *q, double *slope, const double 
 /* dx = dq dx_c dy, and dF = |det dF/dy| dy on the section: what is left of the volume on the levels is dq dx_c/det. */
 static double flux(const jlt_chart *base, const double *x, const double *f)
 {
-    double off[M], matrix[M * M];
+    double off[M], sizes[M], matrix[M * M];
 
-    (void)look((const jlt_chart_level *)base, off, matrix, NULL, x);
+    (void)look((const jlt_chart_level *)base, off, sizes, matrix, NULL, x);
     return f[base->column] / jlt_linear_determinant(matrix, unknowns(base));
 }
 
@@ -191,16 +191,38 @@ jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, co
     return JLT_OK;
 }
 
-bool jlt_chart_level_follows(const jlt_chart *self, const double *x)
+/* Two solutions for the same coordinates are one when they differ by what rounding leaves open: it moves the levels by `met` of the
+ * size of their terms, and so the solved states, to first order. */
+static bool are_one(const jlt_chart_level *self, const double *a, const double *b)
 {
-    double q[JLT_CHART_DIM_MAX], again[JLT_CHART_STATES_MAX];
+    static const double generous = 16;
+    const unsigned count = unknowns(&self->base);
+    double off[M], sizes[M], matrix[M * M], error[M], open[M] = { 0 };
 
-    if (self->solved_count == 0) return true;
-    self->lower(self, q, NULL, x);
-    if (self->lift(self, again, NULL, q) != JLT_OK) return false;
-    for (unsigned i = 0; i < self->solved_count; i++) {
-        const double there = x[self->solved[i]];
-        if (!(fabs(again[self->solved[i]] - there) <= one_branch * fmax(1, fabs(there)))) return false;
+    (void)look(self, off, sizes, matrix, NULL, a);
+    for (unsigned j = 0; j < count; j++) {
+        for (unsigned i = 0; i < count; i++) off[i] = i == j ? generous * met * sizes[j] : 0;
+        if (jlt_eigen_least_squares(error, matrix, off, count, count, singular) != JLT_OK) return false;
+        for (unsigned i = 0; i < count; i++) open[i] += fabs(error[i]);
+    }
+    for (unsigned i = 0; i < count; i++) {
+        const double left = a[self->base.solved[i]], right = b[self->base.solved[i]];
+        if (!(fabs(left - right) <= open[i] + 1e-15 * fabs(left))) return false;
     }
     return true;
+}
+
+bool jlt_chart_level_follows(const jlt_chart *base, const double *x)
+{
+    static const double on_levels = 1e-6; /* far above what errors of methods leave of them */
+    const jlt_chart_level *self = (const jlt_chart_level *)base;
+    double q[JLT_CHART_DIM_MAX], lifted[JLT_CHART_STATES_MAX], own[JLT_CHART_STATES_MAX], off[M], sizes[M], matrix[M * M];
+
+    if (base->solved_count == 0) return true;
+    if (!(look(self, off, sizes, matrix, NULL, x) <= on_levels)) return false;
+    lower(base, q, NULL, x);
+    if (lift(base, lifted, NULL, q) != JLT_OK) return false;
+    memcpy(own, lifted, base->states * sizeof *x);
+    for (unsigned i = 0; i < unknowns(base); i++) own[base->solved[i]] = x[base->solved[i]];
+    return solve(self, own) == JLT_OK && are_one(self, lifted, own);
 }

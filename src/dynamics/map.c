@@ -113,7 +113,7 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
 }
 
 /* Of a return's defect, whose terms are at most `part` of DP's size. Every step errs by a tolerance in everything, relative to its
- * size or 1; errors grow on the way as tangent vectors do, those made where these were small with them. The section's rate f_c, of
+ * size or that of the start; errors grow on the way as tangent vectors do, those made where these were small with them. The section's rate f_c, of
  * the flux and of the time of return, is off by its gradient times those of states, which is much of it where the section is
  * crossed slowly; tangent vectors are off by f/f_c times as much along the flow. */
 static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
@@ -128,7 +128,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
     jlt_varied_linear(&self->varied, end, both);
     chart->lower(chart, q, lowering, end);
     for (unsigned i = 0; i < n; i++) {
-        gradient += fabs(both[n + c * n + i]) * fmax(1, fabs(end[i]));
+        gradient += fabs(both[n + c * n + i]) * fmax(stepper->size, fabs(end[i]));
         fastest = fmax(fastest, fabs(f[i]));
     }
     for (unsigned k = 0; k < d; k++) aside = fmax(aside, fabs(end[n * (1 + k) + c]));

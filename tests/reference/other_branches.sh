@@ -37,6 +37,32 @@ awk -F, 'NR > 1 && $7 != "" { print y, $7 } { y = sprintf("%s", $4) }' list | wh
 done > off
 [ ! -s off ] || fail "not the derivative from there: $(cat off)"
 
+# However small the orbit is: V homogeneous of degree four, lengths times l, velocities times l^2. Crossed both ways, every return
+# is on the other branch from where it began; crossed upwards, none is.
+cat > four.tt <<'TABLE'
+model four
+state x
+state y
+state u
+state v
+eq x = u
+eq y = v
+eq u = -x^3 - 3*x*y^2
+eq v = -y^3 - 3*x^2*y
+integral H = u^2/2 + v^2/2 + x^4/4 + y^4/4 + 3*x^2*y^2/2
+TABLE
+for l in 1 2^-12 2^-24; do
+    at=$(awk -v l="$l" 'BEGIN {
+        split(l, power, "^"); l = power[1]^(power[2] == "" ? 1 : power[2])
+        printf "--start=y=%.17g,v=%.17g --level=H=%.17g --solve=u=%.17g", 0.3*l, 0.2*l^2, 0.342025*l^4, 0.8*l^2 }')
+    for both in both:0 up:6; do
+        # shellcheck disable=SC2086
+        jellett section ./four.tt --section x=0 $at --direction "${both%:*}" --returns 6 --check 2> err | rows |
+            awk -F, '$8 != "" { some++ } END { print some + 0 }' > count
+        [ "$(cat count)" -eq "${both#*:}" ] || fail "$l, ${both%:*}: $(cat count) of 6 returns have derivatives, not ${both#*:}"
+    done
+done
+
 # 2. Exponents begin where the orbit is after --skip, or not at all.
 jellett section ./quartic.tt --section phi=0 --level H=1 --solve p=1 --start y=0.3 --returns 3 2> err | tail -1 | cut -d, -f5 |
     grep -q '^-' || fail "the third return is not on the other branch"
