@@ -37,9 +37,9 @@ JLT_CHECKED jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_char
                                             const jlt_level *levels, unsigned count, const jlt_descriptor *descriptor,
                                             const double *params);
 
-/** Whether x, shape (states,), a point of the section, is on the branch of the state that lift gives for the coordinates of x: it is
- *  on the levels, within 1e-6 of their terms, and Newton's method from its solved states comes to the same ones, but for rounding.
- *  True for charts without solved states. Cost: two lifts. */
+/** Whether x, shape (states,), a point of the section, is on the branch of the state that lift gives for the coordinates of x: it
+ *  is on the levels, within 1e-6 of their terms, and Newton's method from its solved states comes to the same ones, but for
+ *  rounding. True for charts without solved states. Cost: two lifts. */
 bool jlt_chart_level_follows(const jlt_chart *base, const double *x);
 
 #endif

@@ -113,9 +113,9 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
 }
 
 /* Of a return's defect, whose terms are at most `part` of DP's size. Every step errs by a tolerance in everything, relative to its
- * size or that of the start; errors grow on the way as tangent vectors do, those made where these were small with them. The section's rate f_c, of
- * the flux and of the time of return, is off by its gradient times those of states, which is much of it where the section is
- * crossed slowly; tangent vectors are off by f/f_c times as much along the flow. */
+ * size or that of the start; errors grow on the way as tangent vectors do, those made where these were small with them. The
+ * section's rate f_c, of the flux and of the time of return, is off by its gradient times those of states, which is much of it
+ * where the section is crossed slowly; tangent vectors are off by f/f_c times as much along the flow. */
 static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
 {
     const jlt_chart *chart = self->flow.chart;
