@@ -63,7 +63,7 @@ pair jellett separation --grid 4x4 --returns 5
 pair jellett manifolds --length 0.2 --tol 1e-8
 pair jellett continue --along E=1.9:2.15
 pair jellett transfer --boxes 10x10 --tol 1e-4
-pair jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
+pair jellett eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
 pair jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:9
 
 # What is no table is no array, and an array is a file.
