@@ -175,10 +175,10 @@ static jlt_exit begin_form(merge *self, const char *line)
     }
     for (size_t k = 0; k < self->over_count; k++) names[k] = self->over[k].name;
     const size_t count = jlt_table_cut(names + self->over_count, COLUMNS_MAX, copy);
-    st = count > COLUMNS_MAX ? JLT_ERR_ARG : jlt_table_form_open(&self->form, names, self->over_count + count);
+    st = count > COLUMNS_MAX ? JLT_ERR_ARG : jlt_table_form_open(&self->form, names, self->over_count + count, strcmp);
     free(copy);
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "a column is there thrice, or there are too many");
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "there are more than %d columns", COLUMNS_MAX);
 }
 
 static jlt_exit bad_row(size_t piece) { return jlt_command_fail(JLT_EXIT_INPUT, "piece %zu has rows of another form", piece); }

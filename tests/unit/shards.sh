@@ -164,6 +164,15 @@ END
 expect 0 "" jellett sweep counted.scene
 expect 0 "" jellett merge counted.shards
 [ "$(rows out | cut -d, -f1 | tr '\n' ' ')" = "orbit 0.1 0.3 0.5 " ] || fail "a state is counted: $(rows out)"
+# In SQL names that differ in capitals are the same.
+printf '%s\n' 'model capitals' 'state x' 'state X' 'eq x = X' 'eq X = -x' > capitals.tt
+printf '%s\n' 'model = "./capitals.tt";' 'compute = ( { what = "simulate"; start = { x = 0; X = 1; }; times = (1); } );' \
+    > capitals.scene
+expect 0 "" jellett sweep capitals.scene
+expect 0 "" jellett merge capitals.shards -o capitals.sqlite
+python3 -c 'import sqlite3
+print([about[0] for about in sqlite3.connect("capitals.sqlite").execute("SELECT * FROM rows").description])' > out
+grep -qxF "['t', 'x', 'X_2', 'fate']" out || fail "names in SQL: $(cat out)"
 # What runs has no value beside.
 sed 's/^levels/over = { a3 = (0.1, 0.3, 2); }; levels/' ends.scene > over.scene
 expect 2 "over.scene runs over a3" jellett sweep over.scene --set a3=0.5 --into=none
