@@ -241,10 +241,9 @@ static jlt_exit compute(sweep *self, size_t position)
         fprintf(stderr, "jellett: piece %zu (%s) ended with status %d:\n%s", number, at, (int)status, worker->words);
     if (!goes_on(self, status)) return status;
     note(self, status);
-    const char *rows = jlt_sweep_rows_of(worker->rows);
-    const jlt_shard_record record = { number, (int)status, rows, worker->rows_size - (size_t)(rows - worker->rows), worker->words,
-                                      worker->words_size };
-    if (record.rows_size > 0) code = jlt_sweep_rows_check(&self->names, &self->study, rows);
+    const size_t size = jlt_sweep_rows_of(worker->rows);
+    const jlt_shard_record record = { number, (int)status, worker->rows, size, worker->words, worker->words_size };
+    if (record.rows_size > 0) code = jlt_sweep_rows_check(&self->names, &self->study, worker->rows);
     if (code != JLT_EXIT_DONE) return code;
     jlt_interrupt_hold();
     const jlt_status st = jlt_shard_add(&self->shard, &record);

@@ -256,6 +256,12 @@ for a3 in 0.3 0.4 0.5 0.6; do
         awk -v a3=$a3 '{ print (NR > 1 ? a3 ",2," : "a3,E,") $0 }'
 done | awk 'NR == 1 || !/^a3/' | diff - <(rows exponents.csv) > diff ||
     { fail "rows over a3 and E are others than those that are typed:"; head -5 diff; }
+# Rows are rows, also where the command has comments behind them.
+printf '%s\n' 'over = { a3 = (0.3, 0.4, 2); };' 'compute = ( { what = "drift"; returns = 4; } );' > drift.scene
+expect 0 "" jellett sweep drift.scene
+expect 0 "" jellett merge drift.shards
+for a3 in 0.3 0.4; do jellett drift --set a3=$a3 --returns 4 | rows | sed "s/^/$a3,/"; done |
+    awk 'NR == 1 { sub(/^0.3/, "a3") } !/^0.4,method/' | diff - <(rows out) > diff || fail "drifts over a3: $(cat diff)"
 cat > locus.scene << 'END'
 over = { I3 = ("1/4", "1/2", 2); };
 parameters = { a3 = 0; };
