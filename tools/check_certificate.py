@@ -160,16 +160,17 @@ def replay(certificate, table):
         D = [[plus(D[a][q], product(D[a][left[0]], w[k])) if left else D[a][q] for k, q in enumerate(kept)] for a in kept]
         R = matmul(D, R)
         expansion = plus(expansion, more)
-        least = low if least is None else list(map(min, least, low))
+        least = low if least is None else [tuple(map(min, a, b)) for a, b in zip(least, low)]
     trace = plus(R[0][0], R[1][1])
     determinant = exponential(expansion)
     matrix = less(product(R[0][0], R[1][1]), product(R[0][1], R[1][0]))
     must(meet(determinant, matrix), "the two determinants exclude each other")
     for name, value in (("trace", trace), ("determinant", determinant), ("determinant_of_matrix", matrix)):
         must(meet(value, read_ball(shown[name])), name + " is another one")
-    for name, low in zip(flow.valids, least):
+    for name, (low, high) in zip(flow.valids, least):
         said = Fraction(shown["conditions"][name])
         must(said <= 0 or low > 0, "the condition " + name + " is not shown to hold")
+        must(said * ONE <= high, "the condition " + name + " has less than the bound that is said")
     if certificate["kind"] == "obstruction":
         must(abs(determinant[0] - ONE) > determinant[1], "its determinant may be 1")
     if certificate["kind"] in ("symmetric", "elliptic"):
@@ -211,7 +212,7 @@ def replay(certificate, table):
              "the table claims no reversor that changes signs")
     return ("det %s +- %.2g, trace %s +- %.2g%s, conditions above %s"
             % (decimal(determinant[0]), determinant[1] / ONE, decimal(trace[0]), trace[1] / ONE, more,
-               [float(decimal(a, 5)) for a in least]))
+               [float(decimal(low, 5)) for low, _ in least]))
 
 
 def decimal(a, digits=15):

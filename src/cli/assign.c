@@ -55,18 +55,23 @@ jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *o
     return JLT_EXIT_DONE;
 }
 
+bool jlt_assign_names(const char *text, const char *name)
+{
+    const size_t length = strlen(name);
+
+    for (const char *at = text; at != NULL; at = strchr(at, ',')) {
+        at += *at == ',';
+        if (strncmp(at, name, length) == 0 && at[length] == '=') return true;
+    }
+    return false;
+}
+
 jlt_exit jlt_assign_replace(jlt_assign_list *list, const char *text, const char *option)
 {
     size_t kept = 0;
 
     for (size_t i = 0; i < list->count; i++) {
-        const size_t length = strlen(list->items[i].name);
-        bool is_named = false;
-        for (const char *at = text; at != NULL && !is_named; at = strchr(at, ',')) {
-            at += *at == ',';
-            is_named = strncmp(at, list->items[i].name, length) == 0 && at[length] == '=';
-        }
-        if (!is_named) {
+        if (!jlt_assign_names(text, list->items[i].name)) {
             list->items[kept++] = list->items[i];
             continue;
         }

@@ -32,6 +32,9 @@ void jlt_assign_clear(jlt_assign_list *list);
 jlt_exit jlt_assign_apply(double *values, unsigned char *given, const jlt_assign_list *list,
                           const jlt_quantity *quantities, size_t count, const char *what, const char *where);
 
+/** Whether `text`, NAME=ANYTHING,NAME=ANYTHING,..., has this name. NULL: it has none. */
+bool jlt_assign_names(const char *text, const char *name);
+
 /* The exact value of a name as a fraction "p/q", owned by the list; NULL when the list has no value for it. */
 const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
 

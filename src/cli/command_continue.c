@@ -312,6 +312,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
     jlt_continuation_point first;
+    jlt_csv_names names;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
@@ -339,9 +340,11 @@ static jlt_exit run(int argc, char **argv)
     o.motion.swept = &axis;
     o.motion.swept_count = 1;
     jlt_motion_header(to.file, &o.motion, system);
-    fprintf(to.file, "branch,%s%s,arc,", is_column(axis.name) ? "along_" : "", axis.name);
-    jlt_orbit_columns_names(to.file, system->flow.chart);
-    fputs(",bifurcation,low,high\n", to.file);
+    FILE *line = jlt_csv_names_begin(&names, to.file);
+    fprintf(line, "branch,%s%s,arc,", is_column(axis.name) ? "along_" : "", axis.name);
+    jlt_orbit_columns_names(line, system->flow.chart);
+    fputs(",bifurcation,low,high", line);
+    jlt_csv_names_end(&names);
     code = run_all(&to, &family, &axis, &first, &o, system);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))

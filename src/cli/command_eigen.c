@@ -29,7 +29,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &r->common; break;
     case 'a': jlt_common_list(&r->at, value, "--at"); break;
     case KEY_FIND: r->question.find = true; break;
-    case KEY_SWEEP: code = jlt_eigen_parse_sweep(r, value); break;
+    case KEY_SWEEP:
+        r->common.own_sweep = value;
+        code = jlt_eigen_parse_sweep(r, value);
+        break;
     case KEY_DIGITS:
         code = jlt_grid_count(&digits, value, 1, JLT_BALL_TEXTS_DIGITS_MAX, "--digits");
         if (code == JLT_EXIT_DONE) r->question.digits = (long)digits;

@@ -11,7 +11,7 @@ typedef struct {
     jlt_motion_options motion;
     const char **starts;
     size_t start_count;
-    const char *grid, *sweep;
+    const char *grid;
     size_t returns;
 } options;
 
@@ -40,9 +40,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': o->motion.starts[o->motion.start_count++] = value; return 0;
     case 'g': o->motion.grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
-    case SWEEP: o->sweep = value; return 0;
+    case SWEEP: o->motion.common.own_sweep = value; return 0;
     case ARGP_KEY_END:
-        if (o->sweep != NULL && o->motion.common.axes != NULL)
+        if (o->motion.common.own_sweep != NULL && o->motion.common.axes != NULL)
             argp_error(state, "--axes are those of a grid of fates: leave out --sweep");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -152,11 +152,11 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt
 
 static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, const options *o)
 {
-    const jlt_exit code = jlt_grid_parse(axes, count, JLT_FAMILY_AXES_MAX, o->sweep, "--sweep");
+    const jlt_exit code = jlt_grid_parse(axes, count, JLT_FAMILY_AXES_MAX, o->motion.common.own_sweep, "--sweep");
 
     if (code != JLT_EXIT_DONE) return code;
     if (*count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
-    if (jlt_grid_size(all, axes, *count, o->sweep, "--sweep") != JLT_EXIT_DONE) return JLT_EXIT_INPUT;
+    if (jlt_grid_size(all, axes, *count, o->motion.common.own_sweep, "--sweep") != JLT_EXIT_DONE) return JLT_EXIT_INPUT;
     if (o->motion.common.plot != NULL && *count != 1)
         return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
     return JLT_EXIT_DONE;
@@ -243,17 +243,18 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    jlt_motion_many_choose(&o.motion, o.motion.grid != NULL || o.motion.start_count != 1 || o.sweep != NULL, false);
+    const bool sweeps = o.motion.common.own_sweep != NULL;
+    jlt_motion_many_choose(&o.motion, o.motion.grid != NULL || o.motion.start_count != 1 || sweeps, false);
     o.motion.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && jlt_fates_crowd_grid(&o.motion, system) == NULL && o.motion.start_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, jlt_fates_crowd_grid(&o.motion, system), "--grid");
-    if (code == JLT_EXIT_DONE && o.sweep == NULL)
+    if (code == JLT_EXIT_DONE && !sweeps)
         code = jlt_motion_map_open(&map, &o.motion, system, jlt_fates_crowd_grid(&o.motion, system), axes);
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
-    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&o, system) : one_system(&o, system, &map);
+    if (code == JLT_EXIT_DONE) code = sweeps ? sweep(&o, system) : one_system(&o, system, &map);
     jlt_motion_map_close(&map);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);

@@ -82,8 +82,13 @@ static const struct argp parser = {
 
 static void write_crossings(FILE *file, const jlt_separatrices *p, const char *prefix)
 {
-    fprintf(file, "%s%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe\n", prefix,
-            p->chart->names[0], p->chart->names[1]);
+    jlt_csv_names names;
+
+    fputs(prefix, file);
+    fprintf(jlt_csv_names_begin(&names, file),
+            "%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe", p->chart->names[0],
+            p->chart->names[1]);
+    jlt_csv_names_end(&names);
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
             for (size_t i = 0; i < p->count[u][s]; i++) {
@@ -107,6 +112,7 @@ static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic 
 {
     static const char *const ends[] = { "length reached", "number of points reached", "runs into orbits that end",
                                         "interrupted" };
+    jlt_csv_names names;
 
     fprintf(file, "# saddle of period %zu: %s=%.17g %s=%.17g, multipliers %.15g, %.15g, residual %.2g\n", saddle->period,
             p->chart->names[0], saddle->points[0], p->chart->names[1], saddle->points[1], saddle->re[0], saddle->re[1],
@@ -117,7 +123,8 @@ static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic 
                 p->curve[k].end == JLT_MANIFOLD_POLE && p->chart->solved_count > 0 ? ", or leave the branch of --solve" : "");
     fputs("# homoclinic points:\n", file);
     write_crossings(file, p, "# ");
-    fprintf(file, "branch,side,sigma,length,%s,%s\n", p->chart->names[0], p->chart->names[1]);
+    fprintf(jlt_csv_names_begin(&names, file), "branch,side,sigma,length,%s,%s", p->chart->names[0], p->chart->names[1]);
+    jlt_csv_names_end(&names);
     for (int k = 0; k < JLT_SEPARATRICES; k++)
         for (size_t i = 0; i < p->curve[k].count; i++) {
             fprintf(file, "%s,%d,%.12g,%.12g,", branch_name(k), k % 2 == 0 ? 1 : -1, p->curve[k].sigma[i],

@@ -183,10 +183,13 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
 static void write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
 {
     const jlt_measure_attempt *a = &f->attempt;
+    jlt_csv_names names;
 
     jlt_csv_header(stream, &(jlt_csv_settings){ .command = r->common.command, .descriptor = f->instance->descriptor,
                                                 .params = f->instance->params });
-    fprintf(stream, "# defect of %s: %.17g\n%s,density,error,closed_form\n", along_name(f), a->defect, along_name(f));
+    fprintf(stream, "# defect of %s: %.17g\n", along_name(f), a->defect);
+    fprintf(jlt_csv_names_begin(&names, stream), "%s,density,error,closed_form", along_name(f));
+    jlt_csv_names_end(&names);
     for (size_t i = 0; a->points != NULL && i < a->count; i++) {
         const double row[4] = { a->points[i].at, a->points[i].density, a->points[i].error,
                                 a->closed == NULL ? NAN : a->closed[i] };

@@ -1,6 +1,6 @@
 #include <argp.h>
+#include <dirent.h>
 #include <errno.h>
-#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -8,6 +8,7 @@
 #include "cli/common.h"
 #include "cli/merged.h"
 #include "cli/study.h"
+#include "core/memory.h"
 #include "report/json.h"
 #include "shards/gather.h"
 
@@ -67,35 +68,72 @@ typedef struct {
     char *names; /* the line that begins every piece's rows; owned */
     jlt_merged outputs[OUTPUTS_MAX];
     size_t output_count;
-    size_t base;             /* number of the first orbit of a piece */
+    bool counts; /* the first column of the command's rows is the number of an orbit */
+    size_t base; /* number of the first orbit of a piece */
     size_t failed, first_failed, checked; /* pieces of status 4 or 3, the first of them; those of status 1 */
 } merge;
 
 /* ---- files ---- */
 
-static jlt_exit find_files(glob_t *files, const options *o)
-{
-    struct stat about;
-    int flags = GLOB_NOCHECK;
+typedef struct {
+    char **paths; /* shape (count,) */
+    size_t count;
+} file_list;
 
-    for (size_t i = 0; i < o->place_count; i++) {
-        if (stat(o->places[i], &about) != 0) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", o->places[i], strerror(errno));
-        char *pattern = NULL;
-        if (asprintf(&pattern, S_ISDIR(about.st_mode) ? "%s/*.shard" : "%s", o->places[i]) < 0) return jlt_command_no_memory();
-        const int found = glob(pattern, S_ISDIR(about.st_mode) ? flags & ~GLOB_NOCHECK : flags, NULL, files);
-        free(pattern);
-        if (found == GLOB_NOMATCH) return jlt_command_fail(JLT_EXIT_INPUT, "%s: there are no files *.shard", o->places[i]);
-        if (found != 0) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", o->places[i], strerror(errno));
-        flags |= GLOB_APPEND;
+static jlt_exit add_file(file_list *files, char *path)
+{
+    char **paths = path != NULL ? jlt_memory_more(files->paths, files->count, sizeof *paths) : NULL;
+
+    if (paths == NULL) {
+        free(path);
+        return jlt_command_no_memory();
     }
+    files->paths = paths;
+    files->paths[files->count++] = path;
     return JLT_EXIT_DONE;
 }
 
-static jlt_exit open_gather(merge *self, const glob_t *files)
+static int is_shard(const struct dirent *entry)
+{
+    const char *dot = strrchr(entry->d_name, '.');
+
+    return entry->d_name[0] != '.' && dot != NULL && strcmp(dot, ".shard") == 0;
+}
+
+static jlt_exit add_folder(file_list *files, const char *folder)
+{
+    struct dirent **entries;
+    const int count = scandir(folder, &entries, is_shard, alphasort);
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (count < 0) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", folder, strerror(errno));
+    if (count == 0) code = jlt_command_fail(JLT_EXIT_INPUT, "%s: there are no files *.shard", folder);
+    for (int i = 0; i < count; i++) {
+        char *path = NULL;
+        if (code == JLT_EXIT_DONE) code = add_file(files, asprintf(&path, "%s/%s", folder, entries[i]->d_name) < 0 ? NULL : path);
+        free(entries[i]);
+    }
+    free(entries);
+    return code;
+}
+
+static jlt_exit find_files(file_list *files, const options *o)
+{
+    struct stat about;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < o->place_count; i++) {
+        if (stat(o->places[i], &about) != 0) return jlt_command_fail(JLT_EXIT_IO, "%s: %s", o->places[i], strerror(errno));
+        code = S_ISDIR(about.st_mode) ? add_folder(files, o->places[i]) : add_file(files, strdup(o->places[i]));
+    }
+    return code;
+}
+
+static jlt_exit open_gather(merge *self, const file_list *files)
 {
     char *message = NULL;
     size_t first = 0;
-    const jlt_status st = jlt_gather_open(&self->gather, &message, (const char *const *)files->gl_pathv, files->gl_pathc);
+    const jlt_status st = jlt_gather_open(&self->gather, &message, (const char *const *)files->paths, files->count);
 
     if (message != NULL) fputs(message, stderr);
     free(message);
@@ -109,14 +147,15 @@ static jlt_exit open_gather(merge *self, const glob_t *files)
                             missing, jlt_gather_pieces(self->gather), first);
 }
 
-/* What the study runs over. */
-static jlt_exit read_over(merge *self)
+static jlt_exit read_study(merge *self)
 {
-    const char *over;
+    const char *over, *command;
     jlt_exit code = JLT_EXIT_DONE;
 
     self->study = json_loads(jlt_gather_study(self->gather), 0, NULL);
     over = json_string_value(json_object_get(self->study, "over"));
+    command = json_string_value(json_object_get(self->study, "command"));
+    self->counts = command != NULL && strcmp(command, "section") == 0;
     if (over != NULL) code = jlt_grid_parse(self->over, &self->over_count, JLT_STUDY_OVER_MAX, over, "over");
     return code == JLT_EXIT_DONE ? jlt_grid_size(&self->outer, self->over, self->over_count, over, "over") : code;
 }
@@ -136,10 +175,10 @@ static jlt_exit begin_form(merge *self, const char *line)
     }
     for (size_t k = 0; k < self->over_count; k++) names[k] = self->over[k].name;
     const size_t count = jlt_table_cut(names + self->over_count, COLUMNS_MAX, copy);
-    st = count > COLUMNS_MAX ? JLT_ERR_ARG : jlt_table_form_open(&self->form, names, self->over_count + count);
+    st = count > COLUMNS_MAX ? JLT_ERR_ARG : jlt_table_form_open(&self->form, names, self->over_count + count, strcmp);
     free(copy);
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "a column is there thrice, or there are too many");
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "there are more than %d columns", COLUMNS_MAX);
 }
 
 static jlt_exit bad_row(size_t piece) { return jlt_command_fail(JLT_EXIT_INPUT, "piece %zu has rows of another form", piece); }
@@ -177,7 +216,7 @@ static jlt_exit take_rows(merge *self, char *text, char *over, size_t piece, boo
     while (code == JLT_EXIT_DONE && (line = strsep(&text, "\n")) != NULL && *line != '\0') {
         const size_t count = jlt_table_cut(fields + before, COLUMNS_MAX, line);
         if (before + count != self->form.count) return bad_row(piece);
-        if (strcmp(self->form.columns[before].name, "orbit") == 0) renumber(self, &fields[before], number, &next);
+        if (self->counts) renumber(self, &fields[before], number, &next);
         code = take_row(self, fields, is_second);
     }
     self->base = next;
@@ -259,11 +298,11 @@ static jlt_exit write_all(merge *self)
     return code;
 }
 
-static jlt_exit merge_files(merge *self, const glob_t *files)
+static jlt_exit merge_files(merge *self, const file_list *files)
 {
     jlt_exit code = open_gather(self, files);
 
-    if (code == JLT_EXIT_DONE) code = read_over(self);
+    if (code == JLT_EXIT_DONE) code = read_study(self);
     if (code == JLT_EXIT_DONE) code = pass(self, false);
     if (code == JLT_EXIT_DONE && self->names == NULL)
         code = jlt_command_fail(JLT_EXIT_INPUT, "no piece has rows: jellett sweep says why");
@@ -292,7 +331,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .places = calloc((size_t)argc + 1, sizeof *o.places) };
     merge self = { .o = &o, .outer = 1 };
-    glob_t files = { .gl_pathc = 0 };
+    file_list files = { .count = 0 };
     jlt_exit code;
 
     if (o.places == NULL) return jlt_command_no_memory();
@@ -303,7 +342,8 @@ static jlt_exit run(int argc, char **argv)
     jlt_gather_destroy(self.gather);
     jlt_table_form_close(&self.form);
     json_decref(self.study);
-    globfree(&files);
+    for (size_t i = 0; i < files.count; i++) free(files.paths[i]);
+    free(files.paths);
     free(self.names);
     free(o.places);
     return code;

@@ -291,6 +291,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_system *system = NULL;
     jlt_map *map = NULL;
     unsigned shown[2];
+    jlt_csv_names names;
     jlt_exit code;
     jlt_status st;
 
@@ -312,8 +313,8 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);
     write_findings(common->table.file, &list, system->flow.chart);
-    jlt_orbit_columns_names(common->table.file, system->flow.chart);
-    fputc('\n', common->table.file);
+    jlt_orbit_columns_names(jlt_csv_names_begin(&names, common->table.file), system->flow.chart);
+    jlt_csv_names_end(&names);
     for (size_t i = 0; i < list.count; i++) {
         jlt_orbit_columns_write(common->table.file, system->flow.chart, &list.orbits[i]);
         fputc('\n', common->table.file);

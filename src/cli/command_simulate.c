@@ -196,15 +196,19 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
                                                   .tolerance = s->tolerance,
                                                   .unproved = list_unproved(claims, sizeof claims, r, told) });
     free(params);
-    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\nt", jlt_plan_tier(plan),
+    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
             plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance, r->project ? ", projected" : "");
-    for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(file, ",%s", s->descriptor->states[i].name);
+    jlt_csv_names names;
+    FILE *line = jlt_csv_names_begin(&names, file);
+    fputc('t', line);
+    for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(line, ",%s", s->descriptor->states[i].name);
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
-        fprintf(file, ",drift_%s", jlt_course_integral(r->courses[0], i));
-    for (unsigned i = 0; i < observes; i++) fprintf(file, ",%s", observed[i].name);
-    for (unsigned i = 0; i < beside; i++) fprintf(file, ",%s", more[i].name);
-    for (size_t k = 1; k < r->course_count; k++) fprintf(file, ",difference_%s", jlt_plan_tier(&r->plans[k]));
-    fputs(",fate\n", file);
+        fprintf(line, ",drift_%s", jlt_course_integral(r->courses[0], i));
+    for (unsigned i = 0; i < observes; i++) fprintf(line, ",%s", observed[i].name);
+    for (unsigned i = 0; i < beside; i++) fprintf(line, ",%s", more[i].name);
+    for (size_t k = 1; k < r->course_count; k++) fprintf(line, ",difference_%s", jlt_plan_tier(&r->plans[k]));
+    fputs(",fate", line);
+    jlt_csv_names_end(&names);
 }
 
 /* The largest difference of states at time t; NaN when the other orbit has not got there. */

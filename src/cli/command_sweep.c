@@ -134,6 +134,8 @@ static jlt_exit refuse_lock(const sweep *self, pid_t holder)
 static jlt_exit cannot_write(const sweep *self, jlt_status st)
 {
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
+    if (errno == ESTALE)
+        return jlt_command_fail(JLT_EXIT_IO, "'%s' was moved, removed or replaced while this process wrote to it", self->path);
     return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (what was done before is there: --resume goes on)", self->path,
                             strerror(errno));
 }
@@ -188,22 +190,22 @@ static jlt_exit open_file(sweep *self)
 
     if (st != JLT_OK) return refuse_lock(self, holder);
     st = jlt_shard_reader_open(&reader, &study, self->shard.descriptor);
-    if (st == JLT_ERR_ARG) code = jlt_command_fail(JLT_EXIT_INPUT, "'%s' is no shard of a study", self->path);
+    if (st == JLT_ERR_ARG)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "'%s' is no shard of a study, or its beginning is damaged: move it away to begin "
+                                                 "again", self->path);
     else if (st != JLT_OK) code = cannot_write(self, st);
-    else if (study == NULL) {
-        st = jlt_shard_begin(&self->shard, self->study.manifest);
-        if (st != JLT_OK) code = cannot_write(self, st);
-    } else if (strcmp(study, self->study.manifest) != 0) {
+    else if (study != NULL && strcmp(study, self->study.manifest) != 0) {
         code = jlt_command_fail(JLT_EXIT_INPUT, "'%s' is of another study, or of other kernels ('there'):", self->path);
         (void)jlt_manifest_difference(stderr, study, self->study.manifest);
         fputs("jellett: choose another folder, or bring back what there was\n", stderr);
-    } else if (!self->o->resume) {
+    } else if (reader.size > 0 && !self->o->resume) {
         code = jlt_command_fail(JLT_EXIT_INPUT, "'%s' is there already: --resume goes on with it", self->path);
     } else {
         const off_t size = reader.size;
-        code = take_done(self, &reader);
+        if (study != NULL) code = take_done(self, &reader);
+        else if ((st = jlt_shard_begin(&self->shard, self->study.manifest)) != JLT_OK) code = cannot_write(self, st);
         if (code == JLT_EXIT_DONE && reader.at < size)
-            fprintf(stderr, "jellett: %s: the last %lld bytes are of no whole record, and are cut\n", self->path,
+            fprintf(stderr, "jellett: %s: %lld bytes behind the last record that is whole are cut\n", self->path,
                     (long long)(size - reader.at));
     }
     free(study);
@@ -239,10 +241,9 @@ static jlt_exit compute(sweep *self, size_t position)
         fprintf(stderr, "jellett: piece %zu (%s) ended with status %d:\n%s", number, at, (int)status, worker->words);
     if (!goes_on(self, status)) return status;
     note(self, status);
-    const char *rows = jlt_sweep_rows_of(worker->rows);
-    const jlt_shard_record record = { number, (int)status, rows, worker->rows_size - (size_t)(rows - worker->rows), worker->words,
-                                      worker->words_size };
-    if (record.rows_size > 0) code = jlt_sweep_rows_check(&self->names, &self->study, rows);
+    const size_t size = jlt_sweep_rows_of(worker->rows);
+    const jlt_shard_record record = { number, (int)status, worker->rows, size, worker->words, worker->words_size };
+    if (record.rows_size > 0) code = jlt_sweep_rows_check(&self->names, &self->study, worker->rows);
     if (code != JLT_EXIT_DONE) return code;
     jlt_interrupt_hold();
     const jlt_status st = jlt_shard_add(&self->shard, &record);

@@ -70,6 +70,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
         if (self->at_point) jlt_look_default(&self->look);
         if (self->keep != NULL && self->plot == NULL)
             argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
+        jlt_common_not_swept(self, &self->set, "--set");
         if (self->look.asked && self->plot == NULL) argp_error(state, "options of a picture, and no picture: add --plot FILE");
         if (!self->plan) jlt_common_check_files(self, NULL, NULL);
         return 0;
@@ -185,13 +186,7 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
 
 bool jlt_common_runs(const jlt_common *self, const char *name)
 {
-    const size_t length = strlen(name);
-
-    for (const char *at = self->at_point ? self->sweep : NULL; at != NULL; at = strchr(at, ',')) {
-        at += *at == ',';
-        if (strncmp(at, name, length) == 0 && at[length] == '=') return true;
-    }
-    return false;
+    return self->at_point && jlt_assign_names(self->sweep, name);
 }
 
 double *jlt_common_steady(const jlt_common *self, const jlt_descriptor *descriptor, const double *params)
@@ -257,6 +252,14 @@ void jlt_common_list(jlt_assign_list *list, const char *text, const char *option
     const jlt_exit code = jlt_assign_parse(list, text, option);
 
     if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+void jlt_common_not_swept(const jlt_common *self, const jlt_assign_list *list, const char *option)
+{
+    for (size_t i = 0; !self->at_point && i < list->count; i++)
+        if (jlt_assign_names(self->sweep, list->items[i].name) || jlt_assign_names(self->own_sweep, list->items[i].name))
+            exit((int)jlt_command_fail(JLT_EXIT_USAGE, "%s: --sweep gives %s its values: leave it out of one of them", option,
+                                       list->items[i].name));
 }
 
 size_t jlt_common_processors(void)

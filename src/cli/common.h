@@ -21,6 +21,7 @@ typedef struct {
     bool lanes;        /* a table of the user's own is to be compiled with kernels on vectors as well */
     bool no_table;     /* the command's results are never a table of rows */
     const char *sweep; /* --sweep as typed; NULL: not given, or the command does its sweep by itself */
+    const char *own_sweep; /* as typed, of a command that does its sweep by itself; NULL: not given */
     bool at_point;     /* this process computes one point of the sweep: values are set, and rows go to standard output without
                           more */
     bool plan;         /* print which model answers, and do nothing else: jellett plan COMMAND ... */
@@ -85,6 +86,9 @@ jlt_exit jlt_common_save(jlt_common *self);
 
 /** Print the plan of a command that integrates nothing. Returns JLT_EXIT_PLANNED. */
 jlt_exit jlt_common_still(void);
+
+/** Check that none of these assignments, of `option`, names what a sweep runs over; it ends the program with status 2 otherwise. */
+void jlt_common_not_swept(const jlt_common *self, const jlt_assign_list *list, const char *option);
 
 /** Check, before anything is computed, that --output, --plot, --keep and one more option (path NULL: not given) name different
  *  files that can be written. Prints what is wrong and ends the program otherwise, as argp does. */

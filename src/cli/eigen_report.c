@@ -279,19 +279,22 @@ jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t 
 static void write_csv_header(FILE *stream, const jlt_eigen_request *request)
 {
     const jlt_descriptor *d = request->question.descriptor;
+    jlt_csv_names names;
 
     for (size_t i = 0; i < request->axis_count; i++) /* it runs over the rows, which have copies of their own */
         if (!request->targets[i].is_state) request->params[request->targets[i].index] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ .command = request->common.command, .descriptor = d, .params = request->params });
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
     if (request->question.fast) fputs("# doubles alone: verdicts are not proved\n", stream);
+    FILE *line = jlt_csv_names_begin(&names, stream);
     for (size_t i = 0; i < request->axis_count; i++)
-        if (!request->targets[i].is_state) fprintf(stream, "%s,", request->axes[i].name);
-    for (unsigned i = 0; i < d->state_count; i++) fprintf(stream, "%s,", d->states[i].name);
-    fputs("residual,trace,trace_formula", stream);
-    for (unsigned k = 1; k <= d->state_count; k++) fprintf(stream, ",c%u", k);
-    for (unsigned k = 1; k <= d->state_count; k++) fprintf(stream, ",re%u,im%u,error%u", k, k, k);
-    fputs(",verdict\n", stream);
+        if (!request->targets[i].is_state) fprintf(line, "%s,", request->axes[i].name);
+    for (unsigned i = 0; i < d->state_count; i++) fprintf(line, "%s,", d->states[i].name);
+    fputs("residual,trace,trace_formula", line);
+    for (unsigned k = 1; k <= d->state_count; k++) fprintf(line, ",c%u", k);
+    for (unsigned k = 1; k <= d->state_count; k++) fprintf(line, ",re%u,im%u,error%u", k, k, k);
+    fputs(",verdict", line);
+    jlt_csv_names_end(&names);
 }
 
 static void field(FILE *stream, double value)

@@ -23,12 +23,15 @@ void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const 
     const jlt_section_chart *section = ending_of(system);
     const unsigned count = section != NULL ? section->ending_count : chart->states - chart->roots;
 
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
-    fputs("fate,t_end", file);
+    jlt_csv_names names;
+    FILE *line = jlt_csv_names_begin(&names, file);
+
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(line, "%s,", chart->names[k]);
+    fputs("fate,t_end", line);
     for (unsigned i = 0; i < count; i++)
-        fprintf(file, ",%s_end", (section != NULL ? section->ending : system->instance->descriptor->states)[i].name);
-    if (tells_contact(options)) fprintf(file, ",%s_min", conditions(system));
-    fputc('\n', file);
+        fprintf(line, ",%s_end", (section != NULL ? section->ending : system->instance->descriptor->states)[i].name);
+    if (tells_contact(options)) fprintf(line, ",%s_min", conditions(system));
+    jlt_csv_names_end(&names);
 }
 
 void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jlt_system *system, const double *q,
@@ -74,17 +77,19 @@ static bool can_be(const jlt_system *system, jlt_fate fate)
 void jlt_fates_table_share_names(FILE *file, const jlt_system *base, const jlt_grid_axis *axes, size_t count)
 {
     char name[JLT_FATE_TEXT_MAX];
+    jlt_csv_names names;
+    FILE *line = jlt_csv_names_begin(&names, file);
 
-    for (size_t k = 0; k < count; k++) fprintf(file, "%s,", axes[k].name);
-    fprintf(file, "starts%s", jlt_shares_turn(base) ? ",low_starts" : "");
+    for (size_t k = 0; k < count; k++) fprintf(line, "%s,", axes[k].name);
+    fprintf(line, "starts%s", jlt_shares_turn(base) ? ",low_starts" : "");
     for (size_t i = 0; i < TOLD; i++) {
         jlt_section_fate_text(name, base->observed, told[i], JLT_OBSERVED_ANY);
-        if (can_be(base, told[i])) fprintf(file, ",%s", name);
+        if (can_be(base, told[i])) fprintf(line, ",%s", name);
     }
-    fputs(",failed", file);
-    if (jlt_shares_turn(base)) fputs(",turned,turned_error,turned_in_contact", file);
-    else if (has_conditions(base)) fprintf(file, ",%s_held", conditions(base));
-    fputc('\n', file);
+    fputs(",failed", line);
+    if (jlt_shares_turn(base)) fputs(",turned,turned_error,turned_in_contact", line);
+    else if (has_conditions(base)) fprintf(line, ",%s_held", conditions(base));
+    jlt_csv_names_end(&names);
 }
 
 void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, const double *values, size_t count,

@@ -65,13 +65,16 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
     double *q = malloc(block * d * sizeof *q);
     jlt_map_images images = { 0 };
+    jlt_csv_names names;
     jlt_progress progress;
     size_t unresolved = 0, strayed = 0;
     jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
 
     if (o->returns == 0) o->returns = 10;
-    for (unsigned k = 0; k < d; k++) fprintf(table->file, "%s,", chart->names[k]);
-    fputs("exponent,t\n", table->file);
+    FILE *line = jlt_csv_names_begin(&names, table->file);
+    for (unsigned k = 0; k < d; k++) fprintf(line, "%s,", chart->names[k]);
+    fputs("exponent,t", line);
+    jlt_csv_names_end(&names);
     jlt_progress_start(&progress, "starts");
     for (size_t first = 0; st == JLT_OK && first < all; first += block) {
         const size_t count = all - first < block ? all - first : block;

@@ -63,6 +63,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         o->common.at_point = true;
         jlt_common_replace(&o->level, value, "--sweep");
         return 0;
+    case ARGP_KEY_END: jlt_common_not_swept(&o->common, &o->level, "--level"); return 0;
     case SECTION: o->section = value; return 0;
     case SOLVE: o->solve = value; return 0;
     case MODULO: o->modulo = value; return 0;

@@ -29,14 +29,18 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
     const jlt_chart *chart = table->system->flow.chart;
     const jlt_section_chart *section = table->system->surface != NULL ? table->system->surface->section : NULL;
 
-    fputs("orbit,return,t", stream);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(stream, ",%s", chart->names[k]);
+    jlt_csv_names names;
+    FILE *line = jlt_csv_names_begin(&names, stream);
+
+    fputs("orbit,return,t", line);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(line, ",%s", chart->names[k]);
     for (unsigned i = 0; i < chart->solved_count; i++)
-        fprintf(stream, ",%s", table->system->instance->descriptor->states[chart->solved[i]].name);
-    for (unsigned i = 0; section != NULL && i < section->beside_count; i++) fprintf(stream, ",%s", section->beside[i].name);
-    fputs(",fate", stream);
-    if (table->least) fprintf(stream, ",%s_min", jlt_observed_condition(table->system->observed, JLT_OBSERVED_ANY));
-    fprintf(stream, "%s\n", table->check ? ",trace,det,divergence,defect" : "");
+        fprintf(line, ",%s", table->system->instance->descriptor->states[chart->solved[i]].name);
+    for (unsigned i = 0; section != NULL && i < section->beside_count; i++) fprintf(line, ",%s", section->beside[i].name);
+    fputs(",fate", line);
+    if (table->least) fprintf(line, ",%s_min", jlt_observed_condition(table->system->observed, JLT_OBSERVED_ANY));
+    if (table->check) fputs(",trace,det,divergence,defect", line);
+    jlt_csv_names_end(&names);
 }
 
 /* DP from the point before. */

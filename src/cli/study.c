@@ -79,6 +79,28 @@ static jlt_exit check_options(const jlt_study *self)
     return JLT_EXIT_DONE;
 }
 
+/* What runs has its values from nowhere else. set: of the command line. */
+static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
+{
+    const jlt_scene *scene = self->scene;
+    const jlt_scene_job *job = self->job;
+
+    for (size_t i = 0; i < set->count; i++)
+        if (jlt_assign_names(scene->over, set->items[i].name)
+            || (self->dealt < job->count && jlt_assign_names(job->options[self->dealt].value, set->items[i].name)))
+            return jlt_command_fail(JLT_EXIT_USAGE, "--set: %s runs over %s by itself: leave it out, or take it from there",
+                                    scene->file, set->items[i].name);
+    for (size_t i = 0; i < self->over_count; i++)
+        for (size_t k = 0; k < job->count; k++) {
+            const jlt_scene_option *option = &job->options[k];
+            const bool gives = k == self->dealt || strcmp(option->name, "set") == 0 || strcmp(option->name, "level") == 0;
+            if (gives && jlt_assign_names(option->value, self->over[i].name))
+                return refuse(self, scene->over_line, "'over' runs over %s, which has a value, or runs, elsewhere in the scene",
+                              self->over[i].name);
+        }
+    return JLT_EXIT_DONE;
+}
+
 /* Points of the grid that is dealt out. */
 static jlt_exit count_inner(jlt_study *self)
 {
@@ -120,7 +142,8 @@ static jlt_exit count_pieces(jlt_study *self, size_t least)
     return JLT_EXIT_DONE;
 }
 
-/* The tables that may serve, and the compiler that made their kernels. */
+/* The tables that may serve, and the compiler that made their kernels; those that lie beside a table of the user's own by what its
+ * records were proved of. */
 static json_t *kernels_of(const jlt_descriptor *model)
 {
     jlt_tier tiers[JLT_TIERS_MAX];
@@ -133,6 +156,9 @@ static json_t *kernels_of(const jlt_descriptor *model)
         (void)json_object_set_new(kernels, d->model, json_sprintf("table %s, %s", d->sha256, d->generator));
         for (unsigned k = 0; k < d->section_count; k++) /* a section may be a table's of its own */
             (void)json_object_set_new(kernels, d->sections[k].chart, json_sprintf("table %s", d->sections[k].sha256));
+        for (unsigned k = 0; k < d->way_count; k++)
+            if (json_object_get(kernels, d->ways[k].model) == NULL)
+                (void)json_object_set_new(kernels, d->ways[k].model, json_sprintf("table %s", d->ways[k].sha256));
     }
     return kernels;
 }
@@ -174,6 +200,7 @@ jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list 
     code = find_dealt(out, &least);
     if (code == JLT_EXIT_DONE) code = check_options(out);
     if (code == JLT_EXIT_DONE) code = count_pieces(out, least);
+    if (code == JLT_EXIT_DONE) code = check_over(out, set);
     return code == JLT_EXIT_DONE ? make_manifest(out) : code;
 }
 

@@ -3,13 +3,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *jlt_sweep_rows_of(const char *text)
+size_t jlt_sweep_rows_of(char *text)
 {
-    while (*text == '#') {
-        text += strcspn(text, "\n");
-        if (*text == '\n') text++;
+    char *to = text;
+
+    for (const char *line = text; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        length += line[length] == '\n';
+        if (*line != '#') {
+            memmove(to, line, length);
+            to += length;
+        }
+        line += length;
     }
-    return text;
+    *to = '\0';
+    return (size_t)(to - text);
 }
 
 jlt_exit jlt_sweep_rows_check(char **names, const jlt_study *study, const char *rows)

@@ -4,8 +4,8 @@
 
 #include "cli/study.h"
 
-/** What stands behind the comments of a piece's text: the line of names, and rows. */
-const char *jlt_sweep_rows_of(const char *text);
+/** Leave of a piece's text what is no comment: the line of names, and rows. Returns its length, without the NUL. */
+size_t jlt_sweep_rows_of(char *text);
 
 /** Whether the rows have the columns of the study's other pieces, and none of those that the study has beside them. In and out:
  *  *names, those of the first piece, NULL before it, owned by the caller. Says what is wrong. */

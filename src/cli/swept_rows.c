@@ -7,6 +7,7 @@
 #include "cli/plot.h"
 #include "core/digits.h"
 #include "kernel/descriptor.h"
+#include "report/csv.h"
 
 enum { COLUMNS_MAX = 256 };
 
@@ -241,8 +242,11 @@ jlt_exit jlt_swept_rows_finish(jlt_swept_rows *self)
     code = choose(self);
     if (code == JLT_EXIT_DONE) {
         fputs(self->header, file);
-        for (size_t k = 0; k < self->count; k++) fprintf(file, "%s,", self->axes[k].name);
-        fprintf(file, "%s\n", self->names);
+        jlt_csv_names names;
+        FILE *line = jlt_csv_names_begin(&names, file);
+        for (size_t k = 0; k < self->count; k++) fprintf(line, "%s,", self->axes[k].name);
+        fputs(self->names, line);
+        jlt_csv_names_end(&names);
         code = write_rows(self, self->held_point, held, names_in(held));
     }
     free(held);

@@ -17,6 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+enum { LOADED_MAX = 64 };
+
 bool jlt_table_is_file(const char *model)
 {
     const size_t length = strlen(model);
@@ -115,17 +117,52 @@ static jlt_exit build(char *path, size_t size, bool *has_said, const char *table
     return WEXITSTATUS(status) == 0 ? JLT_EXIT_DONE : (jlt_exit)WEXITSTATUS(status);
 }
 
+/* Tables that this process has loaded, or the one that it was forked from: whatever becomes of the file, one process and all that
+ * compute with it answer by one text of a table. */
+static struct {
+    char *table;
+    bool lanes;
+    const jlt_descriptor *descriptor;
+} loaded[LOADED_MAX];
+static size_t loaded_count;
+
+/* Out: *descriptor, that of the same kernels, or NULL. Returns the digest of the table's text as it was read first; NULL: it was
+ * not. */
+static const char *find_loaded(const jlt_descriptor **descriptor, const char *table, bool lanes)
+{
+    const char *sha256 = NULL;
+
+    *descriptor = NULL;
+    for (size_t i = 0; i < loaded_count; i++) {
+        if (strcmp(loaded[i].table, table) != 0) continue;
+        sha256 = loaded[i].descriptor->sha256;
+        if (loaded[i].lanes == lanes) *descriptor = loaded[i].descriptor;
+    }
+    return sha256;
+}
+
 static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const char *table, bool lanes)
 {
+    const char *sha256 = find_loaded(descriptor, table, lanes);
     char path[PATH_MAX];
-    const jlt_exit code = build(path, sizeof path, has_said, table, lanes);
     jlt_status st;
 
+    if (*descriptor != NULL) return JLT_EXIT_DONE;
+    const jlt_exit code = build(path, sizeof path, has_said, table, lanes);
     if (code != JLT_EXIT_DONE) return code;
     st = jlt_load(descriptor, path);
-    if (st == JLT_OK) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
-                            st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
+    if (st != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
+                                st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
+    if (sha256 != NULL && strcmp((*descriptor)->sha256, sha256) != 0)
+        return jlt_command_fail(JLT_EXIT_IO, "%s was edited after this computation had begun with it: begin again", table);
+    char *name = loaded_count < LOADED_MAX ? strdup(table) : NULL;
+    if (name != NULL) {
+        loaded[loaded_count].table = name;
+        loaded[loaded_count].lanes = lanes;
+        loaded[loaded_count++].descriptor = *descriptor;
+    }
+    return JLT_EXIT_DONE;
 }
 
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes)

@@ -10,7 +10,8 @@ bool jlt_table_is_file(const char *model);
 
 /** Open a model: *descriptor is its general field. A table of the user's own is read, proved and compiled by ttc, unless its
  *  kernels are in the cache; lanes: also kernels on vectors, which take longer to compile. What is wrong with a table ttc prints.
- *  *has_said:
+ *  A process that has opened a table, and those that it forks, go on with what was read then, or refuse it with JLT_EXIT_IO where
+ *  it was edited since. *has_said:
  *  ttc has compiled, and printed the claims that are not proved, so that the caller need not. */
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes);
 

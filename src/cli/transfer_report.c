@@ -31,15 +31,18 @@ static void write_names(FILE *file, const jlt_transfer_report *r, const bool *ha
     const jlt_transfer_finding *f = &r->cases[0].finding;
     const jlt_chart *chart = r->system->flow.chart;
     char name[JLT_FATE_TEXT_MAX];
+    jlt_csv_names names;
+    FILE *line = jlt_csv_names_begin(&names, file);
 
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, "%s,", chart->names[k]);
-    fputs("share", file);
-    if (f->spectrum.leading != NULL) fputs(",mass,density", file);
-    if (f->spectrum.second != NULL) fputs(",second", file);
-    if (r->known != NULL) fputs(",known_density", file);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(line, "%s,", chart->names[k]);
+    fputs("share", line);
+    if (f->spectrum.leading != NULL) fputs(",mass,density", line);
+    if (f->spectrum.second != NULL) fputs(",second", line);
+    if (r->known != NULL) fputs(",known_density", line);
     for (unsigned k = 0; k < JLT_TRANSFER_SECTION_LOSSES; k++)
-        if (has_loss[k]) fprintf(file, ",%s", loss_name(name, r, k));
-    fputs(",time\n", file);
+        if (has_loss[k]) fprintf(line, ",%s", loss_name(name, r, k));
+    fputs(",time", line);
+    jlt_csv_names_end(&names);
 }
 
 void jlt_transfer_report_rows(FILE *file, const jlt_transfer_report *r)

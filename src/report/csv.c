@@ -3,10 +3,12 @@
 #include "core/digits.h"
 #include "report/decimal.h"
 #include "report/json.h"
+#include "report/table.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Fields whose text is made at a stretch. */
 enum { FIELDS = 32 };
@@ -57,6 +59,41 @@ void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)
     jlt_decimal_write_named(stream, descriptor->params, settings->params, descriptor->param_count);
     fputc('\n', stream);
     write_json(stream, settings);
+}
+
+FILE *jlt_csv_names_begin(jlt_csv_names *self, FILE *file)
+{
+    *self = (jlt_csv_names){ .file = file };
+    self->line = open_memstream(&self->text, &self->size);
+    return self->line != NULL ? self->line : file;
+}
+
+/* Of names with commas between them. */
+static jlt_status write_names(FILE *file, char *text)
+{
+    const size_t count = jlt_table_cut(NULL, 0, text);
+    char **names = calloc(count, sizeof *names);
+    jlt_table_form form = { .count = 0 };
+    jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
+
+    for (size_t i = 0; st == JLT_OK && i < count; i++, text += strlen(text) + 1) names[i] = text;
+    if (st == JLT_OK) st = jlt_table_form_open(&form, names, count, strcmp);
+    for (size_t i = 0; st == JLT_OK && i < count; i++) fprintf(file, "%s%s", i > 0 ? "," : "", form.columns[i].name);
+    jlt_table_form_close(&form);
+    free(names);
+    return st;
+}
+
+void jlt_csv_names_end(jlt_csv_names *self)
+{
+    if (self->line != NULL && fclose(self->line) == 0) {
+        char *copy = strdup(self->text);
+        if (copy == NULL || write_names(self->file, copy) != JLT_OK) fputs(self->text, self->file);
+        free(copy);
+    }
+    fputc('\n', self->file);
+    free(self->text);
+    self->text = NULL;
 }
 
 void jlt_csv_value(FILE *stream, double value)

@@ -26,6 +26,19 @@ typedef struct {
  *  is no JSON. */
 void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings);
 
+/** The line of the columns' names. */
+typedef struct {
+    FILE *file, *line;
+    char *text; /* of the line; owned */
+    size_t size;
+} jlt_csv_names;
+
+/** Returns the stream to which names are to be written, with commas between them and no newline; then write them to the file, and
+ *  the newline. No two of them are alike: one that is there already, as where a table has a state called t, becomes NAME_2, as in
+ *  arrays of NumPy. Where memory is out they are as they were given. */
+FILE *jlt_csv_names_begin(jlt_csv_names *self, FILE *file);
+void jlt_csv_names_end(jlt_csv_names *self);
+
 /* Write a number that reads back bit for bit (jlt_digits_shortest); nothing for one that is not finite, so that a field is a number
  * or empty. */
 void jlt_csv_value(FILE *stream, double value);

@@ -238,7 +238,7 @@ static jlt_status take_names(jlt_npy *self, char *line)
     jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
     for (size_t i = 0; st == JLT_OK && i < count; i++, line += strlen(line) + 1) names[i] = line;
-    if (st == JLT_OK) st = jlt_table_form_open(&self->form, names, count);
+    if (st == JLT_OK) st = jlt_table_form_open(&self->form, names, count, strcmp);
     if (st == JLT_OK) st = measure(self);
     free(names);
     return st;

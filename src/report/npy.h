@@ -14,8 +14,7 @@ JLT_CHECKED jlt_status jlt_npy_create(jlt_npy **out, jlt_file *place);
 void jlt_npy_destroy(jlt_npy *self); /* NULL is legal; the file is not committed after that */
 
 /** Take the next bytes of the table in CSV, cut anywhere: comments, names of columns, rows, more comments. Errors: NOMEM; IO
- *  (errno says why); ARG, a column is there thrice, or a row has not as many fields as there are columns: then nothing is
- *  committed. */
+ *  (errno says why); ARG, a row has not as many fields as there are columns: then nothing is committed. */
 JLT_CHECKED jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size);
 
 /** Take one row by its fields, as many as there are columns. It is in the file after jlt_npy_flush at the latest. Errors: NOMEM,

@@ -3,6 +3,7 @@
 #include "core/digits.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,29 +24,26 @@ const char *jlt_table_field_end(const char *field)
     return field + strcspn(field, ",");
 }
 
-static bool has_name(const jlt_table_form *self, const char *name)
+static bool has_name(const jlt_table_form *self, const char *name, int (*compare)(const char *, const char *))
 {
     size_t i = 0;
 
-    while (i < self->count && strcmp(self->columns[i].name, name) != 0) i++;
+    while (i < self->count && compare(self->columns[i].name, name) != 0) i++;
     return i < self->count;
 }
 
-jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count)
+jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count,
+                               int (*compare)(const char *, const char *))
 {
-    static const char second[] = "_2";
-
     *self = (jlt_table_form){ .columns = calloc(count + 1, sizeof *self->columns) };
     if (self->columns == NULL) return JLT_ERR_NOMEM;
     for (; self->count < count; self->count++) {
-        char *name = malloc(strlen(names[self->count]) + sizeof second);
+        const size_t length = strlen(names[self->count]), room = length + 24;
+        char *name = malloc(room);
         if (name == NULL) return JLT_ERR_NOMEM;
-        strcpy(name, names[self->count]);
-        if (has_name(self, name)) strcat(name, second);
+        memcpy(name, names[self->count], length + 1);
+        for (size_t i = 2; has_name(self, name, compare); i++) snprintf(name + length, room - length, "_%zu", i);
         self->columns[self->count] = (jlt_table_column){ .name = name };
-        if (!has_name(self, name)) continue;
-        free(name);
-        return JLT_ERR_ARG;
     }
     return JLT_OK;
 }

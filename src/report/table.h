@@ -21,8 +21,10 @@ typedef struct {
 /** Cut a line at its commas, which become NULs. fields, shape (room,). Returns how many there are, also beyond `room`. */
 size_t jlt_table_cut(char **fields, size_t room, char *line);
 
-/** Take these names for the columns; one that is there already becomes NAME_2. Errors: NOMEM; ARG, that is there as well. */
-JLT_CHECKED jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count);
+/** Take these names for the columns; one that is there already, as `compare` has it (strcmp, strcasecmp), becomes NAME_2, or with
+ *  the next number that is free. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_table_form_open(jlt_table_form *self, char *const *names, size_t count,
+                                           int (*compare)(const char *, const char *));
 void jlt_table_form_close(jlt_table_form *self); /* legal when zeroed */
 
 /** Look at the fields of a row, shape (count,), and learn the kinds and widths of the columns from them. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "report/json.h"
 
@@ -11,6 +12,7 @@ struct jlt_database {
     sqlite3 *db;
     sqlite3_stmt *row, *piece;
     const jlt_table_form *form;
+    jlt_table_form names; /* of the columns: SQL knows no capitals */
     size_t over;
 };
 
@@ -26,12 +28,23 @@ static jlt_status execute(const jlt_database *self, char **message, const char *
     return told(self, message, sqlite3_exec(self->db, text, NULL, NULL, NULL));
 }
 
-/* Names of columns in quotation marks, as SQL has them, with their types. */
-static void names(FILE *stream, const jlt_table_form *form)
+static jlt_status find_names(jlt_database *self)
 {
-    for (size_t i = 0; i < form->count; i++) {
-        fprintf(stream, "%s\"%s\"", i > 0 ? ", " : "", form->columns[i].name);
-        fputs(form->columns[i].is_text ? " TEXT" : " REAL", stream);
+    char **names = calloc(self->form->count + 1, sizeof *names);
+    jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
+
+    for (size_t i = 0; st == JLT_OK && i < self->form->count; i++) names[i] = self->form->columns[i].name;
+    if (st == JLT_OK) st = jlt_table_form_open(&self->names, names, self->form->count, strcasecmp);
+    free(names);
+    return st;
+}
+
+/* Names of columns in quotation marks, as SQL has them, with their types. */
+static void write_columns(FILE *stream, const jlt_database *self)
+{
+    for (size_t i = 0; i < self->form->count; i++) {
+        fprintf(stream, "%s\"%s\"", i > 0 ? ", " : "", self->names.columns[i].name);
+        fputs(self->form->columns[i].is_text ? " TEXT" : " REAL", stream);
     }
 }
 
@@ -46,7 +59,7 @@ static jlt_status make_tables(jlt_database *self, char **message)
     fputs("CREATE TABLE provenance (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
           "CREATE TABLE pieces (piece INTEGER PRIMARY KEY, status INTEGER, words TEXT);"
           "CREATE TABLE rows (", stream);
-    names(stream, self->form);
+    write_columns(stream, self);
     fputs(");", stream);
     if (fclose(stream) != 0) return JLT_ERR_NOMEM;
     st = execute(self, message, text);
@@ -117,6 +130,7 @@ jlt_status jlt_database_create(jlt_database **out, char **message, const char *p
     if (self == NULL) return JLT_ERR_NOMEM;
     self->form = form;
     self->over = over;
+    JLT_TRY(find_names(self));
     JLT_TRY(told(self, message, sqlite3_open(path, &self->db)));
     /* Nobody sees the file before it is whole, so that nothing has to be undone. */
     JLT_TRY(execute(self, message, "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN"));
@@ -160,7 +174,7 @@ static jlt_status make_indexes(const jlt_database *self, char **message)
     jlt_status st = JLT_OK;
 
     for (size_t i = 0; st == JLT_OK && i < self->form->count; i++) {
-        const char *name = self->form->columns[i].name;
+        const char *name = self->names.columns[i].name;
         if (i >= self->over && !self->form->columns[i].is_text) continue;
         char *text = sqlite3_mprintf("CREATE INDEX \"rows_by_%w\" ON rows (\"%w\")", name, name);
         st = text == NULL ? JLT_ERR_NOMEM : execute(self, message, text);
@@ -193,5 +207,6 @@ void jlt_database_destroy(jlt_database *self)
     sqlite3_finalize(self->row);
     sqlite3_finalize(self->piece);
     sqlite3_close(self->db);
+    jlt_table_form_close(&self->names);
     free(self);
 }

@@ -99,7 +99,7 @@ static jlt_status take_file(jlt_gather *self, FILE *words, size_t file)
         return JLT_ERR_IO;
     }
     st = jlt_shard_reader_open(reader, &study, descriptor);
-    if (st == JLT_ERR_ARG) fprintf(words, "%s is no shard of a study\n", self->paths[file]);
+    if (st == JLT_ERR_ARG) fprintf(words, "%s is no shard of a study, or its beginning is damaged\n", self->paths[file]);
     if (st == JLT_ERR_ARG) free(study);
     if (st != JLT_OK || study == NULL) return st;
     st = take_study(self, words, study, self->paths[file]);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -41,7 +42,8 @@ static unsigned long checksum(const char *line, size_t length, const char *data,
     return crc32_z(crc32_z(0, (const unsigned char *)line, length), (const unsigned char *)data, size);
 }
 
-/* The record at this place. Out: `kind`, shape (6,); *next, where the one after it begins. Errors: EMPTY, there is no whole one. */
+/* The record at this place. Out: `kind`, shape (6,); *next, where the one after it begins. Errors: EMPTY, the file ends before the
+ * record does; ARG, its bytes are not those that were written. */
 static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, char kind[6], char key[JLT_SHARD_KEY], off_t *next,
                               off_t at)
 {
@@ -56,12 +58,12 @@ static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, 
     JLT_TRY(read_bytes(self, line, length, at));
     line[length] = '\0';
     length = strcspn(line, "\n");
-    if (line[length] != '\n') return JLT_ERR_EMPTY;
+    if (line[length] != '\n') return (off_t)length == left ? JLT_ERR_EMPTY : JLT_ERR_ARG;
     line[length] = '\0';
     if (sscanf(line, "%5s %zu %d %zu %zu %16s%n %8lx", kind, &record->piece, &record->status, &record->rows_size,
                &record->words_size, key,
                &used, &sum) != 7)
-        return JLT_ERR_EMPTY;
+        return JLT_ERR_ARG;
     const size_t room = (size_t)(left - (off_t)length - 1); /* bytes behind the line */
     if (record->rows_size >= room || record->words_size >= room - record->rows_size) return JLT_ERR_EMPTY;
     const size_t size = record->rows_size + record->words_size;
@@ -72,7 +74,7 @@ static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, 
         self->room = size + 1;
     }
     JLT_TRY(read_bytes(self, self->data, size + 1, at + (off_t)length + 1));
-    if (self->data[size] != '\n' || checksum(line, (size_t)used, self->data, size) != sum) return JLT_ERR_EMPTY;
+    if (self->data[size] != '\n' || checksum(line, (size_t)used, self->data, size) != sum) return JLT_ERR_ARG;
     record->rows = self->data;
     record->words = self->data + record->rows_size;
     *next = at + (off_t)(length + 1 + size + 1);
@@ -114,6 +116,7 @@ jlt_status jlt_shard_reader_next(jlt_shard_reader *self, jlt_shard_record *recor
     off_t next = 0;
     const jlt_status st = read_record(self, record, kind, key, &next, self->at);
 
+    if (st == JLT_ERR_ARG) return JLT_ERR_EMPTY;
     if (st != JLT_OK) return st;
     if (strcmp(kind, "piece") != 0 || strcmp(key, self->key) != 0) return JLT_ERR_EMPTY;
     self->at = next;
@@ -126,7 +129,7 @@ jlt_status jlt_shard_reader_at(jlt_shard_reader *self, jlt_shard_record *record,
     off_t next = 0;
     const jlt_status st = read_record(self, record, kind, key, &next, at);
 
-    return st == JLT_ERR_EMPTY ? JLT_ERR_IO : st;
+    return st == JLT_ERR_EMPTY || st == JLT_ERR_ARG ? JLT_ERR_IO : st;
 }
 
 /* ---- writing ---- */
@@ -136,7 +139,7 @@ jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char *path)
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
 
     *holder = -1;
-    *self = (jlt_shard){ .descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666) };
+    *self = (jlt_shard){ .path = path, .descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666) };
     if (self->descriptor < 0) return JLT_ERR_IO;
     /* A lock of the process, which ends with it however it ends, and which NFS and Lustre pass on between machines. */
     if (fcntl(self->descriptor, F_SETLK, &lock) == 0) return JLT_OK;
@@ -230,6 +233,11 @@ jlt_status jlt_shard_add(jlt_shard *self, const jlt_shard_record *record)
 
 jlt_status jlt_shard_sync(jlt_shard *self)
 {
+    struct stat there, here;
+
     clock_gettime(CLOCK_MONOTONIC, &self->synced);
-    return fdatasync(self->descriptor) == 0 ? JLT_OK : JLT_ERR_IO;
+    if (fdatasync(self->descriptor) != 0 || fstat(self->descriptor, &here) != 0) return JLT_ERR_IO;
+    if (stat(self->path, &there) == 0 && there.st_dev == here.st_dev && there.st_ino == here.st_ino) return JLT_OK;
+    errno = ESTALE;
+    return JLT_ERR_IO;
 }

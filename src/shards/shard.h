@@ -41,7 +41,8 @@ typedef struct {
 } jlt_shard_reader;
 
 /** Begin to read a file from its beginning, by a descriptor that stays the caller's. Out: *study, the study's JSON, for the caller
- *  to free(); NULL where the file is empty, or has no whole first record. Errors: ARG, this is no shard's file; NOMEM; IO. */
+ *  to free(); NULL where the file ends before its first record does. Errors: ARG, this is no shard's file, or its first record is
+ *  not what was written; NOMEM; IO. */
 JLT_CHECKED jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor);
 void jlt_shard_reader_close(jlt_shard_reader *self); /* legal when zeroed */
 
@@ -54,6 +55,7 @@ JLT_CHECKED jlt_status jlt_shard_reader_at(jlt_shard_reader *self, jlt_shard_rec
 
 /** A shard's file that is written, by this process alone. */
 typedef struct {
+    const char *path;
     int descriptor;
     off_t end;
     char key[JLT_SHARD_KEY];
@@ -63,9 +65,9 @@ typedef struct {
 /** The key of a study, from its JSON. */
 void jlt_shard_key(char key[JLT_SHARD_KEY], const char *study);
 
-/** Open the file, or make it, and lock it, so that no other process writes to it. Out: *holder, where another process has it: its
- *  number, 0 where that is not known; else -1, also after other failures. Errors: IO (errno says why; ENOLCK and the like where the
- *  file system knows no locks). */
+/** Open the file, or make it, and lock it, so that no other process writes to it. The path stays the caller's, who keeps it. Out:
+ *  *holder, where another process has the file: its number, 0 where that is not known; else -1, also after other failures.
+ *  Errors: IO (errno says why; ENOLCK and the like where the file system knows no locks). */
 JLT_CHECKED jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char *path);
 
 /** Close, and give up the lock. Legal when the descriptor is -1. */
@@ -77,7 +79,7 @@ JLT_CHECKED jlt_status jlt_shard_begin(jlt_shard *self, const char *study);
 JLT_CHECKED jlt_status jlt_shard_resume(jlt_shard *self, const char *study, off_t end);
 
 /** Add a record. It is on the disk after ten seconds, or after jlt_shard_sync. On failure the file ends with the record before.
- *  Errors: IO (errno says why), NOMEM. */
+ *  Errors: IO (errno says why; ESTALE, the path leads to this file no more), NOMEM. */
 JLT_CHECKED jlt_status jlt_shard_add(jlt_shard *self, const jlt_shard_record *record);
 JLT_CHECKED jlt_status jlt_shard_sync(jlt_shard *self);
 

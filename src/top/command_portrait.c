@@ -42,6 +42,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         jlt_common_replace(&r->level, value, "--sweep");
         return 0;
     case ARGP_KEY_END:
+        jlt_common_not_swept(&r->session.common, &r->level, "--level");
         if (r->trajectories != NULL && r->session.common.sweep != NULL)
             argp_error(state, "--trajectories: one file for all points of --sweep: leave it out");
         jlt_common_check_files(&r->session.common, "--trajectories", r->trajectories);

@@ -18,7 +18,6 @@ typedef struct {
     jlt_grid_axis axes[AXES_MAX];
     double *targets[AXES_MAX]; /* what an axis runs over: an entry of the session's params or x */
     size_t axis_count, all; /* all: rows */
-    const char *sweep;
     size_t rows;
     bool check;
     jlt_extent extent[2]; /* of period and rotation number */
@@ -37,7 +36,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
-    case SWEEP: r->sweep = value; return 0;
+    case SWEEP: r->session.common.own_sweep = value; return 0;
     case CHECK: r->check = true; return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -77,11 +76,12 @@ static jlt_exit check_end(request *r, double *target, double value)
 static jlt_exit bind_axes(request *r)
 {
     jlt_session *s = &r->session;
+    const char *sweep = s->common.own_sweep;
     size_t index;
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (r->sweep != NULL) code = jlt_grid_parse(r->axes, &r->axis_count, AXES_MAX, r->sweep, "--sweep");
-    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&r->all, r->axes, r->axis_count, r->sweep, "--sweep");
+    if (sweep != NULL) code = jlt_grid_parse(r->axes, &r->axis_count, AXES_MAX, sweep, "--sweep");
+    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&r->all, r->axes, r->axis_count, sweep, "--sweep");
     for (size_t k = 0; code == JLT_EXIT_DONE && k < r->axis_count; k++) {
         if (strcmp(r->axes[k].name, "I3") == 0) code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: I3 is 0 here");
         else if (jlt_descriptor_param(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->params[index];

@@ -110,6 +110,17 @@ if 'param' in '$wall': c['given']['parameters']['wall'] = '-1'" digest
     [ $got -eq 1 ] || { echo "second program beyond $wall: status $got"; cat "$scratch/out"; status=1; }
 done
 
+# Nor does it let a condition have a larger bound than its least value, here 20.17 of the height that is left.
+sed '/^eq x/i valid high : 60 - z > 0 "height"' codegen/models/lorenz.tt > "$scratch/lorenz.tt"
+jellett certify cycle "$scratch/lorenz.tt" --section z=27 --period 2 --start x=-13.76,y=-19.58 -o "$scratch/high.json" > /dev/null
+python3 tools/check_certificate.py --table "$scratch/lorenz.tt" "$scratch/high.json" > "$scratch/out" 2>&1 ||
+    { cat "$scratch/out"; status=1; }
+certificate=$scratch/high.json change higher 'c["shown"]["conditions"]["high"] = "20.5"' digest
+got=0
+python3 tools/check_certificate.py --table "$scratch/lorenz.tt" "$scratch/higher.json" > "$scratch/out" 2>&1 || got=$?
+[ $got -eq 1 ] && grep -q 'less than the bound' "$scratch/out" ||
+    { echo "second program, a bound: $got"; cat "$scratch/out"; status=1; }
+
 # The second program proves the same, and refuses the same.
 python3 tools/check_certificate.py $certificate > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
 for name in box still; do

@@ -55,7 +55,7 @@ compare drift --returns 4
 compare separation --grid 3x3 --cells 10x10 --returns 4 --settle 5
 compare manifolds --count 6 --no-crossings
 compare continue --along I1=1/3:0.34
-expect 0 '^0.51,2.2,4,' jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --set a3=1 --sweep a3=0.5:0.51:2,E=2.1:2.2:2
+expect 0 '^0.51,2.2,4,' jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --sweep a3=0.5:0.51:2,E=2.1:2.2:2
 [ "$(rows | wc -l)" -eq 4 ] || fail "lyapunov: a history in a sweep is not one row"
 # Histories of all points go at once, by another method than that of one which is the only one: its errors, of 1e-12 a step, grow
 # some hundredfold in four returns. By a method that is named they are the same.
@@ -65,7 +65,7 @@ printf '0.51,2.2,%s\n' "$last" | paste -d, - <(tail -1 out) | awk -F, '
     fail "lyapunov: the row of a sweep is not the last one of its point"
 expect 0 '^0.51,2.2,4,' jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --method gauss --sweep a3=0.5:0.51:2,E=2.1:2.2:2
 [ "0.51,2.2,$last" = "$(tail -1 out)" ] || fail "lyapunov: by gauss the row of a sweep is not the last one of its point"
-expect 0 '^E,I1,gamma3,' jellett portrait --level E=2,G=0.5,F0=0.1 --set a3=0 --sweep E=2:3:2,I1=0.3:0.4:2
+expect 0 '^E,I1,gamma3,' jellett portrait --level G=0.5,F0=0.1 --set a3=0 --sweep E=2:3:2,I1=0.3:0.4:2
 # Columns of integrals that hold for special values alone are empty elsewhere, or left out, which is said.
 expect 0 'drift_F0, drift_F_linear: no columns here' jellett simulate --start $start --times 1 --sweep a3=0:0.2:2
 [ "$(rows | awk -F, '{ print NF }' | sort -u | wc -l)" -eq 1 ] || fail "simulate: rows of a sweep have different columns"
@@ -77,6 +77,16 @@ expect 3 'no state with' jellett section --start eta=0.3,gamma3=0.2 --returns 1 
 expect 3 "has no parameter 'E'" jellett simulate --start $start --times 1 --sweep E=1:2:2
 expect 2 "unrecognized option" jellett section --start eta=0.3,gamma3=0.2 --sweep E=2:3:2 --nonsense
 expect 2 "given twice" jellett section --start eta=0.3,gamma3=0.2 --sweep E=2:3:2 --sweep a3=0:1:2
+# What runs has no other value beside, by any command.
+for command in "simulate --start $start --times 1" "section --start eta=0.3,gamma3=0.2" "fates --grid 2x2" "rod --start $start" \
+    "eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1" "portrait --level G=0.5,F0=0.1,E=2"; do
+    # shellcheck disable=SC2086
+    expect 2 "--set: --sweep gives a3 its values" jellett $command --set a3=0 --sweep I1=0.3:0.4:2,a3=0.1:0.2:2
+done
+for command in "section --start eta=0.3,gamma3=0.2" "fates --grid 2x2" "portrait"; do
+    # shellcheck disable=SC2086
+    expect 2 "--level: --sweep gives E its values" jellett $command --level E=2 --sweep E=2:3:2
+done
 expect 2 "one file for all points" jellett manifolds --sweep E=2:3:2 --crossings c.csv
 expect 0 'at a3=0.1, the first of 2 points' jellett plan section --start eta=0.3,gamma3=0.2 --sweep a3=0.1:0.2:2
 jellett lyapunov --returns 4 --sweep a3=0.5:0.51:3 --plot over.svg --output over.csv || fail "lyapunov: no picture of a sweep"

@@ -32,8 +32,7 @@ def same(array, text):
     lines = open(text).read().split("\n")
     names, *rows = csv.reader(l for l in lines if l and l[0] != "#")
     has, values, tail = read(array)
-    names = [name + "_2" * (name in names[:i]) for i, name in enumerate(names)]
-    assert has == names and len(values) == len(rows) > 0, (has, names, len(values), len(rows))
+    assert has == names and len(set(names)) == len(names) and len(values) == len(rows) > 0, (has, names, len(values), len(rows))
     said = [l for l in lines if l[:1] == "#"]
     assert [l.replace(array, text) for l in tail.split("\n")[:-1]] == said, tail
     kinds = set()
@@ -63,8 +62,24 @@ pair jellett separation --grid 4x4 --returns 5
 pair jellett manifolds --length 0.2 --tol 1e-8
 pair jellett continue --along E=1.9:2.15
 pair jellett transfer --boxes 10x10 --tol 1e-4
-pair jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
+pair jellett eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
 pair jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:9
+
+# States and parameters may be called as columns of commands are: a second one of a name has another name, the same in both.
+export XDG_CACHE_HOME=$scratch/cache
+printf '%s\n' 'model named' 'param drift_E' 'default drift_E = 1' 'state t' 'state fate' 'state T' 'state orbit' \
+    'eq t = -drift_E*fate' 'eq fate = t' 'eq T = -T/2' 'eq orbit = -orbit' 'integral E = t^2 + drift_E*fate^2' > named.tt
+at=t=1,T=0.1,orbit=0.2
+pair jellett simulate ./named.tt --start fate=0,$at --times 1,2
+pair jellett simulate ./named.tt --start fate=0,$at --times 1,2 --sweep drift_E=1:2:2
+[ "$(grep -v '^#' rows.csv | head -1)" = drift_E,t,t_2,fate,T,orbit,drift_E_2,fate_2 ] || fail "names: $(grep -v '^#' rows.csv)"
+pair jellett section ./named.tt --section fate=0 --start $at --returns 2
+pair jellett fates ./named.tt --section fate=0 --start $at --returns 2
+pair jellett fates ./named.tt --section fate=0 --start $at --returns 2 --sweep drift_E=1:2:2
+pair jellett orbits ./named.tt --section fate=0 --start t=1,T=0,orbit=0
+pair jellett continue ./named.tt --section fate=0 --start t=1,T=0,orbit=0 --along drift_E=1:1.01
+pair jellett lyapunov ./named.tt --section fate=0 --grid t=1:1:1,T=0.1:0.1:1,orbit=0.1:0.1:1 --returns 2
+pair jellett eigen ./named.tt --csv
 
 # What is no table is no array, and an array is a file.
 report=(jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1)

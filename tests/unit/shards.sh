@@ -92,6 +92,26 @@ expect 0 "are cut" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
 expect 0 "" jellett merge map.3 map.7 -o again.csv
 cmp again.csv map.1.csv || fail "shards of two runs at once: other bytes"
 
+# A file whose beginning is damaged is not begun anew over what it has.
+cp $file whole
+printf x | dd of=$file bs=1 seek=100 conv=notrunc 2> dd
+cp $file damaged
+for resume in "" --resume; do
+    # shellcheck disable=SC2086
+    expect 3 "its beginning is damaged" jellett sweep map.scene --into=map.3 --shard=2/3 $resume
+    cmp $file damaged || fail "a damaged file is written to"
+done
+expect 3 "its beginning is damaged" jellett merge map.3
+mv whole $file
+# Names of files and folders are taken to the letter.
+mkdir "map[3]"
+cp map.3/*.shard "map[3]"
+cp "map[3]/1-of-3.shard" "[1].shard"
+echo > 1.shard
+expect 0 "" jellett merge "map[3]" -o again.csv
+cmp again.csv map.1.csv || fail "a folder called map[3]: other bytes"
+expect 1 "pieces are missing" jellett merge "[1].shard"
+
 # Refusals.
 expect 3 "--resume" jellett sweep map.scene --into=map.3 --shard=2/3
 sed 's/1e-9/1e-8/' map.scene > other.scene
@@ -108,6 +128,58 @@ export XDG_CACHE_HOME=$scratch/cache
 expect 0 "" jellett sweep own.scene
 echo "# edited" >> own.tt
 expect 3 "kernels.lorenz: there" jellett sweep own.scene --resume
+# All pieces are of the table that the study was opened with, although it is edited while they are computed; --resume sees it.
+printf '%s\n' 'model edited' 'param k' 'default k = 1' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = -k*x' 'eq z = 1' > edited.tt
+cat > edited.scene << 'END'
+model = "./edited.tt";
+piece = 4;
+compute = ( { what = "section"; section = { y = 0; }; grid = { x = (0.1, 1, 400); z = (0, 1, 40); }; returns = 2; } );
+END
+expect 0 "" jellett sweep edited.scene --into=edited
+jellett sweep edited.scene --into=meanwhile 2> log &
+meanwhile=$!
+for _ in $(seq 100); do grep -q "of them are there" log && break; sleep 0.05; done
+sed -i.before 's/-k\*x/-2*k*x/' edited.tt
+wait $meanwhile
+code=$?
+[ $code = 0 ] || { [ $code = 5 ] && grep -q "was edited" log; } || fail "a table that is edited meanwhile: $code, $(cat log)"
+expect 3 "kernels.edited: there" jellett sweep edited.scene --into=meanwhile --resume
+mv edited.tt.before edited.tt
+expect 0 "" jellett sweep edited.scene --into=meanwhile --resume
+for into in edited meanwhile; do jellett merge $into -o $into.csv || fail "$into cannot be merged"; done
+cmp edited.csv meanwhile.csv || fail "a table that is edited meanwhile: rows of both"
+# Tables that the model's records lead to count as it does.
+cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt .
+sed 's/^model.*//; s/^levels/model = ".\/spherical_top.tt"; levels/' ends.scene > beside.scene
+echo "# edited" >> spherical_top_balanced.tt
+expect 0 "" jellett sweep beside.scene
+echo "# edited" >> spherical_top_balanced.tt
+expect 3 "kernels.spherical_top_balanced: there" jellett sweep beside.scene --resume
+# A coordinate called as what a command counts orbits by is a coordinate.
+printf '%s\n' 'model counted' 'state orbit' 'state y' 'eq orbit = y' 'eq y = -orbit' > counted.tt
+cat > counted.scene << 'END'
+model = "./counted.tt";
+compute = ( { what = "fates"; section = { y = 0; }; grid = { orbit = (0.1, 0.5, 3); }; returns = 2; } );
+END
+expect 0 "" jellett sweep counted.scene
+expect 0 "" jellett merge counted.shards
+[ "$(rows out | cut -d, -f1 | tr '\n' ' ')" = "orbit 0.1 0.3 0.5 " ] || fail "a state is counted: $(rows out)"
+# In SQL names that differ in capitals are the same.
+printf '%s\n' 'model capitals' 'state x' 'state X' 'eq x = X' 'eq X = -x' > capitals.tt
+printf '%s\n' 'model = "./capitals.tt";' 'compute = ( { what = "simulate"; start = { x = 0; X = 1; }; times = (1); } );' \
+    > capitals.scene
+expect 0 "" jellett sweep capitals.scene
+expect 0 "" jellett merge capitals.shards -o capitals.sqlite
+python3 -c 'import sqlite3
+print([about[0] for about in sqlite3.connect("capitals.sqlite").execute("SELECT * FROM rows").description])' > out
+grep -qxF "['t', 'x', 'X_2', 'fate']" out || fail "names in SQL: $(cat out)"
+# What runs has no value beside.
+sed 's/^levels/over = { a3 = (0.1, 0.3, 2); }; levels/' ends.scene > over.scene
+expect 2 "over.scene runs over a3" jellett sweep over.scene --set a3=0.5 --into=none
+expect 3 ":1: error: 'over' runs over a3" jellett sweep <(sed 's/^over/parameters = { a3 = 0.2; }; over/' over.scene) --into=none
+sed 's/returns = 3/sweep = { E = (2, 3, 2); }; &/; s/ E = 2.15;//' over.scene > inner.scene
+expect 3 "'over' runs over E" jellett sweep <(sed 's/ a3 = (0.1/ E = (0.1/' inner.scene) --into=none
+[ ! -e none ] || fail "a study that is refused has begun"
 expect 3 "is no study" jellett sweep <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
@@ -132,6 +204,15 @@ expect 5 "process $first computes this shard already" timeout 60 jellett sweep l
 kill -TERM $first
 wait $first
 [ $? = 143 ] || fail "a shard that is told to end does not end by the signal"
+
+# A file that is not where it was any more is told of.
+jellett sweep long.scene --into=gone 2> first &
+first=$!
+for _ in $(seq 100); do grep -q "of them are there" first && break; sleep 0.05; done
+rm -r gone
+kill -TERM $first
+wait $first
+grep -q "was moved, removed or replaced" first || fail "the file of a shard is gone: $(cat first)"
 
 # What engines say. Pieces of a shard: those that are shown.
 shown() { # SHARD ENVIRONMENT...
@@ -175,6 +256,12 @@ for a3 in 0.3 0.4 0.5 0.6; do
         awk -v a3=$a3 '{ print (NR > 1 ? a3 ",2," : "a3,E,") $0 }'
 done | awk 'NR == 1 || !/^a3/' | diff - <(rows exponents.csv) > diff ||
     { fail "rows over a3 and E are others than those that are typed:"; head -5 diff; }
+# Rows are rows, also where the command has comments behind them.
+printf '%s\n' 'over = { a3 = (0.3, 0.4, 2); };' 'compute = ( { what = "drift"; returns = 4; } );' > drift.scene
+expect 0 "" jellett sweep drift.scene
+expect 0 "" jellett merge drift.shards
+for a3 in 0.3 0.4; do jellett drift --set a3=$a3 --returns 4 | rows | sed "s/^/$a3,/"; done |
+    awk 'NR == 1 { sub(/^0.3/, "a3") } !/^0.4,method/' | diff - <(rows out) > diff || fail "drifts over a3: $(cat diff)"
 cat > locus.scene << 'END'
 over = { I3 = ("1/4", "1/2", 2); };
 parameters = { a3 = 0; };

@@ -17,6 +17,12 @@ def must(holds, what):
         raise Refused(what)
 
 
+def lower(bounds, value):
+    """Bounds of a least value, low and high, where there is one more; None: there was none before."""
+    here = (value[0] - value[1], value[0] + value[1])
+    return here if bounds is None else tuple(map(min, bounds, here))
+
+
 class Flow:
     def __init__(self, table, params):
         self.table, self.n = table, len(table.states)
@@ -83,8 +89,8 @@ class Flow:
         return all(wall[0][0] > wall[0][1] for wall in self.walls.run(y, 1, 1)[1])
 
     def carry(self, x, instant):
-        """The set x, its derivative, the integral of the divergence and lower bounds of the conditions, after the time
-        `instant`."""
+        """The set x, its derivative, the integral of the divergence and bounds of the least values of the conditions, after the
+        time `instant`."""
         n, left = self.n, instant
         center, box = [[(a[0], 0)] for a in x], [[(0, a[1])] for a in x]
         C, Q, V, B = unit(n), unit(n), unit(n), unit(n)
@@ -118,8 +124,7 @@ class Flow:
                 for piece in range(16):
                     value = self.spread(hull_out[n + n * n + 1 + i], ORDER - 1, rough_out[n + n * n + 1 + i][ORDER - 1],
                                         ((2 * piece + 1) * ONE >> 5, ONE >> 5))
-                    low = value[0] - value[1]
-                    least[i] = low if least[i] is None else min(least[i], low)
+                    least[i] = lower(least[i], value)
         hull_set = [row[0] for row in matadd(center, matadd(matmul(C, box), matmul(Q, r)))]
         return hull_set, matadd(V, matmul(B, R)), expansion, least
 
@@ -157,5 +162,5 @@ class Flow:
         V = matmul(step, V)
         D = [[less(V[i][j], product(quotient(out[i], out[column]), V[column][j])) for j in range(n)] for i in range(n)]
         state = [plus(a, product(f, tau)) for a, f in zip(x, out)]
-        least = [min(low, v[0] - v[1]) for low, v in zip(least, out[n + n * n + 1:])]
+        least = [lower(bounds, v) for bounds, v in zip(least, out[n + n * n + 1:])]
         return state, D, tau, plus(expansion, product(tau, out[n + n * n])), least, span
