@@ -33,6 +33,8 @@ struct ttc_task {
     void *resolver_context;
     ttc_verdict_source verdict_of;
     void *verdict_context;
+    const ttc_id *levels;  /* shape (level_count,): zero at the points that are meant, beside what the claim says of them */
+    size_t level_count;
     const ttc_task *outer; /* in another table: the claim that it is looked at for; NULL */
     bool is_lifted;        /* the other table, or what is asked elsewhere, was looked at: once for all leaves */
     const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none, or they have been shown */
