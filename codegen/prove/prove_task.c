@@ -169,6 +169,14 @@ void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *for
     va_end(arguments);
 }
 
+void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    settle(task, TTC_REFUTED, with_value(task, format_text(format, arguments), remainder), point);
+    va_end(arguments);
+}
+
 /* No point of the leaf has a nonzero numerator; where the denominator can vanish, that says nothing of the quotient. */
 static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 {

@@ -72,6 +72,8 @@ struct ttc_task {
 TTC_PRINTF(2, 3) void ttc_task_unsettle(ttc_task *task, const char *format, ...);
 /* False at every point of this leaf. */
 TTC_PRINTF(3, 4) void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
+/* False at a point that was found, which then belongs to the task. */
+TTC_PRINTF(4, 5) void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder, const char *format, ...);
 /* Zero at every point of this leaf. */
 TTC_PRINTF(3, 4) void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
 /* In its relation to zero at every point of this leaf. */
