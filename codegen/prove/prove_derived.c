@@ -112,6 +112,7 @@ static void prove_elimination(ttc_task *task)
         if (task->model->states[i] == elimination->state) ttc_evaluate(task->field, &right, ttc_model_field(task->model, i));
     ttc_ratio_subtract(task->ring, &left, &left, &right);
     ttc_task_require_zero(task, &left, "rate of the solution for %s - its equation", state->name);
+    ttc_prove_level_is_periodic(task, integral, elimination->state);
     ttc_ratio_clear(task->ring, &right);
     ttc_ratio_clear(task->ring, &left);
 }

@@ -227,7 +227,7 @@ static void check_levels(ttc_task *task)
             ttc_task_unsettle(task, "it is on levels of %s, which is not proved",
                               task->model->claims[task->claim->members[i]].name);
     for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
-        ttc_prove_level_is_periodic(task, task->model->claims + task->claim->members[i]);
+        ttc_prove_level_is_periodic(task, task->model->claims + task->claim->members[i], UINT32_MAX);
 }
 
 void ttc_prove_section(ttc_task *task)

@@ -130,8 +130,9 @@ void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression);
 void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map);
 void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map);
 
-/* A level of this integral is one of points that differ by the periods that the table claims. */
-void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral);
+/* A level of this integral is one of points that differ by the periods that the table claims; but: of this state it may change with
+ * the period, as it has gone, or UINT32_MAX. */
+void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint32_t but);
 
 /* The provers, one a kind. */
 void ttc_prove_integral(ttc_task *task);
