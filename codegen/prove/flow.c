@@ -59,13 +59,12 @@ static bool varies_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state)
     return varies;
 }
 
-/* What holds roots may hold states and be constant: sqrt(2 x)/sqrt(x). */
+/* What holds states may be constant: sqrt(2 x)/sqrt(x), exp(x + a)/exp(x). */
 static bool varies(ttc_task *task, const ttc_ratio *ratio)
 {
     const ttc_model *model = task->model;
-    const bool is_variable = fmpz_mpoly_is_gen(ratio->numerator, -1, task->ring->context) &&
-                             fmpz_mpoly_is_one(ratio->denominator, task->ring->context);
-    bool result = task->ring->generator_count == 0 || is_variable;
+    bool result = fmpz_mpoly_is_gen(ratio->numerator, -1, task->ring->context) &&
+                  fmpz_mpoly_is_one(ratio->denominator, task->ring->context);
     for (size_t i = 0; !result && i < model->state_count; i++)
         result = !ttc_valuation_is_bound(task->field, model->states[i]) && varies_with(task, ratio, model->states[i]);
     return result;
