@@ -84,7 +84,8 @@ static void require_values(ttc_task *task, const ttc_ratio *divisor)
         ttc_task_refute_at(task, point, divisor, "for some parameters it divides by zero at all states, so that no kernel could be "
                                                  "prepared: what it divides by");
     else if (result == TTC_POINT_NOT_DECIDED)
-        ttc_task_unsettle(task, "that no parameters make it divide by zero at all states was not shown");
+        ttc_task_unsettle(task, "that no parameters make it divide by zero at all states was not shown (expected a domain "
+                                "record that excludes them)");
 }
 
 void ttc_prove_observed(ttc_task *task)
