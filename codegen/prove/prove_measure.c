@@ -82,10 +82,10 @@ static void say_where_zero(ttc_task *task)
 {
     char *point = NULL;
     const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &point);
-    const bool everywhere = task->ring->choice_count == 0;
+    const bool of_part = task->ring->choice_count > 0, has_point = of_part && point != NULL;
     if (result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED)
-        ttc_task_unsettle(task, "the density %s is zero%s%s%s", task->claim->name, everywhere ? "" : " on a whole part of the domain",
-                          everywhere || point == NULL ? "" : ", as at ", everywhere || point == NULL ? "" : point);
+        ttc_task_unsettle(task, "the density %s is zero%s%s%s", task->claim->name, of_part ? " on a whole part of the domain" : "",
+                          has_point ? ", as at " : "", has_point ? point : "");
     free(point);
 }
 

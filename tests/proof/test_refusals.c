@@ -202,8 +202,8 @@ static void claims_that_say_nothing_are_errors(void **state)
     expect(table, "integral", "constant", TTC_UNSETTLED, "constant");
     expect(table, "invariant", "zero", TTC_UNSETTLED, "says nothing");
     expect(table, "measure", "nothing", TTC_UNSETTLED, "the density nothing is zero");
-    expect("model part\nparam w\ndomain apart : w^2 > 0\nroot r = sqrt(w^2)\nstate x\neq x = 0*x\nmeasure half = r - w\n", "measure",
-           "half", TTC_UNSETTLED, "the density half is zero on a whole part of the domain, as at w = 1");
+    expect("model part\nparam w\ndomain apart : w^2 > 0\nroot r = sqrt(w^2)\nstate x\neq x = 0*x\nmeasure half = r - w\n",
+           "measure", "half", TTC_UNSETTLED, "the density half is zero on a whole part of the domain, as at w = 1");
     expect(table, "leftnull", "rest", TTC_UNSETTLED, "gradient");
     expect(table, "equal", "on_both", TTC_PROVED, "x = 0, y = 0");
 }
