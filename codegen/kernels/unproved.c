@@ -1,5 +1,5 @@
 /* A report of proofs lists the table's claims first, in its order, and then the derived ones (roots, variants, times,
- * eliminations, poles), by kind and name; this order is relied on here. */
+ * eliminations, poles, what is looked at), by kind and name; this order is relied on here. */
 #include "kernels/unproved.h"
 
 #include <stdlib.h>
@@ -32,11 +32,14 @@ static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t numb
         ttc_text_add(text, "sections");
 }
 
-/* What follows from the table: every kernel of a variant, a time or an elimination needs it, and of a root all do. */
+/* What follows from the table: every kernel of a variant, a time or an elimination needs it; of a root or logarithm all do, and of
+ * what is looked at beside the equations, as all share what is prepared. */
 static bool field_needs(const ttc_field *field, const ttc_proof *proof)
 {
+    static const char *const of_all[] = { "root", "log", "observe", "valid", "tier" };
     const char *name = NULL;
-    if (strcmp(proof->kind, "root") == 0) return true;
+    for (size_t i = 0; i < sizeof of_all / sizeof *of_all; i++)
+        if (strcmp(proof->kind, of_all[i]) == 0) return true;
     if (strcmp(proof->kind, "variant") == 0 && field->variant != NULL) name = field->variant->name;
     if (strcmp(proof->kind, "time") == 0 && field->time != NULL) name = field->time->name;
     if (strcmp(proof->kind, "eliminate") == 0 && field->elimination != NULL) name = field->elimination->name;

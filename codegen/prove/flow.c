@@ -44,10 +44,36 @@ static bool variable_moves(ttc_task *task, slong variable)
     return moves;
 }
 
+/* Whether the derivative along a free state is not zero, by its form. */
+static bool varies_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state)
+{
+    ttc_ratio *slopes = ttc_task_ratios(task, task->ring->variable_count), rate;
+    if (slopes == NULL) return true;
+    ttc_ratio_init(task->ring, &rate);
+    ttc_ratio_set_integer(task->ring, &slopes[ttc_valuation_variable(task->field, state)], 1);
+    ttc_valuation_add_function_rates(task->field, slopes);
+    ttc_ratio_derive(task->ring, &rate, ratio, slopes);
+    const bool varies = !fmpz_mpoly_is_zero(rate.numerator, task->ring->context);
+    ttc_ratio_clear(task->ring, &rate);
+    ttc_task_free(task, slopes, task->ring->variable_count);
+    return varies;
+}
+
+/* What holds states may be constant: sqrt(2 x)/sqrt(x), exp(x + a)/exp(x). */
+static bool varies(ttc_task *task, const ttc_ratio *ratio)
+{
+    const ttc_model *model = task->model;
+    bool result = fmpz_mpoly_is_gen(ratio->numerator, -1, task->ring->context) &&
+                  fmpz_mpoly_is_one(ratio->denominator, task->ring->context);
+    for (size_t i = 0; !result && i < model->state_count; i++)
+        result = !ttc_valuation_is_bound(task->field, model->states[i]) && varies_with(task, ratio, model->states[i]);
+    return result;
+}
+
 bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
 {
     for (slong v = 0; v < (slong)task->ring->variable_count; v++)
-        if (ttc_ratio_uses(task->ring, ratio, v) && variable_moves(task, v)) return true;
+        if (ttc_ratio_uses(task->ring, ratio, v) && variable_moves(task, v)) return varies(task, ratio);
     return false;
 }
 

@@ -342,7 +342,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     const ttc_claim *claim = task->claim;
     cover c = { .task = task, .prover = prover };
     ttc_subcase start = { .solution_count = 0 };
-    if (claim->modulo_count + 1 > TTC_SUBCASE_RELATIONS_MAX) {
+    if (claim->modulo_count + task->level_count + 1 > TTC_SUBCASE_RELATIONS_MAX) {
         ttc_task_unsettle(task, "more than %d zero levels", TTC_SUBCASE_RELATIONS_MAX - 1);
         return;
     }
@@ -350,6 +350,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
     for (size_t i = claim->modulo_count; i-- > 0;)
         start.goals[start.goal_count++] = task->model->claims[claim->modulo[i]].expression;
+    for (size_t i = task->level_count; i-- > 0;) start.goals[start.goal_count++] = task->levels[i];
     if (task->tested != NULL) prove_tested(task, prover, &start);
     if (task->status == TTC_PROVED) descend(&c, &start);
     draw_verdict(&c);

@@ -34,7 +34,7 @@ typedef enum { TTC_ENDED_BY_VERDICT, TTC_ENDED_LATE, TTC_ENDED_OUT_OF_MEMORY, TT
 
 typedef struct {
     char *name;
-    const char *kind;  /* as written in the table; for derived claims "root", "variant", "time", "eliminate" */
+    const char *kind;  /* as written in the table; for derived claims as of their records */
     ttc_place place;
     ttc_proof_status status;
     ttc_proof_ending ending;

@@ -1,6 +1,7 @@
 #include "prove/prove_derived.h"
 
 #include "prove/domain.h"
+#include "prove/observed.h"
 
 /* A radicand, or the argument of a logarithm, is positive wherever everything else is in the domain. */
 static void prove_root(ttc_task *task)
@@ -111,6 +112,7 @@ static void prove_elimination(ttc_task *task)
         if (task->model->states[i] == elimination->state) ttc_evaluate(task->field, &right, ttc_model_field(task->model, i));
     ttc_ratio_subtract(task->ring, &left, &left, &right);
     ttc_task_require_zero(task, &left, "rate of the solution for %s - its equation", state->name);
+    ttc_prove_level_is_periodic(task, integral, elimination->state);
     ttc_ratio_clear(task->ring, &right);
     ttc_ratio_clear(task->ring, &left);
 }
@@ -134,7 +136,8 @@ static uint32_t root_at(const ttc_model *model, size_t index)
 
 size_t ttc_derived_count(const ttc_model *model)
 {
-    return root_count(model) + model->variant_count + model->time_count + model->elimination_count + model->pole_count;
+    return root_count(model) + model->variant_count + model->time_count + model->elimination_count + model->pole_count
+           + ttc_observed_count(model);
 }
 
 void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived)
@@ -166,7 +169,15 @@ void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_cla
         derived->claim.expression = model->times[index].factor;
         derived->prove = prove_time;
         derived->role = TTC_DIVIDES_TIME;
-    } else if ((index -= model->time_count) >= model->elimination_count) {
+    } else if ((index -= model->time_count) >= model->elimination_count + model->pole_count) {
+        ttc_observed record;
+        index -= model->elimination_count + model->pole_count;
+        ttc_observed_get(model, index, &record);
+        derived->kind = record.kind;
+        derived->name = record.name;
+        derived->claim.place = record.place;
+        derived->prove = ttc_prove_observed;
+    } else if (index >= model->elimination_count) {
         index -= model->elimination_count;
         derived->kind = "pole";
         derived->name = model->symbols[model->poles[index].state].name;

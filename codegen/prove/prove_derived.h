@@ -1,5 +1,5 @@
-/** What a table says without making a claim of it (roots, logarithms, variants, times, eliminations, poles): each becomes a claim
- *  of its own. */
+/** What a table says without making a claim of it (roots, logarithms, variants, times, eliminations, poles, what is looked at
+ *  beside the equations): each becomes a claim of its own. */
 #ifndef TTC_PROVE_DERIVED_H
 #define TTC_PROVE_DERIVED_H
 

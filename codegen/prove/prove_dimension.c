@@ -1,5 +1,6 @@
 /* The dimension of the image of a reduction or an embedding, leaf by leaf: by the rank of what is given, along the leaf. */
 #include "prove/tangent.h"
+#include "prove/vanishing.h"
 
 #include <stdlib.h>
 
@@ -31,39 +32,6 @@ static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t col
     }
     ttc_ratio_clear(task->ring, &factor);
     return rank;
-}
-
-/* Sort the terms of a polynomial by what moves in them: the sum of those of the first term's kind goes to `same`, the others
- * stay. What does not move is left of the terms in `same`. */
-static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t polynomial, const bool *moves)
-{
-    const fmpz_mpoly_ctx_struct *context = task->ring->context;
-    slong count = (slong)task->ring->variable_count;
-    fmpz_mpoly_t rest, term, power;
-    fmpz_mpoly_init(rest, context);
-    fmpz_mpoly_init(term, context);
-    fmpz_mpoly_init(power, context);
-    fmpz_mpoly_zero(same, context);
-    for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
-        bool alike = true;
-        for (slong v = 0; alike && v < count; v++)
-            alike = !moves[v] || fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context)
-                                     == fmpz_mpoly_get_term_var_exp_ui(polynomial, 0, v, context);
-        fmpz_mpoly_get_term(term, polynomial, i, context);
-        for (slong v = 0; alike && v < count; v++) {
-            ulong exponent = moves[v] ? fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context) : 0;
-            if (exponent == 0) continue;
-            fmpz_mpoly_gen(power, v, context);
-            fmpz_mpoly_pow_ui(power, power, exponent, context);
-            fmpz_mpoly_divides(term, term, power, context);
-        }
-        fmpz_mpoly_struct *sum = alike ? same : rest;
-        fmpz_mpoly_add(sum, sum, term, context);
-    }
-    fmpz_mpoly_swap(polynomial, rest, context);
-    fmpz_mpoly_clear(power, context);
-    fmpz_mpoly_clear(term, context);
-    fmpz_mpoly_clear(rest, context);
 }
 
 static bool mixes(ttc_task *task, const ttc_ratio *value, const bool *moves);
@@ -154,32 +122,15 @@ static void require_minor(ttc_task *task, const ttc_ratio *minor)
                                 "dimension");
         return;
     }
-    bool *moves = calloc(task->ring->variable_count + 1, sizeof *moves);
-    fmpz_mpoly_t rest, coefficient;
-    ttc_ratio variable;
-    size_t mark = ttc_conditions_mark(&task->domain);
-    bool contradictory = task->domain.contradictory;
-    fmpz_mpoly_init(rest, task->ring->context);
-    fmpz_mpoly_init(coefficient, task->ring->context);
-    ttc_ratio_init(task->ring, &variable);
-    for (slong v = 0; moves != NULL && v < (slong)task->ring->variable_count; v++) {
-        ttc_ratio_set_variable(task->ring, &variable, v);
-        moves[v] = ttc_task_moves(task, &variable);
-    }
-    fmpz_mpoly_set(rest, minor->numerator, task->ring->context);
-    const bool apart = moves != NULL && separate(task, rest, moves);
-    while (apart && !fmpz_mpoly_is_zero(rest, task->ring->context)) {
-        take_coefficient(task, coefficient, rest, moves);
-        ttc_ratio_set_polynomial(task->ring, &variable, coefficient);
-        ttc_conditions_add(&task->domain, &variable, TTC_IS_ZERO);
-    }
-    ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
-    ttc_conditions_rewind(&task->domain, mark, contradictory);
-    if (!apart || (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED))
+    bool *moves = ttc_vanishing_moves(task);
+    fmpz_mpoly_t polynomial;
+    fmpz_mpoly_init(polynomial, task->ring->context);
+    fmpz_mpoly_set(polynomial, minor->numerator, task->ring->context);
+    const bool apart = moves != NULL && separate(task, polynomial, moves);
+    const ttc_search_result result = apart ? ttc_vanishing_search(task, polynomial, moves, NULL) : TTC_POINT_NOT_DECIDED;
+    if (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED)
         ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
-    ttc_ratio_clear(task->ring, &variable);
-    fmpz_mpoly_clear(coefficient, task->ring->context);
-    fmpz_mpoly_clear(rest, task->ring->context);
+    fmpz_mpoly_clear(polynomial, task->ring->context);
     free(moves);
 }
 

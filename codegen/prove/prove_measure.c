@@ -77,6 +77,18 @@ static void describe_density(ttc_task *task, const ttc_ratio *density)
     task->has_smooth_density = d.only_positive;
 }
 
+/* The density is zero on the whole leaf, which is all of the domain but where a root is rational with either sign. */
+static void say_where_zero(ttc_task *task)
+{
+    char *point = NULL;
+    const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &point);
+    const bool of_part = task->ring->choice_count > 0, has_point = of_part && point != NULL;
+    if (result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED)
+        ttc_task_unsettle(task, "the density %s is zero%s%s%s", task->claim->name, of_part ? " on a whole part of the domain" : "",
+                          has_point ? ", as at " : "", has_point ? point : "");
+    free(point);
+}
+
 /* div(NAME f) = grad(NAME) . f + NAME div f */
 void ttc_prove_measure(ttc_task *task)
 {
@@ -90,9 +102,7 @@ void ttc_prove_measure(ttc_task *task)
     ttc_ratio_init(task->ring, &rate);
     ttc_ratio_init(task->ring, &entry);
     ttc_evaluate(task->field, &density, claim->expression);
-    const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &density);
-    if (ttc_task_open(task) && zero && ttc_task_may_have_point(task))
-        ttc_task_unsettle(task, "the density %s is zero", claim->name);
+    if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &density)) say_where_zero(task);
     ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
     for (size_t i = 0; i < task->model->state_count && ttc_task_open(task); i++) {
         ttc_task_jacobian(task, &entry, i, i);

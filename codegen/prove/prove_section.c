@@ -218,16 +218,24 @@ static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section
     ttc_valuation_destroy(map);
 }
 
+static bool is_proved(const ttc_task *task, uint32_t claim)
+{
+    return task->verdict_of != NULL && task->verdict_of(task->verdict_context, claim) == TTC_PROVED;
+}
+
 /* Levels are those of integrals: what is lost from them leaves the section's coordinates as well. Points that differ by periods are
  * one, on one level. */
 static void check_levels(ttc_task *task)
 {
+    const ttc_claim *claims = task->model->claims;
     for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
-        if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->members[i]) != TTC_PROVED)
-            ttc_task_unsettle(task, "it is on levels of %s, which is not proved",
-                              task->model->claims[task->claim->members[i]].name);
+        if (!is_proved(task, task->claim->members[i]))
+            ttc_task_unsettle(task, "it is on levels of %s, which is not proved", claims[task->claim->members[i]].name);
+    for (uint32_t i = 0; i < task->model->claim_count && ttc_task_open(task); i++)
+        if (claims[i].kind == TTC_CLAIM_PERIODIC && !is_proved(task, i))
+            ttc_task_unsettle(task, "it takes points that differ by the period of %s for one, which is not proved", claims[i].name);
     for (size_t i = 0; i < task->claim->member_count && ttc_task_open(task); i++)
-        ttc_prove_level_is_periodic(task, task->model->claims + task->claim->members[i]);
+        ttc_prove_level_is_periodic(task, task->model->claims + task->claim->members[i], UINT32_MAX);
 }
 
 void ttc_prove_section(ttc_task *task)

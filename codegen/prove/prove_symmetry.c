@@ -238,13 +238,15 @@ static void require_period(ttc_task *task, const ttc_claim *period, const ttc_cl
     ttc_valuation_destroy(map);
 }
 
-void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral)
+void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint32_t but)
 {
-    for (size_t i = 0; i < task->model->claim_count && ttc_task_open(task); i++)
-        if (task->model->claims[i].kind == TTC_CLAIM_PERIODIC) require_period(task, task->model->claims + i, integral);
+    for (size_t i = 0; i < task->model->claim_count && ttc_task_open(task); i++) {
+        const ttc_claim *claim = task->model->claims + i;
+        if (claim->kind == TTC_CLAIM_PERIODIC && claim->bindings.items[0].symbol != but) require_period(task, claim, integral);
+    }
 }
 
-static void prove_level(ttc_task *task) { ttc_prove_level_is_periodic(task, task->claim); }
+static void prove_level(ttc_task *task) { ttc_prove_level_is_periodic(task, task->claim, UINT32_MAX); }
 
 bool ttc_prove_turns(const ttc_model *model, ttc_id quantity)
 {

@@ -169,6 +169,14 @@ void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *for
     va_end(arguments);
 }
 
+void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    settle(task, TTC_REFUTED, with_value(task, format_text(format, arguments), remainder), point);
+    va_end(arguments);
+}
+
 /* No point of the leaf has a nonzero numerator; where the denominator can vanish, that says nothing of the quotient. */
 static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 {
@@ -268,7 +276,8 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
         ttc_valuation_bind(free_roots, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
     ttc_ratio_init(ring, &value);
     ttc_evaluate(free_roots, &value, id);
-    bool zero = ring->status == TTC_RING_OK && ring->choice_count == 0 && ttc_ratio_is_zero(ring, &value);
+    /* By its form: whether functions depend on each other is for the usual way to say. */
+    bool zero = ring->status == TTC_RING_OK && ring->choice_count == 0 && fmpz_mpoly_is_zero(value.numerator, ring->context);
     ttc_ratio_clear(ring, &value);
     ttc_valuation_destroy(free_roots);
     return zero;

@@ -33,6 +33,8 @@ struct ttc_task {
     void *resolver_context;
     ttc_verdict_source verdict_of;
     void *verdict_context;
+    const ttc_id *levels;  /* shape (level_count,): zero at the points that are meant, beside what the claim says of them */
+    size_t level_count;
     const ttc_task *outer; /* in another table: the claim that it is looked at for; NULL */
     bool is_lifted;        /* the other table, or what is asked elsewhere, was looked at: once for all leaves */
     const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none, or they have been shown */
@@ -70,6 +72,8 @@ struct ttc_task {
 TTC_PRINTF(2, 3) void ttc_task_unsettle(ttc_task *task, const char *format, ...);
 /* False at every point of this leaf. */
 TTC_PRINTF(3, 4) void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
+/* False at a point that was found, which then belongs to the task. */
+TTC_PRINTF(4, 5) void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder, const char *format, ...);
 /* Zero at every point of this leaf. */
 TTC_PRINTF(3, 4) void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
 /* In its relation to zero at every point of this leaf. */
@@ -126,8 +130,9 @@ void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression);
 void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map);
 void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map);
 
-/* A level of this integral is one of points that differ by the periods that the table claims. */
-void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral);
+/* A level of this integral is one of points that differ by the periods that the table claims; but: of this state it may change with
+ * the period, as it has gone, or UINT32_MAX. */
+void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint32_t but);
 
 /* The provers, one a kind. */
 void ttc_prove_integral(ttc_task *task);

@@ -84,21 +84,42 @@ static uint32_t shared_param(const ttc_model *table, const ttc_image *image, con
     return given ? UINT32_MAX : ttc_param_of(table, name);
 }
 
+/* Whether the embedding's expression for a parameter of B says what it is for S's: more than a number. */
+static bool is_told(const ttc_model *table, ttc_id given)
+{
+    return given != TTC_NONE && ttc_kind_of(table->graph, given) != TTC_NUMBER;
+}
+
+/* A parameter of B, as S knows it: that of its name; what the embedding says, where that is more than a number; or, where it
+ * says nothing, that of its name again, whatever the way gives. TTC_NONE: S does not know it. */
+static ttc_id known_param(const ttc_model *table, const ttc_claim *back, const ttc_image *image, const char *name)
+{
+    const uint32_t shared = shared_param(table, image, name), named = ttc_param_of(table, name);
+    const ttc_id given = ttc_given_for(back, name);
+    if (shared != UINT32_MAX) return table->symbols[shared].node;
+    if (is_told(table, given)) return given;
+    return given == TTC_NONE && named != UINT32_MAX ? table->symbols[named].node : TTC_NONE;
+}
+
 typedef struct {
     const ttc_model *table, *model;
+    const ttc_claim *back;
     const ttc_image *image;
 } translation;
 
-/* An expression of B in parameters that are S's as well, as one of S; TTC_NONE: it is not one of those alone. */
+static ttc_id translated_symbol(const translation *t, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = t->model->symbols + symbol;
+    return entry->kind == TTC_PARAM ? known_param(t->table, t->back, t->image, entry->name) : TTC_NONE;
+}
+
+/* An expression of B in parameters that S knows, as one of S; TTC_NONE: it is not one of those alone. */
 static ttc_id translate(const translation *t, ttc_id id)
 {
     const ttc_graph *from = t->model->graph;
     ttc_graph *to = t->table->graph;
     const ttc_kind kind = ttc_kind_of(from, id);
-    if (kind == TTC_SYMBOL) {
-        const uint32_t shared = shared_param(t->table, t->image, t->model->symbols[ttc_symbol_of(from, id)].name);
-        return shared == UINT32_MAX ? TTC_NONE : t->table->symbols[shared].node;
-    }
+    if (kind == TTC_SYMBOL) return translated_symbol(t, ttc_symbol_of(from, id));
     ttc_id value = ttc_number(to, ttc_coefficient(from, id));
     for (size_t i = 0; value != TTC_NONE && i < ttc_part_count(from, id); i++) {
         const ttc_part part = ttc_part_at(from, id, i);
@@ -110,9 +131,9 @@ static ttc_id translate(const translation *t, ttc_id id)
     return value;
 }
 
-static ttc_id in_table(const ttc_model *table, const ttc_task *outer, ttc_id id)
+static ttc_id in_table(const ttc_model *table, const ttc_claim *back, const ttc_task *outer, ttc_id id)
 {
-    const translation t = { table, outer->model, &way_of(outer)->image };
+    const translation t = { table, outer->model, back, &way_of(outer)->image };
     const ttc_id expanded = ttc_model_expand(outer->model, id);
     return expanded == TTC_NONE ? TTC_NONE : translate(&t, expanded);
 }
@@ -122,12 +143,6 @@ static const ttc_binding *condition_on(const ttc_claim *claim, uint32_t symbol)
     for (size_t i = 0; i < claim->when.count; i++)
         if (claim->when.items[i].symbol == symbol) return claim->when.items + i;
     return NULL;
-}
-
-/* Whether the embedding's expression for a parameter of B says what it is for S's: more than a number. */
-static bool is_told(const ttc_model *table, ttc_id given)
-{
-    return given != TTC_NONE && ttc_kind_of(table->graph, given) != TTC_NUMBER;
 }
 
 /* A parameter of B that S has not, and of which nothing is said: anything that B's own condition on it allows. */
@@ -151,25 +166,22 @@ static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint3
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* A parameter of B, seen from S: that of its name, which obeys the condition of the way; what the condition says; what the
- * embedding says, where that is more than a number; or, where it says nothing, that of its name again, whatever the way gives. */
+/* A parameter of B, seen from S: as S knows it, and then the condition of the way holds of it at the points in hand; what the
+ * condition says; or anything. */
 static void bind_parameter(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint32_t *spares)
 {
     const ttc_model *table = task->model;
+    const ttc_claim *back = embedding_of(task);
     const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
     const ttc_binding *condition = condition_on(task->outer->claim, symbol);
-    const uint32_t shared = shared_param(table, &way_of(task->outer)->image, entry->name);
-    const uint32_t named = ttc_param_of(table, entry->name);
-    const ttc_id given = ttc_given_for(embedding_of(task), entry->name);
-    const ttc_id value = condition == NULL ? TTC_NONE : in_table(table, task->outer, condition->expression);
+    const ttc_id known = known_param(table, back, &way_of(task->outer)->image, entry->name);
+    const ttc_id value = condition == NULL ? TTC_NONE : in_table(table, back, task->outer, condition->expression);
     if (condition != NULL && value == TTC_NONE)
         ttc_task_unsettle(task, "what the condition says of %s is not known in %s", entry->name, table->name);
-    else if (shared != UINT32_MAX) ttc_valuation_bind(map, symbol, table->symbols[shared].node);
-    else if (condition != NULL) ttc_valuation_bind(map, symbol, value);
-    else if (is_told(table, given)) {
-        ttc_valuation_bind(map, symbol, given);
-        ttc_prove_constant(task, entry->name, given);
-    } else if (given == TTC_NONE && named != UINT32_MAX) ttc_valuation_bind(map, symbol, table->symbols[named].node);
+    else if (known != TTC_NONE) {
+        ttc_valuation_bind(map, symbol, known);
+        ttc_prove_constant(task, entry->name, known);
+    } else if (condition != NULL) ttc_valuation_bind(map, symbol, value);
     else bind_free(task, map, symbol, spares);
 }
 
@@ -235,34 +247,36 @@ static void prove_embedded(ttc_task *task)
     ttc_valuation_destroy(map);
 }
 
-/* The points of S that are meant: those that meet the condition of the way, as far as it is one on parameters that they share.
- * False: memory is out. */
-static bool bind_conditions(const ttc_task *task, const ttc_model *table, ttc_bindings *when)
+/* The points of S that are meant: those that meet the conditions of the way, as far as they are on parameters that S knows: zero
+ * there. False: memory is out. */
+static bool set_levels(const ttc_task *task, const ttc_model *table, const ttc_claim *back, ttc_id *levels, size_t *count)
 {
-    const ttc_bindings *own = &task->claim->when;
-    when->items = calloc(own->count + 1, sizeof *when->items);
-    for (size_t i = 0; when->items != NULL && i < own->count; i++) {
-        const uint32_t shared = shared_param(table, &way_of(task)->image, task->model->symbols[own->items[i].symbol].name);
-        const ttc_id value = in_table(table, task, own->items[i].expression);
-        if (shared != UINT32_MAX && value != TTC_NONE)
-            when->items[when->count++] = (ttc_binding){ shared, value, own->items[i].place };
+    const ttc_bindings *when = &task->claim->when;
+    for (size_t i = 0; i < when->count; i++) {
+        const char *name = task->model->symbols[when->items[i].symbol].name;
+        const ttc_id known = known_param(table, back, &way_of(task)->image, name);
+        const ttc_id value = in_table(table, back, task, when->items[i].expression);
+        if (known == TTC_NONE || value == TTC_NONE) continue;
+        levels[*count] = ttc_subtract(table->graph, known, value);
+        if (levels[(*count)++] == TTC_NONE) return false;
     }
-    return when->items != NULL;
+    return true;
 }
 
 static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
 {
     /* Without the embedding's expressions: that nothing vanishes that they divide by is to be shown. */
-    ttc_claim embedded = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = table->claims[back].place,
-                           .family = back };
-    ttc_task inner = { .model = table, .claim = &embedded, .role = TTC_DIVIDES_FIELD, .outer = task };
-    if (!bind_conditions(task, table, &embedded.when)) {
+    const ttc_claim embedded = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = table->claims[back].place,
+                                 .family = back };
+    ttc_id *levels = calloc(task->claim->when.count + 1, sizeof *levels);
+    ttc_task inner = { .model = table, .claim = &embedded, .role = TTC_DIVIDES_FIELD, .outer = task, .levels = levels };
+    if (levels == NULL || !set_levels(task, table, table->claims + back, levels, &inner.level_count)) {
         ttc_task_unsettle(task, "out of memory");
-        return;
+    } else {
+        ttc_task_run(&inner, prove_embedded);
+        ttc_task_adopt(task, &inner);
     }
-    ttc_task_run(&inner, prove_embedded);
-    ttc_task_adopt(task, &inner);
-    free(embedded.when.items);
+    free(levels);
 }
 
 /* ---- in the model ---- */

@@ -43,6 +43,8 @@ refused 8:9 "measure claim 'r' is refuted, and kernels rest on it (general: meas
 refused 8:10 "general_on_e: all kernels" elimination 'integral F = x + v' 'eliminate e : x by F = level'
 refused 8:12 "equilibria claim 'rest' is refuted" family 'equilibria rest : x = 1, v = 0'
 refused 9:9 "trace claim 'rest' is refuted" wrong_trace 'equilibria rest : x = 0, v = 0' '  trace rest = k'
+refused 8:5 "log claim 'f' is refuted, and kernels rest on it (general: all kernels)" logarithm 'log f = log(x)' 'observe h = f'
+refused 8:9 "observe claim 'h' is refuted, and kernels rest on it (general: all kernels)" looked_at 'observe h = x/(k - 1)'
 refused 8:6 "time claim 'back' is .*general_in_back: all kernels" backwards 'time back : -1 - x^2'
 
 printf 'model points\nparam k > 0\nparam E\nstate v\ndomain inside : 2*E - v^2 > 0\n' > points.tt

@@ -201,7 +201,9 @@ static void claims_that_say_nothing_are_errors(void **state)
                               "integral twice = 2*x^2 + 2*y^2\nequal on_both : x^2 + y^2 = 0 modulo H, twice\n";
     expect(table, "integral", "constant", TTC_UNSETTLED, "constant");
     expect(table, "invariant", "zero", TTC_UNSETTLED, "says nothing");
-    expect(table, "measure", "nothing", TTC_UNSETTLED, "zero");
+    expect(table, "measure", "nothing", TTC_UNSETTLED, "the density nothing is zero");
+    expect("model part\nparam w\ndomain apart : w^2 > 0\nroot r = sqrt(w^2)\nstate x\neq x = 0*x\nmeasure half = r - w\n",
+           "measure", "half", TTC_UNSETTLED, "the density half is zero on a whole part of the domain, as at w = 1");
     expect(table, "leftnull", "rest", TTC_UNSETTLED, "gradient");
     expect(table, "equal", "on_both", TTC_PROVED, "x = 0, y = 0");
 }

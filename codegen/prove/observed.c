@@ -1,0 +1,107 @@
+#include "prove/observed.h"
+
+#include "prove/vanishing.h"
+
+#include <stdlib.h>
+
+/* Which divisors of the table the record alone brings in, by their number, for free(); NULL when memory is out. */
+static unsigned char *own_divisors(const ttc_model *model, const ttc_observed *record)
+{
+    unsigned char *own = calloc(model->divisor_count + 1, 1), *field = ttc_model_uses(model);
+    unsigned char *used = calloc(model->symbol_count + 1, 1);
+    const bool ok = own != NULL && field != NULL && used != NULL;
+    if (ok && record->role == TTC_DIVIDES_SYMBOL) used[record->owner] = 1;
+    for (size_t i = 0; ok && i < model->use_count; i++)
+        if (model->uses[i].role == record->role && model->uses[i].owner == record->owner) used[model->uses[i].symbol] = 1;
+    if (ok) ttc_model_close_uses(model, used);
+    for (size_t i = 0; ok && i < model->divisor_count; i++) {
+        const ttc_divisor *d = model->divisors + i;
+        const bool named = d->role == TTC_DIVIDES_SYMBOL && used[d->owner] && !field[d->owner];
+        own[i] = named || (record->role != TTC_DIVIDES_SYMBOL && d->role == record->role && d->owner == record->owner);
+    }
+    free(used);
+    free(field);
+    if (ok) return own;
+    free(own);
+    return NULL;
+}
+
+static bool divides(const ttc_model *model, const ttc_observed *record)
+{
+    unsigned char *own = own_divisors(model, record);
+    bool some = own == NULL;
+    for (size_t i = 0; !some && i < model->divisor_count; i++) some = own[i] != 0;
+    free(own);
+    return some;
+}
+
+/* The record at a place in the order of kinds, whether or not it divides. */
+static bool record_at(const ttc_model *model, size_t i, ttc_observed *record)
+{
+    if (i < model->observed_count) {
+        const ttc_symbol_entry *entry = model->symbols + model->observed[i];
+        *record = (ttc_observed){ "observe", entry->name, entry->place, TTC_DIVIDES_SYMBOL, model->observed[i] };
+    } else if ((i -= model->observed_count) < model->validity_count) {
+        const ttc_validity *validity = model->validities + i;
+        *record = (ttc_observed){ "valid", validity->name, validity->place, TTC_DIVIDES_VALID, (uint32_t)i };
+    } else if (i == model->validity_count && model->tier.name != NULL) {
+        *record = (ttc_observed){ "tier", model->tier.name, model->tier.place, TTC_DIVIDES_TIER, 0 };
+    } else {
+        return false;
+    }
+    return true;
+}
+
+size_t ttc_observed_count(const ttc_model *model)
+{
+    size_t count = 0;
+    ttc_observed record;
+    for (size_t i = 0; record_at(model, i, &record); i++) count += divides(model, &record);
+    return count;
+}
+
+void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record)
+{
+    for (size_t i = 0; record_at(model, i, record); i++)
+        if (divides(model, record) && index-- == 0) return;
+}
+
+/* With a root or function of states and parameters together, as exp(k*x) - 1, what is zero for one k alone has its values around
+ * it. */
+static void require_values(ttc_task *task, const ttc_ratio *divisor)
+{
+    if (ttc_ratio_is_zero(task->ring, divisor)) {
+        if (ttc_task_may_have_point(task))
+            ttc_task_refute(task, NULL, "it divides by what is zero on a whole part of the domain");
+        return;
+    }
+    char *point = NULL;
+    bool *moves = ttc_vanishing_moves(task);
+    const ttc_search_result result =
+        moves == NULL ? TTC_POINT_NOT_DECIDED : ttc_vanishing_search(task, divisor->numerator, moves, &point);
+    free(moves);
+    if (result == TTC_POINT_FOUND)
+        ttc_task_refute_at(task, point, divisor, "for some parameters it divides by zero at all states, so that no kernel could be "
+                                                 "prepared: what it divides by");
+    else if (result == TTC_POINT_NOT_DECIDED)
+        ttc_task_unsettle(task, "that no parameters make it divide by zero at all states was not shown (expected a domain "
+                                "record that excludes them)");
+}
+
+void ttc_prove_observed(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    ttc_observed record;
+    ttc_observed_get(model, task->claim->family, &record);
+    unsigned char *own = own_divisors(model, &record);
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    if (own == NULL) ttc_task_unsettle(task, "out of memory");
+    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
+        if (!own[i]) continue;
+        ttc_evaluate(task->field, &value, model->divisors[i].divisor);
+        if (ttc_task_open(task)) require_values(task, &value);
+    }
+    ttc_ratio_clear(task->ring, &value);
+    free(own);
+}
