@@ -336,10 +336,24 @@ jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *po
     return JLT_OK;
 }
 
-void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count)
+/* Whether the branches from one crossing to the other go around an angle a different number of times: they enclose nothing. */
+static bool goes_round(const jlt_sweep *here, const jlt_sweep *next, const jlt_chart *chart)
+{
+    bool round = false;
+
+    for (int c = 0; c < 2; c++) {
+        const double apart = (next[0].at[c] - here[0].at[c]) - (next[1].at[c] - here[1].at[c]);
+        round = round || (chart->period[c] > 0 && fabs(apart) > chart->period[c] / 2);
+    }
+    return round;
+}
+
+void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart)
 {
     for (size_t i = 0; i + 1 < count; i++) {
         const jlt_sweep *here = points[i].sweep, *next = points[i + 1].sweep;
-        points[i].lobe = jlt_sweep_between(&here[0], &next[0]) - jlt_sweep_between(&here[1], &next[1]);
+        points[i].lobe = goes_round(here, next, chart)
+                             ? NAN
+                             : jlt_sweep_between(&here[0], &next[0]) - jlt_sweep_between(&here[1], &next[1]);
     }
 }

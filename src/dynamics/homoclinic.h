@@ -13,7 +13,7 @@ typedef struct {
     jlt_sweep sweep[2]; /* of the unstable branch, of the stable one; 0 until the caller sets them */
     double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
                            unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, at the
-                           last, and where a branch has no points on the way */
+                           last, where the branches go around an angle differently, and where one has no points on the way */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
@@ -37,6 +37,6 @@ JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_ho
                                               const jlt_chart *chart);
 
 /** Set the lobes of crossings in order, shape (count,), from their sweeps. */
-void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count);
+void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart);
 
 #endif

@@ -148,7 +148,7 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
         }
     }
     for (int u = 0; st == JLT_OK && u < 2; u++)
-        for (int s = 0; s < 2; s++) jlt_homoclinic_measure_lobes(self->crossings[u][s], self->count[u][s]);
+        for (int s = 0; s < 2; s++) jlt_homoclinic_measure_lobes(self->crossings[u][s], self->count[u][s], self->chart);
     free(sweeps);
     free(sigma);
     free(list);

@@ -215,7 +215,7 @@ static void areas_of_lobes_do_not_depend_on_the_polygon(void **unused)
         assert_ok(jlt_sweep_to(sweeps, branch, &all[0].curve[2 * k], sigma, q[0], count, maps));
         for (size_t i = 0; i < count; i++) own[i].sweep[k] = sweeps[i];
     }
-    jlt_homoclinic_measure_lobes(own, count);
+    jlt_homoclinic_measure_lobes(own, count, all[0].chart);
     for (size_t i = 0; i + 1 < count; i++) assert_near(fine[i].lobe, own[i].lobe, 1e-9);
     for (int k = 0; k < 2; k++) jlt_separatrices_clear(&all[k]);
     jlt_map_destroy(map);
