@@ -74,8 +74,9 @@ static const struct argp parser = {
     "\vColumns: branch (unstable or stable), side, sigma, length, the two coordinates; sigma counts fundamental domains from the "
     "saddle. Homoclinic points: the coordinates, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
     "residual, lobe; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe the signed "
-    "area up to the next crossing along the unstable branch. Branches grow one point after another by --method, each on a thread; "
-    "crossings are refined all at once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
+    "area up to the next crossing along the unstable branch, empty where one branch goes around an angle on the way and the other "
+    "does not. Branches grow one point after another by --method, each on a thread; crossings are refined, and lobes integrated "
+    "along the branches, all at once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,
 };

@@ -28,7 +28,12 @@ jlt_exit jlt_job_open(jlt_scene **scene, const char *path)
 {
     char message[JLT_SCENE_MESSAGE_MAX];
     const jlt_status st = jlt_scene_read(scene, message, path, &jlt_job_program);
+    const size_t length = strlen(path);
 
+    if (st != JLT_OK && st != JLT_ERR_IO && length > 3 && strcmp(path + length - 3, ".tt") == 0)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "%s is a table, no scene: it is the model of a command, as in 'jellett simulate %s ...' or "
+                                "'jellett plan simulate %s ...'", path, path, path);
     if (st != JLT_OK && message[0] != '\0') fprintf(stderr, "%s\n", message);
     return st == JLT_OK          ? JLT_EXIT_DONE
            : st == JLT_ERR_IO    ? JLT_EXIT_IO

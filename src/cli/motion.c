@@ -149,9 +149,26 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
 }
 
+/* The --direction in which the section is crossed at a start, where that is not the one that counts; else NULL. */
+static const char *other_direction(const jlt_system *system, const char *start)
+{
+    const jlt_chart *chart = system->flow.chart;
+    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+
+    if (jlt_motion_start(q, system, start) != JLT_EXIT_DONE || chart->lift(chart, x, NULL, q) != JLT_OK) return NULL;
+    system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
+    if (!(f[chart->column] * (int)system->flow.direction < 0)) return NULL;
+    return system->flow.direction == JLT_RISING ? "down" : "up";
+}
+
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start)
 {
     if (status != JLT_ERR_NO_CONVERGENCE) return jlt_motion_fail(status, system, start);
+    const char *other = other_direction(system, start);
+    if (other != NULL)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "Newton's method finds no periodic orbit from %s, where the section is crossed the other way: "
+                                "try --direction %s, or another --start", start, other);
     return jlt_command_fail(JLT_EXIT_NUMERICAL,
                             "Newton's method finds no periodic orbit from %s%s: try another --start or --period", start,
                             system->flow.chart->solved_count > 0 ? ", or a return left the branch of --solve" : "");

@@ -13,7 +13,9 @@ typedef jlt_continuation_place place;
 static const double turn = 0.3;         /* radians of a step at most, */
 static const double turn_across = 0.15; /* and of each half of one across a branch point */
 static const double same_place = 1e-6;
-static const double noise_of_determinant = 1e-9; /* about 1, where the map keeps areas: DP's at its tolerance, amplified */
+/* Of DP about 1, where the map keeps areas, and of the bordered matrix about 0, where orbits come in families: what is known to the
+ * map's tolerance, amplified. */
+static const double noise_of_determinant = 1e-9;
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
 {
@@ -124,7 +126,7 @@ static jlt_status report(const runner *self, const place *from, const place *to,
     }
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k]) || (from->test[k] > 0) == (to->test[k] > 0)) continue;
-        if (k == TORUS_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
+        if (k >= BRANCH_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
         const bracket b = locate(self, from, to, step, k);
         JLT_TRY(deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context));
     }

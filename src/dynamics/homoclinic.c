@@ -207,44 +207,6 @@ static int compare(const void *left, const void *right)
     return a->sigma_unstable < b->sigma_unstable ? -1 : a->sigma_unstable > b->sigma_unstable;
 }
 
-/* Integral of (x dy - y dx)/2 along a polygon from one parameter to another, relative to `origin`. */
-static double swept(const jlt_manifold *curve, const jlt_chart *chart, const double *origin, const double *start,
-                    double sigma_start, const double *end, double sigma_end)
-{
-    const bool forwards = sigma_end > sigma_start;
-    const double low = fmin(sigma_start, sigma_end), high = fmax(sigma_start, sigma_end);
-    double last[2], now[2], sum = 0;
-    size_t i, k;
-
-    jlt_chart_difference(chart, last, start, origin);
-    for (k = 0; k <= curve->count; k++) {
-        const double *q = end;
-        if (k < curve->count) {
-            i = forwards ? k : curve->count - 1 - k;
-            if (curve->sigma[i] <= low || curve->sigma[i] >= high) continue;
-            q = curve->points + 2 * i;
-        }
-        jlt_chart_difference(chart, now, q, origin);
-        sum += (last[0] * now[1] - last[1] * now[0]) / 2;
-        memcpy(last, now, sizeof last);
-    }
-    return sum;
-}
-
-static void measure_lobes(jlt_homoclinic *points, size_t count, const jlt_manifold *unstable, const jlt_manifold *stable,
-                          const jlt_chart *chart)
-{
-    size_t i;
-
-    for (i = 0; i < count; i++) {
-        const jlt_homoclinic *a = &points[i], *b = &points[i + 1 < count ? i + 1 : i];
-        points[i].lobe = NAN;
-        if (a == b) continue;
-        points[i].lobe = swept(unstable, chart, a->q, a->q, a->sigma_unstable, b->q, b->sigma_unstable) +
-                         swept(stable, chart, a->q, b->q, b->sigma_stable, a->q, a->sigma_stable);
-    }
-}
-
 /* How far along the branches a point may lie from where it is: they leave each other by the angle. */
 static double blur(const jlt_homoclinic *point) { return point->residual / fabs(sin(point->angle)); }
 
@@ -313,12 +275,10 @@ static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touch
     return kept;
 }
 
-/* Sorted, with lobes; points go to *out, for free(), unless there are none. */
-static void finish(jlt_homoclinic **out, size_t *out_count, jlt_homoclinic *points, size_t count, const jlt_manifold *unstable,
-                   const jlt_manifold *stable, const jlt_chart *chart)
+/* Points are sorted and go to *out, for free(), unless there are none. */
+static void finish(jlt_homoclinic **out, size_t *out_count, jlt_homoclinic *points, size_t count)
 {
     if (count > 1) qsort(points, count, sizeof *points, compare);
-    measure_lobes(points, count, unstable, stable, chart);
     *out_count = count;
     *out = count > 0 ? points : NULL;
     if (count == 0) free(points);
@@ -355,7 +315,7 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
         if (has_twin[i]) found[kept++] = image_of(&found[i], chart);
     kept = keep_crossings(found, kept, &apart, chart);
     if (touching != NULL) *touching = apart;
-    finish(points, count, found, kept, unstable, stable, chart);
+    finish(points, count, found, kept);
     found = NULL; /* ownership moved to the caller */
 done:
     free(list);
@@ -365,13 +325,35 @@ done:
 }
 
 jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
-                                  const jlt_manifold *unstable, const jlt_manifold *stable, const jlt_chart *chart)
+                                  const jlt_chart *chart)
 {
     jlt_homoclinic *images = calloc(count + 1, sizeof *images);
 
     *out = NULL;
     if (images == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) images[i] = image_of(&points[i], chart);
-    finish(out, &count, images, count, unstable, stable, chart);
+    finish(out, &count, images, count);
     return JLT_OK;
+}
+
+/* Whether the branches from one crossing to the other go around an angle a different number of times: they enclose nothing. */
+static bool goes_round(const jlt_sweep *here, const jlt_sweep *next, const jlt_chart *chart)
+{
+    bool round = false;
+
+    for (int c = 0; c < 2; c++) {
+        const double apart = (next[0].at[c] - here[0].at[c]) - (next[1].at[c] - here[1].at[c]);
+        round = round || (chart->period[c] > 0 && fabs(apart) > chart->period[c] / 2);
+    }
+    return round;
+}
+
+void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart)
+{
+    for (size_t i = 0; i + 1 < count; i++) {
+        const jlt_sweep *here = points[i].sweep, *next = points[i + 1].sweep;
+        points[i].lobe = goes_round(here, next, chart)
+                             ? NAN
+                             : jlt_sweep_between(&here[0], &next[0]) - jlt_sweep_between(&here[1], &next[1]);
+    }
 }

@@ -2,7 +2,7 @@
 #ifndef JLT_DYNAMICS_HOMOCLINIC_H
 #define JLT_DYNAMICS_HOMOCLINIC_H
 
-#include "dynamics/manifold.h"
+#include "dynamics/sweep.h"
 
 typedef struct {
     double q[2];
@@ -10,8 +10,10 @@ typedef struct {
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
     double angle_error; /* twice the largest change by a tolerance ten times larger, a seed twice as large, or both */
     double residual;    /* distance of the two branches' points after refinement */
+    jlt_sweep sweep[2]; /* of the unstable branch, of the stable one; 0 until the caller sets them */
     double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
-                           unstable branch, > 0 where it lies to the left of the unstable branch; NaN at the last */
+                           unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, at the
+                           last, where the branches go around an angle differently, and where one has no points on the way */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
@@ -30,10 +32,11 @@ JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *coun
                                            jlt_map_batch *coarse);
 
 /** The crossings of the images of two branches under their chart's reversor, from the branches' own, shape (count,); as near to
- *  either branch as their residuals say. Out: *out, shape (count,), as of jlt_homoclinic_find. In: unstable, stable, polygons of
- *  the images.
- *  Errors: NOMEM. */
+ *  either branch as their residuals say. Out: *out, shape (count,), as of jlt_homoclinic_find. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
-                                              const jlt_manifold *unstable, const jlt_manifold *stable, const jlt_chart *chart);
+                                              const jlt_chart *chart);
+
+/** Set the lobes of crossings in order, shape (count,), from their sweeps. */
+void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart);
 
 #endif

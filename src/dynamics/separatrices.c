@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void jlt_separatrices_clear(jlt_separatrices *self)
 {
@@ -93,11 +94,65 @@ static jlt_status cross(jlt_separatrices *self, int u, int s, jlt_map_batch *con
         if (self->original[2 + i] != u) continue;
         self->count[u][s] = self->count[unstable_of_s][i];
         self->touching[u][s] = self->touching[unstable_of_s][i];
-        return jlt_homoclinic_reflect(out, self->crossings[unstable_of_s][i], self->count[u][s], &self->curve[u],
-                                      &self->curve[2 + s], self->chart);
+        return jlt_homoclinic_reflect(out, self->crossings[unstable_of_s][i], self->count[u][s], self->chart);
     }
     return jlt_homoclinic_find(out, &self->count[u][s], &self->touching[u][s], &self->curve[u], &self->branch[u],
                                &self->curve[2 + s], &self->branch[2 + s], mirrored, maps[0], maps[1]);
+}
+
+/* The sweep of branch k, or of one that is its image, at a crossing. */
+typedef struct {
+    jlt_homoclinic *of;
+    bool mirrored;
+} swept;
+
+/* All that are on the branch and on its image, and their points on the branch itself; returns how many. Room is for each crossing
+ * twice. */
+static size_t gather(const jlt_separatrices *self, swept *list, double *sigma, double *q, int k)
+{
+    size_t n = 0;
+
+    for (int u = 0; u < 2; u++)
+        for (int s = 2; s < JLT_SEPARATRICES; s++)
+            for (size_t i = 0; i < self->count[u][s - 2]; i++) {
+                jlt_homoclinic *point = &self->crossings[u][s - 2][i];
+                for (int stable = 0; stable < 2; stable++) {
+                    const int branch = stable ? s : u;
+                    if (branch != k && self->original[branch] != k) continue;
+                    list[n] = (swept){ .of = point, .mirrored = branch != k };
+                    sigma[n] = stable ? point->sigma_stable : point->sigma_unstable;
+                    if (branch == k) memcpy(q + 2 * n, point->q, sizeof point->q);
+                    else jlt_chart_mirror(self->chart, q + 2 * n, point->q);
+                    n++;
+                }
+            }
+    return n;
+}
+
+/* Every branch that is no image is integrated along once. */
+static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
+{
+    const size_t room = 2 * (self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1]) + 1;
+    swept *list = calloc(room, sizeof *list);
+    double *sigma = calloc(3 * room, sizeof *sigma), *q = sigma + room;
+    jlt_sweep *sweeps = calloc(room, sizeof *sweeps);
+    jlt_status st = list != NULL && sigma != NULL && sweeps != NULL ? JLT_OK : JLT_ERR_NOMEM;
+
+    for (int k = 0; st == JLT_OK && k < JLT_SEPARATRICES; k++) {
+        if (self->original[k] < JLT_SEPARATRICES) continue;
+        const size_t n = gather(self, list, sigma, q, k);
+        st = jlt_sweep_to(sweeps, &self->branch[k], &self->curve[k], sigma, q, n, maps);
+        for (size_t i = 0; st == JLT_OK && i < n; i++) {
+            jlt_sweep *out = &list[i].of->sweep[(k >= 2) != list[i].mirrored];
+            *out = list[i].mirrored ? jlt_sweep_mirrored(&sweeps[i], self->chart) : sweeps[i];
+        }
+    }
+    for (int u = 0; st == JLT_OK && u < 2; u++)
+        for (int s = 0; s < 2; s++) jlt_homoclinic_measure_lobes(self->crossings[u][s], self->count[u][s], self->chart);
+    free(sweeps);
+    free(sigma);
+    free(list);
+    return st;
 }
 
 jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads)
@@ -113,6 +168,7 @@ jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
             JLT_TRY(cross(self, u, s, maps));
+    JLT_TRY(measure_lobes(self, maps[0]));
 done:
     for (int k = 0; k < 2; k++) jlt_map_batch_destroy(maps[k]);
     return st;
