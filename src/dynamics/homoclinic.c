@@ -337,7 +337,7 @@ jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *po
 }
 
 /* Whether the branches from one crossing to the other go around an angle a different number of times: they enclose nothing. */
-static bool goes_round(const jlt_sweep *here, const jlt_sweep *next, const jlt_chart *chart)
+static bool goes_round(const jlt_branch_area *here, const jlt_branch_area *next, const jlt_chart *chart)
 {
     bool round = false;
 
@@ -351,9 +351,9 @@ static bool goes_round(const jlt_sweep *here, const jlt_sweep *next, const jlt_c
 void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart)
 {
     for (size_t i = 0; i + 1 < count; i++) {
-        const jlt_sweep *here = points[i].sweep, *next = points[i + 1].sweep;
+        const jlt_branch_area *here = points[i].area, *next = points[i + 1].area;
         points[i].lobe = goes_round(here, next, chart)
                              ? NAN
-                             : jlt_sweep_between(&here[0], &next[0]) - jlt_sweep_between(&here[1], &next[1]);
+                             : jlt_branch_area_between(&here[0], &next[0]) - jlt_branch_area_between(&here[1], &next[1]);
     }
 }

@@ -2,7 +2,7 @@
 #ifndef JLT_DYNAMICS_HOMOCLINIC_H
 #define JLT_DYNAMICS_HOMOCLINIC_H
 
-#include "dynamics/sweep.h"
+#include "dynamics/branch_area.h"
 
 typedef struct {
     double q[2];
@@ -10,7 +10,7 @@ typedef struct {
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
     double angle_error; /* twice the largest change by a tolerance ten times larger, a seed twice as large, or both */
     double residual;    /* distance of the two branches' points after refinement */
-    jlt_sweep sweep[2]; /* of the unstable branch, of the stable one; 0 until the caller sets them */
+    jlt_branch_area area[2]; /* of the unstable branch, of the stable one; 0 until the caller sets them */
     double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
                            unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, at the
                            last, where the branches go around an angle differently, and where one has no points on the way */
@@ -36,7 +36,7 @@ JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *coun
 JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
                                               const jlt_chart *chart);
 
-/** Set the lobes of crossings in order, shape (count,), from their sweeps. */
+/** Set the lobes of crossings in order, shape (count,), from their areas. */
 void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart);
 
 #endif

@@ -100,7 +100,7 @@ static jlt_status cross(jlt_separatrices *self, int u, int s, jlt_map_batch *con
                                &self->curve[2 + s], &self->branch[2 + s], mirrored, maps[0], maps[1]);
 }
 
-/* The sweep of branch k, or of one that is its image, at a crossing. */
+/* The area along branch k, or one that is its image, at a crossing. */
 typedef struct {
     jlt_homoclinic *of;
     bool mirrored;
@@ -135,21 +135,21 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
     const size_t room = 2 * (self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1]) + 1;
     swept *list = calloc(room, sizeof *list);
     double *sigma = calloc(3 * room, sizeof *sigma), *q = sigma + room;
-    jlt_sweep *sweeps = calloc(room, sizeof *sweeps);
-    jlt_status st = list != NULL && sigma != NULL && sweeps != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    jlt_branch_area *areas = calloc(room, sizeof *areas);
+    jlt_status st = list != NULL && sigma != NULL && areas != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
     for (int k = 0; st == JLT_OK && k < JLT_SEPARATRICES; k++) {
         if (self->original[k] < JLT_SEPARATRICES) continue;
         const size_t n = gather(self, list, sigma, q, k);
-        st = jlt_sweep_to(sweeps, &self->branch[k], &self->curve[k], sigma, q, n, maps);
+        st = jlt_branch_area_to(areas, &self->branch[k], &self->curve[k], sigma, q, n, maps);
         for (size_t i = 0; st == JLT_OK && i < n; i++) {
-            jlt_sweep *out = &list[i].of->sweep[(k >= 2) != list[i].mirrored];
-            *out = list[i].mirrored ? jlt_sweep_mirrored(&sweeps[i], self->chart) : sweeps[i];
+            jlt_branch_area *out = &list[i].of->area[(k >= 2) != list[i].mirrored];
+            *out = list[i].mirrored ? jlt_branch_area_mirrored(&areas[i], self->chart) : areas[i];
         }
     }
     for (int u = 0; st == JLT_OK && u < 2; u++)
         for (int s = 0; s < 2; s++) jlt_homoclinic_measure_lobes(self->crossings[u][s], self->count[u][s], self->chart);
-    free(sweeps);
+    free(areas);
     free(sigma);
     free(list);
     return st;

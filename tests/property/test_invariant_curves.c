@@ -205,15 +205,15 @@ static void areas_of_lobes_do_not_depend_on_the_polygon(void **unused)
     for (int k = 0; k < 2; k++) {
         const jlt_branch *branch = &all[0].branch[2 * k];
         double sigma[64], q[64][2];
-        jlt_sweep sweeps[64];
+        jlt_branch_area areas[64];
         assert_true(count <= 64);
         if (k == 0) memcpy(own, fine, count * sizeof *own);
         for (size_t i = 0; i < count; i++) {
             sigma[i] = k == 0 ? fine[i].sigma_unstable : fine[i].sigma_stable;
             memcpy(q[i], fine[i].q, sizeof q[i]);
         }
-        assert_ok(jlt_sweep_to(sweeps, branch, &all[0].curve[2 * k], sigma, q[0], count, maps));
-        for (size_t i = 0; i < count; i++) own[i].sweep[k] = sweeps[i];
+        assert_ok(jlt_branch_area_to(areas, branch, &all[0].curve[2 * k], sigma, q[0], count, maps));
+        for (size_t i = 0; i < count; i++) own[i].area[k] = areas[i];
     }
     jlt_homoclinic_measure_lobes(own, count, all[0].chart);
     for (size_t i = 0; i + 1 < count; i++) assert_near(fine[i].lobe, own[i].lobe, 1e-9);

@@ -1,4 +1,4 @@
-#include "dynamics/sweep.h"
+#include "dynamics/branch_area.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -6,9 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-
-/* A part of a branch is short enough where what tangents lead past its end by, times its length, is no more: an area, in squares of
- * the coordinates' sizes. */
+/* The error of a part's area that is small enough, in squares of the coordinates' sizes. */
 static const double enough = 1e-11;
 
 /* Nodes and weights of Gauss on [0, 1]; one node is the middle. */
@@ -17,14 +15,15 @@ static const double node[NODES] = { 0.04691007703066800, 0.23076534494715845, 0.
                     weight[NODES] = { 0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
                                       0.11846344252809454 };
 
-/* So many sides of the polygon are integrated at once: they turn by 0.8, as far as they turn by the default at most. */
-enum { SIDES = 4 };
+/* Corners of the polygon by which the branch is interpolated about a piece of it; by fewer for comparison. */
+enum { CORNERS = 8, FEWER = 6, REFINEMENTS = 16 };
 
 /* The point of a piece of the branch, from the joint to the next one, that is first. */
 typedef struct {
     double sigma, q[2], area; /* area: between the piece and its chord */
     size_t index;             /* of a point that was asked for, else SIZE_MAX */
     bool ends;                /* a fundamental domain ends, and the piece is the step to the next, by O(seed) along the branch */
+    bool is_open;             /* the piece is not integrated yet */
 } joint;
 
 static int compare(const void *left, const void *right)
@@ -54,7 +53,7 @@ static joint *joints_of(size_t *joint_count, const jlt_manifold *curve, const do
     joint *list = calloc(count + curve->count + 2 * (size_t)(high - low) + 3, sizeof *list);
     if (list == NULL) return NULL;
     for (size_t i = 0; i < count; i++) add(list, &n, sigma[i], q + 2 * i, i);
-    for (size_t i = 0; i < curve->count; i += SIDES)
+    for (size_t i = 0; i < curve->count; i++)
         if (curve->sigma[i] > low && curve->sigma[i] < high) add(list, &n, curve->sigma[i], curve->points + 2 * i, SIZE_MAX);
     for (double whole = floor(low) + 1; whole < high; whole++) {
         add(list, &n, whole, (const double[]){ 0, 0 }, SIZE_MAX);
@@ -64,6 +63,132 @@ static joint *joints_of(size_t *joint_count, const jlt_manifold *curve, const do
     qsort(list, n, sizeof *list, compare);
     *joint_count = n;
     return list;
+}
+
+static double cross(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/* The joints on which the branch about the piece from joint k is interpolated, those nearest to it first: corners, and ends of the
+ * fundamental domain, beyond which it leads elsewhere by O(seed). Returns their number. */
+static unsigned corners_about(size_t *corners, const joint *list, size_t joint_count, size_t k)
+{
+    const double apart = 1e-3 * (list[k + 1].sigma - list[k].sigma);
+    double low = INFINITY, high = -INFINITY;
+    size_t left = k + 1, right = k + 1; /* the next to the left is left - 1 */
+    bool is_left = true, is_right = true;
+    unsigned count = 0;
+
+    while (count < CORNERS && (is_left || is_right)) {
+        const bool goes_left = is_left && (!is_right || count % 2 == 0);
+        const size_t i = goes_left ? --left : right++;
+        if (goes_left) is_left = left > 0 && !list[left - 1].ends;
+        else is_right = right < joint_count && !list[i].ends;
+        if (list[i].index != SIZE_MAX || !(list[i].sigma < low - apart || list[i].sigma > high + apart)) continue;
+        low = fmin(low, list[i].sigma);
+        high = fmax(high, list[i].sigma);
+        corners[count++] = i;
+    }
+    return count;
+}
+
+/* Newton's divided differences of two functions at `at`, (CORNERS,), in place of their values. */
+static void divide(double values[CORNERS][2], const double *at)
+{
+    for (int order = 1; order < CORNERS; order++)
+        for (int i = CORNERS - 1; i >= order; i--)
+            for (int c = 0; c < 2; c++) values[i][c] = (values[i][c] - values[i - 1][c]) / (at[i] - at[i - order]);
+}
+
+static void evaluate(double *value, double *slope, double divided[CORNERS][2], const double *at, int count, double t)
+{
+    for (int c = 0; c < 2; c++) {
+        value[c] = divided[count - 1][c];
+        slope[c] = 0;
+        for (int i = count - 2; i >= 0; i--) {
+            slope[c] = slope[c] * (t - at[i]) + value[c];
+            value[c] = value[c] * (t - at[i]) + divided[i][c];
+        }
+    }
+}
+
+/* Between the polynomial from 0 to 1 and the chord; *apart becomes the most, scaled, that the one through fewer corners is beside
+ * it. */
+static double polynomial_area(double *apart, double divided[CORNERS][2], const double *at, const jlt_chart *chart)
+{
+    double start[2], value[2], slope[2], fewer[2], area = 0;
+
+    *apart = 0;
+    evaluate(start, slope, divided, at, CORNERS, 0);
+    for (int j = 0; j < NODES; j++) {
+        evaluate(fewer, slope, divided, at, FEWER, node[j]);
+        evaluate(value, slope, divided, at, CORNERS, node[j]);
+        for (int c = 0; c < 2; c++) {
+            fewer[c] -= value[c];
+            value[c] -= start[c];
+        }
+        area += weight[j] * cross(value, slope) / 2;
+        jlt_chart_scaled(chart, fewer, fewer);
+        *apart = fmax(*apart, hypot(fewer[0], fewer[1]));
+    }
+    return area;
+}
+
+/* The area of the piece from joint k to the next by interpolation, where that is good enough: polynomials through more corners and
+ * through fewer are as good as one, and end where the piece does. */
+static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart)
+{
+    const double from = list[k].sigma, width = list[k + 1].sigma - from;
+    size_t corners[CORNERS];
+    double at[CORNERS], divided[CORNERS][2], chord[2], off[2], slope[2], gap;
+
+    if (corners_about(corners, list, joint_count, k) < CORNERS) return false;
+    for (int i = 0; i < CORNERS; i++) {
+        if (isnan(list[corners[i]].area)) return false;
+        at[i] = (list[corners[i]].sigma - from) / width;
+        jlt_chart_difference(chart, divided[i], list[corners[i]].q, list[k].q);
+    }
+    divide(divided, at);
+    jlt_chart_difference(chart, chord, list[k + 1].q, list[k].q);
+    const double area = polynomial_area(&gap, divided, at, chart);
+    for (int end = 0; end < 2; end++) {
+        evaluate(off, slope, divided, at, CORNERS, end);
+        for (int c = 0; c < 2; c++) off[c] -= end * chord[c];
+        jlt_chart_scaled(chart, off, off);
+        gap = fmax(gap, hypot(off[0], off[1]));
+    }
+    jlt_chart_scaled(chart, chord, chord);
+    if (!(gap * hypot(chord[0], chord[1]) <= enough)) return false;
+    list[k].area = area;
+    return true;
+}
+
+/* Interpolate the pieces, as far as that is good enough, with new corners in the middle of those where it is not: a point costs a
+ * fifth of one with its tangent. */
+static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
+{
+    const jlt_chart *chart = jlt_map_flow(branch->map)->chart;
+
+    for (size_t k = 0; k + 1 < *count; k++) (*list)[k].is_open = !(*list)[k].ends && (*list)[k].sigma < (*list)[k + 1].sigma;
+    for (int round = 0; round <= REFINEMENTS; round++) {
+        size_t left = 0, n = 0;
+        for (size_t k = 0; k + 1 < *count; k++)
+            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart);
+        if (left == 0 || round == REFINEMENTS) return JLT_OK;
+        joint *finer = calloc(*count + left, sizeof *finer);
+        if (finer == NULL) return JLT_ERR_NOMEM;
+        for (size_t k = 0; k < *count; k++) {
+            const joint *at = &(*list)[k];
+            finer[n++] = *at;
+            if (!at->is_open) continue;
+            joint *middle = &finer[n++];
+            *middle = (joint){ .sigma = at->sigma + (at[1].sigma - at->sigma) / 2, .index = SIZE_MAX, .is_open = true };
+            const jlt_status st = jlt_branch_point(branch, middle->q, NULL, middle->sigma);
+            if (st != JLT_OK) middle->area = NAN;
+        }
+        free(*list);
+        *list = finer;
+        *count = n;
+    }
+    return JLT_OK;
 }
 
 /* A part of the piece of a joint that is to be integrated. */
@@ -130,8 +255,6 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
     clear_samples(&s);
     return st;
 }
-
-static double cross(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /* The area of a part, into its joint's; false where it is to be halved, and the area is that between its chord and those of the
  * halves. It is not where half of a part that is nearly straight is hardly better than that: halves would be by 2^11, so that what
@@ -200,22 +323,28 @@ static jlt_status integrate_all(joint *list, part *parts, size_t count, const jl
     return st;
 }
 
-jlt_status jlt_sweep_to(jlt_sweep *sweeps, const jlt_branch *branch, const jlt_manifold *curve, const double *sigma,
-                        const double *q, size_t count, jlt_map_batch *maps)
+jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, const jlt_manifold *curve, const double *sigma,
+                              const double *q, size_t count, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
     size_t joint_count = 0, part_count = 0;
     part *parts = NULL;
-    jlt_sweep now = { .area = 0 };
+    jlt_branch_area now = { .area = 0 };
     jlt_status st = JLT_OK;
 
     if (count == 0) return JLT_OK;
     joint *list = joints_of(&joint_count, curve, sigma, q, count);
-    if (list == NULL || (parts = calloc(joint_count, sizeof *parts)) == NULL) st = JLT_ERR_NOMEM;
-    if (st == JLT_OK) st = find_ends(list, joint_count, branch, maps);
-    for (size_t k = 0; st == JLT_OK && k + 1 < joint_count; k++) {
+    if (list == NULL) return JLT_ERR_NOMEM;
+    JLT_TRY(find_ends(list, joint_count, branch, maps));
+    JLT_TRY(refine(&list, &joint_count, branch));
+    parts = calloc(joint_count, sizeof *parts);
+    if (parts == NULL) {
+        st = JLT_ERR_NOMEM;
+        goto done;
+    }
+    for (size_t k = 0; k + 1 < joint_count; k++) {
+        if (!list[k].is_open) continue;
         part *p = &parts[part_count];
-        if (list[k].ends || !(list[k].sigma < list[k + 1].sigma)) continue;
         for (int c = 0; c < 2; c++) {
             p->sigma[c] = list[k + (size_t)c].sigma;
             memcpy(p->q[c], list[k + (size_t)c].q, sizeof p->q[c]);
@@ -223,30 +352,31 @@ jlt_status jlt_sweep_to(jlt_sweep *sweeps, const jlt_branch *branch, const jlt_m
         p->gap = INFINITY;
         parts[part_count++].joint = k;
     }
-    if (st == JLT_OK) st = integrate_all(list, parts, part_count, branch, maps);
-    for (size_t k = 0; st == JLT_OK && k < joint_count; k++) {
+    JLT_TRY(integrate_all(list, parts, part_count, branch, maps));
+    for (size_t k = 0; k < joint_count; k++) {
         double chord[2];
-        if (list[k].index != SIZE_MAX) sweeps[list[k].index] = now;
+        if (list[k].index != SIZE_MAX) areas[list[k].index] = now;
         if (k + 1 == joint_count) break;
         jlt_chart_difference(chart, chord, list[k + 1].q, list[k].q);
         now.area += list[k].area + cross(now.at, chord) / 2;
         for (int c = 0; c < 2; c++) now.at[c] += chord[c];
     }
+done:
     free(parts);
     free(list);
     return st;
 }
 
-double jlt_sweep_between(const jlt_sweep *from, const jlt_sweep *to)
+double jlt_branch_area_between(const jlt_branch_area *from, const jlt_branch_area *to)
 {
     const double chord[2] = { to->at[0] - from->at[0], to->at[1] - from->at[1] };
 
     return to->area - from->area - cross(from->at, chord) / 2;
 }
 
-jlt_sweep jlt_sweep_mirrored(const jlt_sweep *sweep, const jlt_chart *chart)
+jlt_branch_area jlt_branch_area_mirrored(const jlt_branch_area *area, const jlt_chart *chart)
 {
     const int *sign = chart->mirror;
 
-    return (jlt_sweep){ .at = { sign[0] * sweep->at[0], sign[1] * sweep->at[1] }, .area = sign[0] * sign[1] * sweep->area };
+    return (jlt_branch_area){ .at = { sign[0] * area->at[0], sign[1] * area->at[1] }, .area = sign[0] * sign[1] * area->area };
 }
