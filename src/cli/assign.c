@@ -28,7 +28,7 @@ static jlt_exit add(jlt_assign_list *list, const char *name, size_t name_length,
     }
     free(item.fraction);
     if (st == JLT_ERR_ARG)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3 or 1/3)", option,
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3, 1/3, pi or 2*pi/3)", option,
                                 (int)length, value);
     if (st == JLT_ERR_NONFINITE)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is outside the range of doubles, 2.3e-308 to 1.8e308", option,

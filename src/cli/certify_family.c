@@ -35,7 +35,7 @@ static jlt_exit put_side(json_t *box, const char *text, size_t length)
     high = colon == NULL ? NULL : fraction_of(colon + 1, rest - (size_t)(colon + 1 - value));
     name = strndup(text, (size_t)(equals - text));
     if (low == NULL || (colon != NULL && high == NULL))
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%.*s' has no finite number (write 2, -0.51, 1e-3 or 1/3)", (int)length,
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%.*s' has no finite number (write 2, -0.51, 1e-3, 1/3 or pi)", (int)length,
                                 text);
     else if (name != NULL && json_object_get(box, name) != NULL)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%s' is given twice", name);

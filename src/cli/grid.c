@@ -10,28 +10,9 @@
 
 static const size_t PART_MAX = (size_t)1 << 50;
 
-static const double pi = 3.14159265358979323846;
-
-/* pi, -pi, 2*pi, 2*pi/3, pi/2. */
-static bool multiple_of_pi(double *value, const char *text, size_t length)
-{
-    double factor = 1, divisor = 1;
-    size_t at = 0;
-
-    while (at + 2 <= length && strncmp(text + at, "pi", 2) != 0) at++;
-    if (at + 2 > length) return false;
-    const char *after = text + at + 2;
-    const size_t left = length - at - 2;
-    if (left > 0 && (*after != '/' || jlt_number_parse(&divisor, after + 1, left - 1) != JLT_OK || divisor == 0)) return false;
-    if (at == 1 && text[0] == '-') factor = -1;
-    else if (at > 0 && (text[at - 1] != '*' || jlt_number_parse(&factor, text, at - 1) != JLT_OK)) return false;
-    *value = factor * pi / divisor;
-    return true;
-}
-
 jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option)
 {
-    if (!multiple_of_pi(value, text, length) && jlt_number_parse(value, text, length) != JLT_OK)
+    if (jlt_number_parse(value, text, length) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3, 1/3, pi or 2*pi/3)", option,
                                 (int)length, text);
     return JLT_EXIT_DONE;
@@ -167,7 +148,7 @@ double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
     if (axis->low_text != NULL
         && jlt_number_between(&value, axis->low_text, axis->low_length, axis->high_text, axis->high_length, index, parts) == JLT_OK)
         return value;
-    return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* an end is pi, or no text's */
+    return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* an end is no text's */
 }
 
 jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, const char *text, const char *option)

@@ -45,7 +45,7 @@ static bool read_decimal(fmpz_t digits, long *exponent, const char **at, const c
     return true;
 }
 
-static bool read_fraction(fmpq_t value, const char *text, size_t length)
+static bool read_plain(fmpq_t value, const char *text, size_t length)
 {
     const char *at = text, *const end = text + length;
     fmpz_t denominator, power;
@@ -118,6 +118,48 @@ static jlt_status round_nearest(double *result, const fmpq_t value)
     if (!isnormal(magnitude)) return JLT_ERR_NONFINITE;
     *result = fmpz_sgn(fmpq_numref(value)) < 0 ? -magnitude : magnitude;
     return JLT_OK;
+}
+
+static void set_double(fmpq_t out, double value)
+{
+    int exponent;
+    const double mantissa = frexp(value, &exponent);
+
+    fmpz_set_d(fmpq_numref(out), ldexp(mantissa, 53));
+    fmpz_one(fmpq_denref(out));
+    if (exponent >= 53) fmpz_mul_2exp(fmpq_numref(out), fmpq_numref(out), (unsigned long)(exponent - 53));
+    else fmpz_mul_2exp(fmpq_denref(out), fmpq_denref(out), (unsigned long)(53 - exponent));
+    fmpq_canonicalise(out);
+}
+
+/* pi, -pi, 2*pi, 2*pi/3, pi/2: the double that it is. */
+static bool read_multiple_of_pi(fmpq_t out, const char *text, size_t length)
+{
+    static const double pi = 3.14159265358979323846;
+    const char *const end = text + length, *at = text;
+    double factor = 1, divisor = 1;
+    bool good;
+
+    while (end - at >= 2 && strncmp(at, "pi", 2) != 0) at++;
+    if (end - at < 2) return false;
+    const size_t before = (size_t)(at - text), after = (size_t)(end - at) - 2;
+    if (before <= 1) {
+        good = before == 0 || *text == '-' || *text == '+';
+        if (before == 1 && *text == '-') factor = -1;
+    } else {
+        good = at[-1] == '*' && read_plain(out, text, before - 1) && round_nearest(&factor, out) == JLT_OK;
+    }
+    if (good && after > 0)
+        good = at[2] == '/' && read_plain(out, at + 3, after - 1) && round_nearest(&divisor, out) == JLT_OK && divisor != 0;
+    const double value = factor * pi / divisor;
+    if (!good || (value != 0 && !isnormal(value))) return false;
+    set_double(out, value);
+    return true;
+}
+
+static bool read_fraction(fmpq_t value, const char *text, size_t length)
+{
+    return read_plain(value, text, length) || read_multiple_of_pi(value, text, length);
 }
 
 jlt_status jlt_number_parse(double *value, const char *text, size_t length)

@@ -1,4 +1,5 @@
-/** Numbers as people write them, read exactly: 2, -0.51, 1e-3, 1/3, 0.1/3e2.
+/** Numbers as people write them, read exactly: 2, -0.51, 1e-3, 1/3, 0.1/3e2; and multiples of pi, each of which is a double: pi,
+ *  -pi, 2*pi, 2*pi/3.
  *
  *  The value is an exact rational until it is rounded, once, to the nearest double (ties to even). Independent of locale. */
 #ifndef JLT_EXT_NUMBER_H
@@ -11,7 +12,8 @@
 /* Longest text and largest decimal exponent accepted. */
 enum { JLT_NUMBER_LENGTH_MAX = 1024, JLT_NUMBER_EXPONENT_MAX = 4096 };
 
-/** Read [+-]DIGITS[.DIGITS][(e|E)[+-]DIGITS] [ / the same without sign ].
+/** Read [+-]DIGITS[.DIGITS][(e|E)[+-]DIGITS] [ / the same without sign ], or [+-]pi or such a number times it, NUMBER*pi, with no
+ *  divisor or /NUMBER behind it.
  *  Out: *value, correctly rounded, untouched on failure.
  *  In:  text, `length` bytes, all of which must belong to the number.
  *  Errors: ARG (not a number; zero denominator; longer than the limits; "nan" and "inf" are no numbers),

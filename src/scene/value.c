@@ -182,29 +182,6 @@ done:
     return st;
 }
 
-/* pi, -pi, 2*pi/3: a number, or nothing but a sign, before pi, and a divisor behind it. */
-static bool is_multiple_of_pi(const char *text)
-{
-    const char *pi = strstr(text, "pi");
-    const size_t before = pi != NULL ? (size_t)(pi - text) : 0;
-    double ignored;
-
-    if (pi == NULL) return false;
-    const bool sign = before == 0 || (before == 1 && (*text == '-' || *text == '+'));
-    const bool factor = before > 1 && text[before - 1] == '*' && jlt_number_parse(&ignored, text, before - 1) == JLT_OK;
-    const bool divisor = pi[2] == '\0' || (pi[2] == '/' && jlt_number_parse(&ignored, pi + 3, strlen(pi + 3)) == JLT_OK);
-    return (sign || factor) && divisor;
-}
-
-/* A number, or a multiple of pi. */
-static jlt_status append_end(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
-{
-    const char *string = config_setting_type(at) == CONFIG_TYPE_STRING ? config_setting_get_string(at) : "";
-
-    if (is_multiple_of_pi(string)) return append(r, at, v, string);
-    return append_number(r, at, v, name);
-}
-
 /* (first, last, how many) */
 static jlt_status append_range(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
@@ -212,9 +189,9 @@ static jlt_status append_range(const jlt_value_reader *r, const config_setting_t
 
     if (config_setting_length(at) != 3)
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes one number or (first, last, how many)", name);
-    JLT_TRY(append_end(r, config_setting_get_elem(at, 0), v, name));
+    JLT_TRY(append_number(r, config_setting_get_elem(at, 0), v, name));
     JLT_TRY(append(r, at, v, ":"));
-    JLT_TRY(append_end(r, config_setting_get_elem(at, 1), v, name));
+    JLT_TRY(append_number(r, config_setting_get_elem(at, 1), v, name));
     JLT_TRY(append(r, at, v, ":"));
     JLT_TRY(append_whole(r, config_setting_get_elem(at, 2), v, name, 1));
 done:
@@ -227,9 +204,9 @@ static jlt_status append_interval(const jlt_value_reader *r, const config_settin
     jlt_status st = JLT_OK;
 
     if (config_setting_length(at) != 2) return jlt_value_complain(r, jlt_value_line(at), "'%s' takes (low, high)", name);
-    JLT_TRY(append_end(r, config_setting_get_elem(at, 0), v, name));
+    JLT_TRY(append_number(r, config_setting_get_elem(at, 0), v, name));
     JLT_TRY(append(r, at, v, ":"));
-    JLT_TRY(append_end(r, config_setting_get_elem(at, 1), v, name));
+    JLT_TRY(append_number(r, config_setting_get_elem(at, 1), v, name));
 done:
     return st;
 }
@@ -252,7 +229,7 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
         if (key->kind == JLT_KEY_INTERVAL) JLT_TRY(append_interval(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_RANGES && several) JLT_TRY(append_range(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_POINT || key->kind == JLT_KEY_RANGES)
-            JLT_TRY(append_end(r, member, v, config_setting_name(member)));
+            JLT_TRY(append_number(r, member, v, config_setting_name(member)));
         else JLT_TRY(append_number(r, member, v, config_setting_name(member)));
     }
 done:

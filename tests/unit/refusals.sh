@@ -55,8 +55,9 @@ refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z=1:2:3
 
-refuse 4 "finds no periodic orbit from .*: try another --start or --period" jellett orbits lorenz --section z=27 --start x=1,y=1 \
-    --period 1
+lorenz=(jellett orbits lorenz --section z=27 --start x=1,y=1 --period 1)
+refuse 4 "finds no periodic orbit from .* crossed the other way: try --direction down, or another --start" "${lorenz[@]}"
+refuse 4 "finds no periodic orbit from .*: try another --start or --period" "${lorenz[@]}" --direction down
 
 # Options that say nothing here.
 refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu

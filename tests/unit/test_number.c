@@ -83,9 +83,10 @@ static void ties_go_to_even(void **unused)
 
 static void what_is_no_finite_normal_number_is_refused(void **unused)
 {
-    static const char *const wrong[] = { "",   "-",   "+",    ".",   "e5",  "1e",   "1e+",  "nan",    "inf",  "-inf",  "1/0",
-                                         "1/", "/2",  "1//2", "1/2/3", "1 ", " 1",  "0x1p3", "1,5",   "--1",  "1/-2",  "1e99999",
-                                         "1.2.3", "1f", "٣" };
+    static const char *const wrong[] = { "",     "-",     "+",     ".",     "e5",   "1e",    "1e+",  "nan",   "inf",     "-inf",
+                                         "1/0",  "1/",    "/2",    "1//2",  "1/2/3", "1 ",   " 1",   "0x1p3", "1,5",     "--1",
+                                         "1/-2", "1e99999", "1.2.3", "1f",  "٣",    "2pi",   "pi2",  "pip",   "*pi",     "/pi",
+                                         "pi/",  "pi/0",  "++pi",  "2*-pi", "p",    "1e308*pi" };
     static const char *const outside[] = { "1e309", "-1e309", "1e-308", "1e-400", "1e308/1e-308", "1e4000", "1e-4000" };
     double value = 42.0;
     char longest[JLT_NUMBER_LENGTH_MAX + 2];
@@ -98,6 +99,30 @@ static void what_is_no_finite_normal_number_is_refused(void **unused)
     memset(longest, '1', sizeof longest);
     assert_int_equal(jlt_number_parse(&value, longest, sizeof longest), JLT_ERR_ARG);
     assert_true(value == 42.0);
+}
+
+/* A multiple of pi is one double, in decimals as in fractions. */
+static void multiples_of_pi_are_numbers(void **unused)
+{
+    static const double pi = 3.14159265358979323846;
+    const struct {
+        const char *text;
+        double value;
+    } cases[] = { { "pi", pi },         { "-pi", -pi },           { "+pi", pi },   { "2*pi", 2 * pi }, { "-2*pi/3", -2 * pi / 3 },
+                  { "pi/2", pi / 2 },   { "1/3*pi", pi / 3 },     { "0*pi", 0 },   { "1e-300*pi", 1e-300 * pi },
+                  { "0.5*pi/1e3", 0.5 * pi / 1e3 }, { "1e300*pi", 1e300 * pi } };
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double value = 0.0, again = 0.0;
+        char *fraction = NULL;
+        if (parse(&value, cases[i].text) != JLT_OK || fabs(value - cases[i].value) > 2e-16 * fabs(value))
+            fail_msg("%s: %a, not %a", cases[i].text, value, cases[i].value);
+        assert_int_equal(jlt_number_fraction(&fraction, cases[i].text, strlen(cases[i].text)), JLT_OK);
+        assert_int_equal(parse(&again, fraction), JLT_OK);
+        assert_true(again == value);
+        free(fraction);
+    }
 }
 
 static void fractions_are_kept_exactly(void **unused)
@@ -138,6 +163,7 @@ int main(void)
         cmocka_unit_test(fractions_are_rounded_like_one_division),
         cmocka_unit_test(ties_go_to_even),
         cmocka_unit_test(what_is_no_finite_normal_number_is_refused),
+        cmocka_unit_test(multiples_of_pi_are_numbers),
         cmocka_unit_test(fractions_are_kept_exactly),
         cmocka_unit_test(no_character_beyond_the_length_is_read),
     };
