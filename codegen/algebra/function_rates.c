@@ -1,6 +1,6 @@
 /* Rates of change of cosines, sines, exponentials and logarithms, from the rates of their arguments. */
 #include "algebra/derive.h"
-#include "algebra/valuation.h"
+#include "algebra/valuation_state.h"
 
 /* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. The sine follows from the cosine, as a root of 1 - cos^2. */
 static void function_rate(ttc_valuation *valuation, ttc_ratio *out, uint32_t symbol, const ttc_ratio *rates)
@@ -22,12 +22,23 @@ static void function_rate(ttc_valuation *valuation, ttc_ratio *out, uint32_t sym
     ttc_ratio_clear(ring, &of);
 }
 
+/* What a bound symbol stands for may use functions that nothing has asked for yet. */
+static void evaluate_bound(ttc_valuation *valuation)
+{
+    ttc_ratio value;
+    ttc_ratio_init(valuation->ring, &value);
+    for (uint32_t i = 0; i < valuation->symbol_count; i++)
+        if (ttc_valuation_is_bound(valuation, i)) ttc_valuation_value(valuation, &value, i);
+    ttc_ratio_clear(valuation->ring, &value);
+}
+
 void ttc_valuation_add_function_rates(ttc_valuation *valuation, ttc_ratio *rates)
 {
     const ttc_model *model = ttc_valuation_model(valuation);
     ttc_ring *ring = ttc_valuation_ring(valuation);
     bool changed = true;
     ttc_ratio rate;
+    evaluate_bound(valuation);
     ttc_ratio_init(ring, &rate);
     for (size_t sweep = 0; changed && sweep <= model->symbol_count; sweep++) {
         changed = false;

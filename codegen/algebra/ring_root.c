@@ -1,6 +1,19 @@
 /* Square roots in the ring of a ratio, whose generators stay independent modulo squares. */
 #include "algebra/ratio.h"
 
+/* False when a is no square. Its root is squared again, as FLINT 2.9 takes x y for the square of a monomial without exponents
+ * where both begin a word of many variables. */
+static bool polynomial_root(ttc_ring *ring, fmpz_mpoly_t root, const fmpz_mpoly_t a)
+{
+    fmpz_mpoly_t square;
+    if (!fmpz_mpoly_sqrt(root, a, ring->context)) return false;
+    fmpz_mpoly_init(square, ring->context);
+    fmpz_mpoly_mul(square, root, root, ring->context);
+    const bool equal = fmpz_mpoly_equal(square, a, ring->context) != 0;
+    fmpz_mpoly_clear(square, ring->context);
+    return equal;
+}
+
 /* root = sqrt(a) in Q(variables); false when a is no square there. */
 static bool rational_root(ttc_ring *ring, ttc_ratio *root, const ttc_ratio *a)
 {
@@ -10,7 +23,7 @@ static bool rational_root(ttc_ring *ring, ttc_ratio *root, const ttc_ratio *a)
     ttc_ratio_init(ring, &top);
     ttc_ratio_init(ring, &bottom);
     fmpz_mpoly_mul(product, a->numerator, a->denominator, ring->context);
-    bool square = fmpz_mpoly_sqrt(top.numerator, product, ring->context) != 0;
+    bool square = polynomial_root(ring, top.numerator, product);
     if (square) {
         fmpz_mpoly_set(bottom.numerator, a->denominator, ring->context);
         ttc_ratio_divide(ring, root, &top, &bottom);

@@ -57,9 +57,9 @@ void ttc_valuation_angle(ttc_valuation *valuation, ttc_ratio *out, const ttc_rat
 void ttc_valuation_exp(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *exponent);
 void ttc_valuation_log(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *argument);
 
-/** The rates of the own variables of functions that were evaluated before, by the chain rule. rates, shape (variable_count,),
- *  has those of the states. A function may be expressed through one that the table names after it, so that rates are taken
- *  until none changes. */
+/** The rates of the own variables of functions that were evaluated before, or that bound symbols stand for, by the chain rule.
+ *  rates, shape (variable_count,), has those of the states. A function may be expressed through one that the table names after
+ *  it, so that rates are taken until none changes. */
 void ttc_valuation_add_function_rates(ttc_valuation *valuation, ttc_ratio *rates);
 
 void ttc_valuation_pi(ttc_valuation *valuation, ttc_ratio *out); /* fails where the table has no pi */

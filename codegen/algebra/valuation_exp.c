@@ -142,7 +142,7 @@ static void product(ttc_valuation *v, ttc_ratio *out, const uint32_t *symbols, c
         if (multiples[i] == 0) continue;
         const ttc_symbol_entry *entry = &v->model->symbols[symbols[i]];
         if (entry->kind == TTC_LOG) ttc_evaluate(v, &factor, entry->definition);
-        else ttc_ratio_set_variable(v->ring, &factor, v->variable[symbols[i]]);
+        else ttc_valuation_value(v, &factor, symbols[i]); /* one that has a value has a rate */
         ttc_ratio_power(v->ring, &factor, &factor, multiples[i]);
         ttc_ratio_multiply(v->ring, out, out, &factor);
     }

@@ -229,14 +229,37 @@ static const ttc_symbol_entry *zero_divisor(const ttc_model *model, ttc_id divis
     return may_vanish ? entry : NULL;
 }
 
-static void refuse_divisor(ttc_parser *parser, const ttc_divisor *d, const char *kind, const char *name, ttc_place place)
+static bool is_factor(const ttc_graph *graph, ttc_id product, ttc_id of)
+{
+    bool found = product == of;
+    for (size_t i = 0; !found && ttc_kind_of(graph, product) == TTC_PRODUCT && i < ttc_part_count(graph, product); i++)
+        found = ttc_part_at(graph, product, i).id == of;
+    return found;
+}
+
+/* The equations divide by the parameter, so that it is not 0 on the domain. used: what they use. */
+static bool field_divides_by(const ttc_model *model, const unsigned char *used, ttc_id param)
+{
+    bool divides = false;
+    for (size_t i = 0; i < model->divisor_count && !divides; i++) {
+        const ttc_divisor *d = model->divisors + i;
+        const bool of_field = d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner]);
+        divides = of_field && is_factor(model->graph, d->divisor, param);
+    }
+    return divides;
+}
+
+/* Whether there was something to tell. */
+static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_divisor *d, ttc_severity severity,
+                         const char *kind, const char *name, ttc_place place)
 {
     const ttc_symbol_entry *param = zero_divisor(parser->model, d->divisor);
-    if (param != NULL)
-        ttc_parse_error(parser, place,
-                        "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
-                        "(expected 'param %s != 0', or '> 0')",
-                        kind, name, param->name, param->name);
+    if (param == NULL || field_divides_by(parser->model, used, param->node)) return false;
+    ttc_report(parser->diagnostics, severity, place.line, place.column,
+               "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
+               "(expected 'param %s != 0', or '> 0')",
+               kind, name, param->name, param->name);
+    return true;
 }
 
 /* What is looked at beside the equations must not keep their kernels from parameters for which these are defined. */
@@ -248,11 +271,38 @@ static void check_observed(ttc_parser *parser)
     for (size_t i = 0; used != NULL && i < model->divisor_count; i++) {
         const ttc_divisor *d = model->divisors + i;
         if (d->role == TTC_DIVIDES_VALID)
-            refuse_divisor(parser, d, "condition", model->validities[d->owner].name, model->validities[d->owner].place);
+            tell_divisor(parser, used, d, TTC_ERROR, "condition", model->validities[d->owner].name,
+                         model->validities[d->owner].place);
         for (size_t k = 0; d->role == TTC_DIVIDES_SYMBOL && !used[d->owner] && k < model->observed_count; k++) {
             const ttc_symbol_entry *observed = model->symbols + model->observed[k];
             if (ttc_model_depends(model, observed->node, d->owner) || model->observed[k] == d->owner)
-                refuse_divisor(parser, d, "observed quantity", observed->name, observed->place);
+                tell_divisor(parser, used, d, TTC_ERROR, "observed quantity", observed->name, observed->place);
+        }
+    }
+    free(used);
+}
+
+/* Values of these are kernels of the model itself, with which they share what is prepared of parameters. */
+static bool is_prepared(const ttc_claim *claim)
+{
+    return (claim->kind == TTC_CLAIM_INTEGRAL || claim->kind == TTC_CLAIM_MEASURE) && claim->when.count + claim->modulo_count == 0;
+}
+
+/* A claim may divide by zero here and there; kernels take no parameters for which it does. */
+static void warn_of_divisors(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    unsigned char *used = ttc_model_uses(model);
+    if (used == NULL) ttc_parse_no_memory(parser);
+    for (uint32_t k = 0; used != NULL && k < model->claim_count; k++) {
+        const ttc_claim *claim = model->claims + k;
+        bool told = !is_prepared(claim);
+        for (size_t i = 0; i < model->divisor_count && !told; i++) {
+            const ttc_divisor *d = model->divisors + i;
+            const bool own = d->role == TTC_DIVIDES_CLAIM && d->owner == k;
+            const bool named = d->role == TTC_DIVIDES_SYMBOL && ttc_model_depends(model, claim->expression, d->owner);
+            told = (own || named) &&
+                   tell_divisor(parser, used, d, TTC_WARNING, ttc_claim_kind_name(claim->kind), claim->name, claim->place);
         }
     }
     free(used);
@@ -302,4 +352,5 @@ void ttc_parse_resolve(ttc_parser *parser)
     check_observed(parser);
     for (size_t i = 0; i < parser->model->elimination_count; i++) solve_elimination(parser, parser->model->eliminations + i);
     warn_unused(parser);
+    warn_of_divisors(parser);
 }

@@ -107,6 +107,8 @@ static const mistake mistakes[] = {
     { HEAD "let b = a\n", "7:5: warning: the let 'b' is never used" },
     { HEAD "root r = sqrt(x^2 + 1)\n", "7:6: warning: the root 'r' is never used" },
     { HEAD "angle c s = cos(x) sin(x)\n", "7:7: warning: the angle 'c' is never used" },
+    { HEAD "param b\nintegral F = x/b\n", "8:10: warning: the integral 'F' divides by the parameter 'b', which may be 0, "
+                                             "where no kernel could be prepared (expected 'param b != 0', or '> 0')" },
 
     /* param, state, root, angle, default */
     { HEAD "param b > 1\n", "7:11: error: unexpected '1' (expected 0: a parameter is > 0, >= 0 or != 0)" },
