@@ -37,7 +37,7 @@ typedef struct {
     jlt_instance *instance;                  /* owned: the most special kernel that serves */
     jlt_measure_attempt attempt;
     double residual[JLT_MEASURE_CLAIMS_MAX]; /* of the densities claimed, over JLT_MEASURE_SAMPLES random states */
-    bool obstructed;                         /* there is an equilibrium whose trace is not zero: */
+    bool obstructed;                         /* there is an equilibrium whose trace is not zero, proved in balls: */
     double x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_linearization obstruction;
 } jlt_measure_finding;
