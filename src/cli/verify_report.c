@@ -55,7 +55,7 @@ static void write_family(FILE *stream, const jlt_verify_family *f)
 static void write_certificate(FILE *stream, const jlt_verify_certificate *c)
 {
     if (c->point == NULL) {
-        fprintf(stream, "    %s: no rational point was found where every root is rational: FAILS\n", c->family->name);
+        fprintf(stream, "    %s: no rational point of the domain was found where every root is rational: FAILS\n", c->family->name);
         return;
     }
     fprintf(stream, "    %s at %s\n      f = 0 exactly; trace = %s\n      in %s, zero %s: %s\n", c->family->name, c->point,

@@ -23,3 +23,34 @@ END
 jellett verify --json --samples=$samples chaplygin_sleigh |
     jq -r '.. | objects | select(has("numbers")) | "\(.numbers) \(.name)"' > "$scratch/made"
 diff "$scratch/expected" "$scratch/made"
+
+# Certificates are points of the table's domain: of intervals on both sides and on one, with numbers and parameters as ends, and of
+# a condition that no small numbers for k meet.
+export XDG_CACHE_HOME=$scratch/cache
+cat > "$scratch/inside.tt" << 'END'
+model inside
+param a > 0
+param k > 0
+default a = 1, k = 3
+state x in (2, 3)
+state z in (-a, 2*a)
+state w in (-inf, -4)
+state y
+domain near : k - x > 0
+eq x = y*x
+eq y = y*(x - 1)*w
+eq z = y
+eq w = -y
+equilibria rest : y = 0
+trace rest = (x - 1)*w
+obstructs rest
+END
+jellett verify --json --samples=$samples "$scratch/inside.tt" |
+    jq -r '.. | objects | select(has("point")) | .point' > "$scratch/made"
+[ "$(wc -l < "$scratch/made")" = 3 ]
+python3 - "$scratch/made" << 'END'
+import fractions, sys
+for line in open(sys.argv[1]):
+    p = {name: fractions.Fraction(value) for name, value in (each.split(" = ") for each in line.strip().split(", "))}
+    assert 2 < p["x"] < 3 and -p["a"] < p["z"] < 2*p["a"] and p["w"] < -4 and p["k"] > p["x"], line
+END
