@@ -251,8 +251,7 @@ static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const
     return st == JLT_ERR_NOMEM ? st : JLT_OK;
 }
 
-/* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
-static jlt_status find_obstruction(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
+jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
 {
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
 
@@ -280,7 +279,7 @@ jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *
     JLT_TRY(jlt_instance_create(&finding->instance, special, params));
     JLT_TRY(jlt_measure_try(&finding->attempt, finding->instance, count, random));
     JLT_TRY(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
-    JLT_TRY(find_obstruction(finding, general, params, random));
+    JLT_TRY(jlt_measure_obstruct(finding, general, params, random));
 done:
     return st;
 }

@@ -42,6 +42,12 @@ typedef struct {
     jlt_linearization obstruction;
 } jlt_measure_finding;
 
+/** Look for an equilibrium of the table's families, at these parameters, whose trace is not zero.
+ *  In/out: finding->instance, whose states are drawn; obstructed, x and obstruction of *finding; random, advanced.
+ *  In: general, params as for jlt_measure_find. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_measure_obstruct(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
+                                            jlt_random *random);
+
 /** The attempt, the residuals of the densities claimed, and the search for an obstruction.
  *  In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed before, is to be
  *  given to jlt_measure_forget whatever is returned.

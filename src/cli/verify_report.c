@@ -92,6 +92,7 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
             fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
                     a->closed_form, a->difference, a->difference_bound, verdict(a->difference <= a->difference_bound));
     }
+    if (d->contradicted) fputs("      an equilibrium of the table excludes it: FAILS\n", stream);
     if (k->measure_count > 0)
         fprintf(stream, "      div(rho f) of the table's density: %.2g of its terms, bound %.0e: %s\n", d->residual,
                 JLT_DENSITY_TOLERANCE, verdict(d->residual <= JLT_DENSITY_TOLERANCE));

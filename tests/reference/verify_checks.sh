@@ -54,3 +54,31 @@ for line in open(sys.argv[1]):
     p = {name: fractions.Fraction(value) for name, value in (each.split(" = ") for each in line.strip().split(", "))}
     assert 2 < p["x"] < 3 and -p["a"] < p["z"] < 2*p["a"] and p["w"] < -4 and p["k"] > p["x"], line
 END
+
+# A family that excludes a measure where c = 0 says nothing of c = 1, where exp(-e x) is a density; nor does one out of range of the
+# density that is found.
+cat > "$scratch/elsewhere.tt" << 'END'
+model elsewhere
+param c
+param e > 0
+default c = 1, e = 1/3
+state x
+state y
+eq x = c + y*(1 - c)
+eq y = e*y - x*(1 - c^2)
+equilibria rest : y = 0, x = 0 when c = 0
+trace rest = e
+obstructs rest
+END
+cat > "$scratch/beyond.tt" << 'END'
+model beyond
+state x
+eq x = x - 7
+equilibria rest : x = 7
+trace rest = 1
+obstructs rest
+END
+for table in elsewhere beyond; do
+    jellett verify --samples=$samples "$scratch/$table.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }
+    grep -q 'density of x alone' "$scratch/said"
+done
