@@ -16,6 +16,9 @@ static const char third[] = "F0";
 enum { GAMMA3, V_SLIP, PSI, SINE, COORDINATES };
 enum { HALF_GAMMA3, HALF_PSI, HALF_SINE, HALF_COORDINATES };
 
+/* How well levels are known, relative to their terms: no integral takes so many roundings. */
+static const double rounding = 32 * (DBL_EPSILON / 2);
+
 /* ---- what the tables say ---- */
 
 static bool has(const jlt_descriptor *table, const char *const *states, unsigned count)
@@ -151,14 +154,17 @@ static void across(double *x, const jlt_top *top, const jlt_balanced_levels *lev
 }
 
 /* v_slip^2 >= 0 somewhere: where I1 < I3, F0 is least at v_slip = 0 for one gamma3 and cos psi = +-1. With u = (s, gamma3) it is
- * there -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. */
-static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels)
+ * there -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. The
+ * former goes with M^2, which has a relative error; what is left is as low as rounding makes it. */
+static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels, double error)
 {
     double equator[JLT_TOP_STATES], pole[JLT_TOP_STATES];
 
     jlt_balanced_to_state(top, levels, equator, 0, 1, 0, 0);
     jlt_balanced_to_state(top, levels, pole, 1, 0, 0, 0);
-    return fmin(0, third_integral(top, equator) + third_integral(top, pole));
+    const double turning = third_integral(top, equator), upright = third_integral(top, pole);
+    const double sizes = rounding * (fabs(levels->F0) + fabs(turning) + fabs(upright));
+    return fmin(0, turning + upright - sizes - error * fabs(turning));
 }
 
 jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top)
@@ -169,12 +175,13 @@ jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top
     across(upright, top, &(jlt_balanced_levels){ .G = 1 }, 0);
     across(tilting, top, &(jlt_balanced_levels){ .M = 1 }, 0);
     const double of_F0 = energy(top, slipping) / third_integral(top, slipping);
-    const double rest = levels->E - of_F0 * levels->F0 - energy(top, upright) * levels->G * levels->G;
-    const double M2 = rest / energy(top, tilting);
+    const double of_G = energy(top, upright) * levels->G * levels->G;
+    const double rest = levels->E - of_F0 * levels->F0 - of_G, error = rounding * (levels->E + fabs(of_F0 * levels->F0) + of_G);
+    const double M2 = rest < 0 && rest >= -error ? 0 : rest / energy(top, tilting);
 
     if (!(M2 >= 0)) return JLT_ERR_EMPTY;
     levels->M = sqrt(M2);
-    if (!(levels->F0 >= least_third_integral(top, levels))) return JLT_ERR_EMPTY;
+    if (!(levels->F0 >= least_third_integral(top, levels, rest > 0 ? error / rest : 0))) return JLT_ERR_EMPTY;
     return JLT_OK;
 }
 
@@ -228,9 +235,6 @@ static unsigned both_ways(jlt_fixed_point *out, const jlt_top *top, double gamma
     classify(&out[1], top, gamma3, -speed, w0);
     return 2;
 }
-
-/* How well levels are known, relative to their terms: no integral takes so many roundings. */
-static const double rounding = 32 * (DBL_EPSILON / 2);
 
 /* v_nu^2 from the level that leaves it more digits, where omega3^2 = w2 has a relative error; 0 where that is all that is known. */
 static double slip_square(const jlt_balanced_levels *levels, const family_levels *at, double w2, double error)

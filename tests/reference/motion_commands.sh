@@ -122,6 +122,9 @@ grep -q 'fill a curve' "$scratch/m2.csv" && [ "$(cat "$scratch/out")" = 0 ] || f
 # The same by levels: v_nu = 0 to within their rounding; and none at all where v_nu^2 would be -1/2.
 jellett portrait --set I1=2/5,I3=1/4 --level E=0.4698,G=-0.0675,F0=0.05910975 --orbits 0 -o "$scratch/m2.csv"
 [ "$(grep -c '^-\?0.3[0-9.]*,0,.*centre' "$scratch/m2.csv")" = 2 ] || fail "levels of slow ones: $(tail -4 "$scratch/m2.csv")"
+# F0 is least there where I1 < I3: rounding makes no such level one without states.
+jellett portrait --set I1=1/8,I3=1/4 --level E=81/200,G=-9/80,F0=-243/12800 --orbits 0 -o "$scratch/m2.csv" || fail "the least F0"
+[ "$(grep -c '^-\?0.5,0,-\?0.9,.*centre' "$scratch/m2.csv")" = 2 ] || fail "the least F0: $(tail -3 "$scratch/m2.csv")"
 jellett portrait --set I1=2/5,I3=1/4 --level E=1,G=0,F0=0.07 --orbits 0 | grep -E 'curve|centre' && fail "no fixed points are some"
 
 expect 3 'omega_n as well' jellett simulate --start gamma3=0,v_nu=0,omega_tau=0 --times 1
