@@ -127,4 +127,10 @@ TABLE
 expect 0 'density of y alone' jellett measure ./rounded.tt
 ! grep obstruction out || fail "a density is there: $(tail -2 out)"
 expect 0 'the trace is 1 .error < .*, so no invariant measure' jellett measure ./rounded.tt --set p=2
+# What a family excludes is told of claims that are proved: this one keeps areas.
+for claim in 'trace rest = 0' 'obstructs rest'; do
+    printf '%s\n' 'model turning' 'state x' 'state y' 'eq x = y' 'eq y = -x' 'equilibria rest : x = 0, y = 0' "$claim" > turning.tt
+    expect 0 '^    rest' jellett models ./turning.tt
+    ! grep 'excludes' out || fail "models, of a claim that is not proved"
+done
 exit $status
