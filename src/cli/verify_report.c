@@ -172,12 +172,12 @@ static json_t *density_json(const jlt_verify_density *d)
     const jlt_measure_attempt *a = &d->attempt;
     const bool compared = a->closed_form != NULL;
 
-    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
+    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
                      k->states[a->along].name, "defect", jlt_json_number(a->defect), "defects",
                      jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "turn",
-                     jlt_json_number(a->turn), "closed_form", jlt_json_string(a->closed_form), "difference",
-                     jlt_json_number(compared ? a->difference : NAN),
+                     jlt_json_number(a->turn), "contradicted", d->contradicted, "closed_form",
+                     jlt_json_string(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? a->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
 }
