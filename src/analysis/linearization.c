@@ -314,7 +314,8 @@ static void take_values(jlt_deflation *eigen, const jlt_ball_spectrum *s)
     eigen->kept = s->n - s->attributed;
     for (size_t i = 0; i < s->zeros; i++) {
         const bool forced = i < s->attributed;
-        eigen->values[i] = (jlt_eigenvalue){ 0.0, 0.0, !forced && s->defective ? INFINITY : NAN, 0.0, forced ? s->source[i] : -1 };
+        eigen->values[i] = (jlt_eigenvalue){ 0.0, 0.0, !forced && s->defective ? INFINITY : NAN, forced || s->counted ? 0.0 : NAN,
+                                             forced ? s->source[i] : -1 };
     }
     for (size_t i = s->zeros; i < s->n; i++) {
         const jlt_ball_eigenvalue *value = &s->values[i - s->zeros];
@@ -376,6 +377,7 @@ jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descri
     result->texts = s.texts;
     result->eigen.defective_zero = s.defective;
     result->eigen.doubtful_zero = 0;
+    result->exists = s.exists;
     result->proved = s.proved;
     result->sure = s.sure;
     if (!s.proved) result->verdict = JLT_UNDECIDED;

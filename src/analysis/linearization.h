@@ -52,14 +52,15 @@ typedef struct {
     double trace_formula;             /* the table's; NaN when it has none */
     jlt_deflation eigen;
     long precision;                   /* bits of the arithmetic behind the eigenvalues */
-    bool proved;                      /* equilibrium and verdict are proved in balls; false: the verdict is that of doubles to first
-                                         order, or UNDECIDED */
+    bool exists;                      /* the equilibrium is proved in balls; false: it may be missing, or where the trace is zero */
+    bool proved;                      /* so is the verdict; false: it is that of doubles to first order, or UNDECIDED */
     bool sure;                        /* every number is the nearest one */
     jlt_ball_texts *texts;            /* all numbers as decimals, for jlt_ball_texts_destroy; NULL where none were asked for */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
     jlt_verdict verdict;
     jlt_motion motion;                /* proved, or OPEN */
-    int obstructs;                    /* the trace differs from zero by more than its error: no smooth positive density */
+    int obstructs;                    /* the trace differs from zero by more than its error: no smooth positive density, where the
+                                         equilibrium exists; in doubles the error is that at x, rounded as it is */
 } jlt_linearization;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */

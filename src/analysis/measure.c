@@ -235,8 +235,23 @@ void jlt_measure_clear(jlt_measure_attempt *attempt)
     *attempt = (jlt_measure_attempt){ 0 };
 }
 
-/* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
-static jlt_status find_obstruction(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
+/* Whether the equilibrium that doubles come near is there, at the doubles of the parameters, and has a trace that is not zero: at
+ * an irrational one rounding alone makes one that is zero differ from it. */
+static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const double *params)
+{
+    jlt_ball_value *values = jlt_memory_array(d->param_count + 1, sizeof *values), x[JLT_LINEARIZATION_SIZE_MAX];
+    jlt_status st;
+
+    if (values == NULL) return JLT_ERR_NOMEM;
+    for (unsigned i = 0; i < d->param_count; i++) values[i] = (jlt_ball_value){ params[i], NULL };
+    for (unsigned i = 0; i < d->state_count; i++) x[i] = (jlt_ball_value){ f->x[i], NULL };
+    st = jlt_linearization_enclose(&f->obstruction, d, values, x, NULL, 0);
+    f->obstructed = st == JLT_OK && f->obstruction.exists && f->obstruction.obstructs;
+    free(values);
+    return st == JLT_ERR_NOMEM ? st : JLT_OK;
+}
+
+jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
 {
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
 
@@ -246,10 +261,9 @@ static jlt_status find_obstruction(jlt_measure_finding *f, const jlt_descriptor 
         for (int attempt = 0; attempt < POINTS_TRIED && d->equilibria[k].obstructs; attempt++) {
             jlt_density_draw_state(f->x, f->instance->descriptor, f->instance->prepared, random);
             jlt_linearization_complete(f->x, given, d, params);
-            const jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
-            if (st == JLT_ERR_NOMEM) return st;
-            f->obstructed = st == JLT_OK && f->obstruction.obstructs;
-            if (f->obstructed) return JLT_OK;
+            jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
+            if (st == JLT_OK && f->obstruction.obstructs) st = confirm(f, d, params);
+            if (st == JLT_ERR_NOMEM || f->obstructed) return st;
         }
     }
     return JLT_OK;
@@ -265,7 +279,7 @@ jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *
     JLT_TRY(jlt_instance_create(&finding->instance, special, params));
     JLT_TRY(jlt_measure_try(&finding->attempt, finding->instance, count, random));
     JLT_TRY(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
-    JLT_TRY(find_obstruction(finding, general, params, random));
+    JLT_TRY(jlt_measure_obstruct(finding, general, params, random));
 done:
     return st;
 }

@@ -37,10 +37,16 @@ typedef struct {
     jlt_instance *instance;                  /* owned: the most special kernel that serves */
     jlt_measure_attempt attempt;
     double residual[JLT_MEASURE_CLAIMS_MAX]; /* of the densities claimed, over JLT_MEASURE_SAMPLES random states */
-    bool obstructed;                         /* there is an equilibrium whose trace is not zero: */
+    bool obstructed;                         /* there is an equilibrium whose trace is not zero, proved in balls: */
     double x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_linearization obstruction;
 } jlt_measure_finding;
+
+/** Look for an equilibrium of the table's families, at these parameters, whose trace is not zero.
+ *  In/out: finding->instance, whose states are drawn; obstructed, x and obstruction of *finding; random, advanced.
+ *  In: general, params as for jlt_measure_find. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_measure_obstruct(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
+                                            jlt_random *random);
 
 /** The attempt, the residuals of the densities claimed, and the search for an obstruction.
  *  In: general, a model's general field; params, shape (params,); count, rows of the density. *finding, zeroed before, is to be

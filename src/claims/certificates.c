@@ -1,6 +1,7 @@
 /* Certificates: points of a family of equilibria at which the field is exactly zero and the trace, known exactly, is not. */
 #include "claims/verify.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,12 +18,29 @@ static const char *pick(jlt_random *random, const char *const *from, size_t coun
 
 static void set(jlt_verify_run *run, uint32_t symbol, const char *fraction, bool negative)
 {
-    char text[32];
-    snprintf(text, sizeof text, "%s%s", negative ? "-" : "", fraction);
-    (void)ttc_ball_set_fraction(run->oracle->ball, symbol, text);
+    char text[32] = "-";
+
+    if (negative) strncat(text, fraction, sizeof text - 2);
+    (void)ttc_ball_set_fraction(run->oracle->ball, symbol, negative ? text : fraction);
 }
 
-static void draw_point(jlt_verify_run *run, const ttc_claim *claim)
+/* Where a state's interval leaves the number out: as far from its end, or as large a part of it, to the 256th. */
+static void move_inside(jlt_verify_run *run, unsigned state)
+{
+    const jlt_quantity *q = &run->descriptor->states[state];
+    const uint32_t symbol = run->oracle->states[state];
+    ttc_enclosure drawn;
+
+    if (!ttc_ball_enclose(&drawn, run->oracle->ball, run->oracle->model->symbols[symbol].node)) return;
+    if (drawn.value > q->low && drawn.value < q->high) return;
+    const double part = round(fabs(drawn.value) * 256) / 256;
+    const double moved = !isfinite(q->high)  ? q->low + part
+                         : !isfinite(q->low) ? q->high - part
+                                             : q->low + (q->high - q->low) * part;
+    (void)ttc_ball_set(run->oracle->ball, symbol, moved);
+}
+
+static void draw_point(jlt_verify_run *run, const ttc_claim *claim, bool by_default)
 {
     const jlt_descriptor *d = run->descriptor;
     const jlt_oracle *o = run->oracle;
@@ -31,12 +49,14 @@ static void draw_point(jlt_verify_run *run, const ttc_claim *claim)
         const bool any = d->params[i].sign == JLT_ANY_SIGN || d->params[i].sign == JLT_NONZERO;
         set(run, o->params[i], pick(&run->random, plain, sizeof plain / sizeof *plain),
             any && jlt_random_below(&run->random, 2) == 0);
+        if (by_default && o->defaults[i] != NULL) set(run, o->params[i], o->defaults[i], false);
     }
     for (unsigned i = 0; i < d->state_count; i++) {
         const bool limited = d->states[i].low > -1e300 && d->states[i].high < 1e300;
         const bool negative = d->states[i].low < 0.0 && jlt_random_below(&run->random, 2) == 0;
         if (limited) set(run, o->states[i], pick(&run->random, legs, sizeof legs / sizeof *legs), negative);
         else set(run, o->states[i], pick(&run->random, plain, sizeof plain / sizeof *plain), negative);
+        move_inside(run, i);
     }
     for (size_t i = 0; i < claim->when.count; i++)
         ttc_ball_bind(o->ball, claim->when.items[i].symbol, claim->when.items[i].expression);
@@ -58,6 +78,26 @@ static bool allowed(const jlt_verify_run *run)
             return false;
     }
     return true;
+}
+
+static bool is_positive(const jlt_verify_run *run, ttc_id id)
+{
+    ttc_enclosure value;
+
+    return ttc_ball_enclose(&value, run->oracle->ball, id) && value.value - fabs(value.rest) > value.radius;
+}
+
+static bool in_domain(const jlt_verify_run *run)
+{
+    const ttc_model *model = run->oracle->model;
+    bool inside = true;
+
+    for (size_t i = 0; inside && i < 2 * model->state_count; i++) {
+        const ttc_id end = ttc_model_inside(model, model->states[i / 2], i % 2 != 0);
+        inside = end == TTC_NONE || is_positive(run, end);
+    }
+    for (size_t i = 0; inside && i < model->region_count; i++) inside = is_positive(run, model->regions[i].expression);
+    return inside;
 }
 
 static bool field_is_zero(const jlt_verify_run *run)
@@ -100,8 +140,8 @@ static void certify(jlt_verify_run *run, const jlt_equilibria *family)
     for (int attempt = 0; claim != NULL && attempt < TRIES && run->certificate_count < first + CERTIFICATES; attempt++) {
         jlt_verify_certificate c = { .family = family };
         int sign = 0;
-        draw_point(run, claim);
-        if (!allowed(run) || !field_is_zero(run)) continue;
+        draw_point(run, claim, attempt >= TRIES / 2);
+        if (!allowed(run) || !in_domain(run) || !field_is_zero(run)) continue;
         /* The trace vanishes on a part of the family: a point there shows nothing. */
         if (!ttc_ball_exact_sign(&sign, run->oracle->ball, run->oracle->trace) || sign == 0) continue;
         c.exact = true;

@@ -47,6 +47,7 @@ typedef struct {
     double *params;          /* owned */
     jlt_measure_attempt attempt;
     double residual;         /* worst div(rho f) of the table's densities, relative to its terms */
+    bool contradicted;       /* an equilibrium excludes the density that was found */
     jlt_status status;
 } jlt_verify_density;
 

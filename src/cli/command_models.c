@@ -180,6 +180,13 @@ static void print_section(FILE *stream, const jlt_descriptor *d, const jlt_secti
     fputs(d->claims[s->claim].verdict == JLT_PROVED ? "\n" : "  NOT PROVED\n", stream);
 }
 
+static bool excludes(const jlt_descriptor *d, const jlt_equilibria *family)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(d, "obstructs", family->name);
+
+    return family->obstructs && claim != NULL && claim->verdict == JLT_PROVED;
+}
+
 static void print_way(FILE *stream, const jlt_descriptor *d, const jlt_way *way)
 {
     fprintf(stream, "    %-22s %s %s", way->name, strcmp(way->kind, "lift") == 0 ? "part of" : "reduced to", way->model);
@@ -207,7 +214,7 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
         if (d->equilibria_count > 0) fputs("  equilibria\n", stream);
         for (unsigned i = 0; i < d->equilibria_count; i++)
             fprintf(stream, "    %-22s %s%s\n", d->equilibria[i].name, d->equilibria[i].condition,
-                    d->equilibria[i].obstructs ? "  [its trace excludes an invariant measure]" : "");
+                    excludes(d, &d->equilibria[i]) ? "  [its trace excludes an invariant measure]" : "");
         fprintf(stream, "  %-46s %6s %6s %9s %7s  %s\n", "kernels (variant, time, elimination)", "states", "rhs",
                 "jacobian", "fused", "integrals, measures");
     }

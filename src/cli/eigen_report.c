@@ -16,8 +16,11 @@ static const char *source_of(const jlt_linearization *r, const jlt_eigenvalue *v
 
 static const char *consequence(const jlt_linearization *r)
 {
-    if (r->obstructs) return "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
-                             "(Proposition 1)";
+    if (r->obstructs)
+        return r->exists ? "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
+                           "(Proposition 1)"
+                         : "the trace is not zero here, but that an equilibrium with such a trace exists is not proved: nothing "
+                           "follows";
     return r->trace_error > 0.0 ? "the trace is zero to within its error, and excludes no invariant measure"
                                 : "the trace is zero, and excludes no invariant measure";
 }
@@ -74,7 +77,7 @@ static void write_values(FILE *stream, const char *title, const jlt_quantity *qu
 static void write_error(FILE *stream, double error)
 {
     if (error > 0.0) fprintf(stream, "error < %.2g", error);
-    else fputs("exactly", stream);
+    else fputs(isnan(error) ? "or near it" : "exactly", stream);
 }
 
 static void write_eigenvalue(FILE *stream, const jlt_linearization *r, size_t which)
@@ -159,9 +162,10 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
             JLT_LINEARIZATION_TOLERANCE);
     write_matrix(stream, r);
     fprintf(stream, "\neigenvalues, with %ld bits%s\n", r->precision,
-            r->texts != NULL && !r->sure ? ", which do not settle what is zero" : "");
+            r->texts != NULL && !r->sure ? ", which leave digits open: they are left out, and 0 may be small" : "");
     for (size_t i = 0; i < r->n; i++) write_eigenvalue(stream, r, i);
-    if (r->eigen.defective_zero) fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
+    if (r->eigen.defective_zero && r->verdict == JLT_UNSTABLE)
+        fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
     fputs("  other routes in doubles, relative to the matrix: ", stream);
     if (!isnan(r->eigen.gsl_difference))
         fprintf(stream, "GSL on the deflated block %.2g, GSL on the whole %.2g, ", r->eigen.gsl_difference,
@@ -263,7 +267,7 @@ static json_t *row_json(const jlt_eigen_row *row)
     json_object_set_new(o, "verdict_proved", json_boolean(r->proved));
     json_object_set_new(o, "motion", json_string(jlt_linearization_motion(r->motion)));
     if (r->texts != NULL) json_object_set_new(o, "decimals", decimals_json(d, r));
-    json_object_set_new(o, "measure_excluded", json_boolean(r->obstructs));
+    json_object_set_new(o, "measure_excluded", json_boolean(r->obstructs && r->exists));
     json_object_set_new(o, "measure", json_string(consequence(r)));
     return o;
 }

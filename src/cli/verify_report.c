@@ -55,7 +55,7 @@ static void write_family(FILE *stream, const jlt_verify_family *f)
 static void write_certificate(FILE *stream, const jlt_verify_certificate *c)
 {
     if (c->point == NULL) {
-        fprintf(stream, "    %s: no rational point was found where every root is rational: FAILS\n", c->family->name);
+        fprintf(stream, "    %s: no rational point of the domain was found where every root is rational: FAILS\n", c->family->name);
         return;
     }
     fprintf(stream, "    %s at %s\n      f = 0 exactly; trace = %s\n      in %s, zero %s: %s\n", c->family->name, c->point,
@@ -92,6 +92,7 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
             fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
                     a->closed_form, a->difference, a->difference_bound, verdict(a->difference <= a->difference_bound));
     }
+    if (d->contradicted) fputs("      an equilibrium of the table excludes it: FAILS\n", stream);
     if (k->measure_count > 0)
         fprintf(stream, "      div(rho f) of the table's density: %.2g of its terms, bound %.0e: %s\n", d->residual,
                 JLT_DENSITY_TOLERANCE, verdict(d->residual <= JLT_DENSITY_TOLERANCE));
@@ -171,12 +172,12 @@ static json_t *density_json(const jlt_verify_density *d)
     const jlt_measure_attempt *a = &d->attempt;
     const bool compared = a->closed_form != NULL;
 
-    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
+    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
                      k->states[a->along].name, "defect", jlt_json_number(a->defect), "defects",
                      jlt_json_named(k->states, a->defects, k->state_count), "found", a->found, "singular", a->singular, "turn",
-                     jlt_json_number(a->turn), "closed_form", jlt_json_string(a->closed_form), "difference",
-                     jlt_json_number(compared ? a->difference : NAN),
+                     jlt_json_number(a->turn), "contradicted", d->contradicted, "closed_form",
+                     jlt_json_string(a->closed_form), "difference", jlt_json_number(compared ? a->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? a->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
 }

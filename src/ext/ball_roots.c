@@ -186,7 +186,7 @@ bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
     const size_t factors = exact == NULL ? p->n > (slong)s->zeros : exact->factor_count;
     acb_ptr roots = _acb_vec_init(p->n);
     arb_poly_t poly;
-    bool good = true;
+    bool good = s->counted; /* the polynomial without coefficients that may not be zero has other roots */
 
     s->decaying = p->n > (slong)s->zeros;
     s->growing = 0;

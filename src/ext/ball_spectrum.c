@@ -171,11 +171,11 @@ static bool deflate(jlt_ball_spectrum *s, jlt_ball_problem *p)
             arb_ptr coefficient = arb_poly_get_coeff_ptr(p->charpoly, (slong)s->zeros);
             if (!arb_contains_zero(coefficient)) break;
             sure = sure && arb_is_zero(coefficient);
-            if (p->last) arb_zero(coefficient);
         }
     }
     arb_poly_shift_right(p->rest, p->charpoly, (slong)s->zeros);
-    if (exact == NULL) sure = judge_zero(s, p, forced) && sure;
+    s->counted = sure;
+    if (exact == NULL) sure = sure && judge_zero(s, p, forced);
     p->proved = p->proved && sure;
     return sure || p->last;
 }
@@ -190,6 +190,7 @@ static jlt_status attempt(jlt_ball_spectrum *s, bool *finished, jlt_ball_problem
     if (st != JLT_OK) return st;
     s->precision = p->precision;
     s->n = (size_t)p->n;
+    s->exists = p->proved;
     attribute(s, p);
     if (!deflate(s, p)) return JLT_ERR_NO_CONVERGENCE;
     s->rooted = jlt_ball_problem_roots(s, p);

@@ -37,6 +37,7 @@ typedef struct {
     long precision;             /* bits that sufficed, or the most that were tried */
     size_t n, zeros;            /* states; eigenvalues that are zero, those of integrals counted */
     size_t attributed;          /* zeros that independent gradients of integrals force */
+    int counted;                /* zeros are proved to be; 0: those that integrals do not force may be small */
     int source[JLT_BALL_SIZE_MAX]; /* the integral of each, its index in the question */
     int rooted;                 /* values are there; 0: zero is defective, and others are multiple */
     jlt_ball_eigenvalue values[JLT_BALL_SIZE_MAX]; /* the others, shape (n - zeros,), ascending in (re, im) */
@@ -46,7 +47,8 @@ typedef struct {
     int growing;   /* an eigenvalue has a positive real part, or a multiple one on the imaginary axis has too few eigenvectors */
     int decaying;  /* there are others than zero, and all of them have negative real parts */
     int defective; /* zero has too few eigenvectors */
-    int proved;    /* the flags that decide on stability are, at an equilibrium that is */
+    int exists;    /* the equilibrium is proved to be there */
+    int proved;    /* so are the flags that decide on stability */
     int sure;      /* every double and decimal is the nearest one */
     jlt_ball_texts *texts; /* for jlt_ball_texts_destroy; NULL where none were asked for */
 } jlt_ball_spectrum;

@@ -77,13 +77,27 @@ static char *lay_out(const char *digits, bool negative, slong exponent, slong mo
     return text;
 }
 
+/* |x| as an integer of so many digits and the exponent of its first one; false as above. */
+static bool nearest(fmpz_t value, slong *exponent, const arb_t x, slong digits)
+{
+    fmpz_t limit;
+    bool sure;
+
+    fmpz_init(limit);
+    fmpz_ui_pow_ui(limit, 10, (ulong)digits);
+    *exponent = exponent_of(x) - 2;
+    do sure = scale(value, x, digits, ++*exponent);
+    while (fmpz_cmpabs(value, limit) >= 0);
+    fmpz_clear(limit);
+    return sure;
+}
+
 /* The nearest decimal, zeros at its end left out. Where the ball holds numbers that round apart *sure becomes false, and it is
- * that of the middle; NULL: memory is out. */
+ * that of the middle, with no more digits than the ball knows; NULL: memory is out. */
 static char *decimal(bool *sure, const arb_t ball, slong digits)
 {
-    fmpz_t value, limit;
+    fmpz_t value;
     slong exponent;
-    bool unique;
     char *all, *text;
 
     if (arb_contains_zero(ball)) {
@@ -91,17 +105,15 @@ static char *decimal(bool *sure, const arb_t ball, slong digits)
         return strdup("0");
     }
     fmpz_init(value);
-    fmpz_init_set_ui(limit, 10);
-    fmpz_pow_ui(limit, limit, (ulong)digits);
-    exponent = exponent_of(ball) - 1;
-    do unique = scale(value, ball, digits, exponent++);
-    while (fmpz_cmpabs(value, limit) >= 0);
-    *sure = *sure && unique;
+    if (!nearest(value, &exponent, ball, digits)) {
+        const slong known = (slong)floor((double)arb_rel_accuracy_bits(ball) * log10(2.0));
+        *sure = false;
+        (void)nearest(value, &exponent, ball, known < 1 ? 1 : known < digits ? known : digits);
+    }
     all = fmpz_get_str(NULL, 10, value);
     for (size_t end = strlen(all); end > 1 && all[end - 1] == '0'; end--) all[end - 1] = '\0';
-    text = lay_out(all, arb_is_negative(ball), exponent - 1, digits);
+    text = lay_out(all, arb_is_negative(ball), exponent, digits);
     flint_free(all);
-    fmpz_clear(limit);
     fmpz_clear(value);
     return text;
 }

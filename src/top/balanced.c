@@ -1,5 +1,6 @@
 #include "top/balanced.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -14,6 +15,9 @@ static const char third[] = "F0";
 /* Coordinates of the surface's table, and those of its half. */
 enum { GAMMA3, V_SLIP, PSI, SINE, COORDINATES };
 enum { HALF_GAMMA3, HALF_PSI, HALF_SINE, HALF_COORDINATES };
+
+/* How well levels are known, relative to their terms: no integral takes so many roundings. */
+static const double rounding = 32 * (DBL_EPSILON / 2);
 
 /* ---- what the tables say ---- */
 
@@ -150,14 +154,17 @@ static void across(double *x, const jlt_top *top, const jlt_balanced_levels *lev
 }
 
 /* v_slip^2 >= 0 somewhere: where I1 < I3, F0 is least at v_slip = 0 for one gamma3 and cos psi = +-1. With u = (s, gamma3) it is
- * there -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. */
-static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels)
+ * there -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. The
+ * former goes with M^2, which has a relative error; what is left is as low as rounding makes it. */
+static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels, double error)
 {
     double equator[JLT_TOP_STATES], pole[JLT_TOP_STATES];
 
     jlt_balanced_to_state(top, levels, equator, 0, 1, 0, 0);
     jlt_balanced_to_state(top, levels, pole, 1, 0, 0, 0);
-    return fmin(0, third_integral(top, equator) + third_integral(top, pole));
+    const double turning = third_integral(top, equator), upright = third_integral(top, pole);
+    const double sizes = rounding * (fabs(levels->F0) + fabs(turning) + fabs(upright));
+    return fmin(0, turning + upright - sizes - error * fabs(turning));
 }
 
 jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top)
@@ -168,12 +175,13 @@ jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top
     across(upright, top, &(jlt_balanced_levels){ .G = 1 }, 0);
     across(tilting, top, &(jlt_balanced_levels){ .M = 1 }, 0);
     const double of_F0 = energy(top, slipping) / third_integral(top, slipping);
-    const double rest = levels->E - of_F0 * levels->F0 - energy(top, upright) * levels->G * levels->G;
-    const double M2 = rest / energy(top, tilting);
+    const double of_G = energy(top, upright) * levels->G * levels->G;
+    const double rest = levels->E - of_F0 * levels->F0 - of_G, error = rounding * (levels->E + fabs(of_F0 * levels->F0) + of_G);
+    const double M2 = rest < 0 && rest >= -error ? 0 : rest / energy(top, tilting);
 
     if (!(M2 >= 0)) return JLT_ERR_EMPTY;
     levels->M = sqrt(M2);
-    if (!(levels->F0 >= least_third_integral(top, levels))) return JLT_ERR_EMPTY;
+    if (!(levels->F0 >= least_third_integral(top, levels, rest > 0 ? error / rest : 0))) return JLT_ERR_EMPTY;
     return JLT_OK;
 }
 
@@ -220,12 +228,23 @@ static family_levels levels_at(const jlt_top *top, double gamma3)
                             jlt_top_jellett(top, about) };
 }
 
-static unsigned both_ways(jlt_fixed_point *out, const jlt_top *top, double gamma3, double v2, double w0)
+static unsigned both_ways(jlt_fixed_point *out, const jlt_top *top, double gamma3, double speed, double w0)
 {
-    classify(&out[0], top, gamma3, sqrt(v2), w0);
-    if (v2 == 0) return 1;
-    classify(&out[1], top, gamma3, -sqrt(v2), w0);
+    classify(&out[0], top, gamma3, speed, w0);
+    if (speed == 0) return 1;
+    classify(&out[1], top, gamma3, -speed, w0);
     return 2;
+}
+
+/* v_nu^2 from the level that leaves it more digits, where omega3^2 = w2 has a relative error; 0 where that is all that is known. */
+static double slip_square(const jlt_balanced_levels *levels, const family_levels *at, double w2, double error)
+{
+    const double by_E = (levels->E - at->E_w * w2) / at->E_v, by_F = (levels->F0 - at->F_w * w2) / at->F_v;
+    const double error_E = (rounding * fabs(levels->E) + (rounding + error) * fabs(at->E_w) * w2) / at->E_v;
+    const double error_F = (rounding * fabs(levels->F0) + (rounding + error) * fabs(at->F_w) * w2) / at->F_v;
+    const double v2 = error_E <= error_F ? by_E : by_F;
+
+    return fabs(v2) <= fmin(error_E, error_F) ? 0 : v2;
 }
 
 /* G != 0 gives omega3 = G/G_w, and the level of E, with v_nu^2 from that of F0, times u = gamma3^2 is constant + slope u = 0. */
@@ -236,28 +255,34 @@ static unsigned tilted(jlt_fixed_point *out, const jlt_top *top, const jlt_balan
     const double constant = w2 * (equator.E_w - share * equator.F_w);
     const double slope = share * levels->F0 - levels->E + w2 * (pole.E_w - equator.E_w - share * (pole.F_w - equator.F_w));
     const double u = -constant / slope;
+    const double parts = w2 * (equator.E_w + share * fabs(equator.F_w)); /* sizes of the terms */
+    const double rest = share * fabs(levels->F0) + levels->E + w2 * (pole.E_w + share * fabs(pole.F_w)) + parts;
+    const double error = rounding * (parts / fabs(constant) + rest / fabs(slope));
     unsigned count = 0;
 
     if (!(u > 0 && u < 1)) return 0;
     for (int side = -1; side <= 1; side += 2) {
         const double gamma3 = side * sqrt(u), w0 = w / gamma3;
-        const double v2 = (levels->F0 - levels_at(top, gamma3).F_w * w0 * w0) / pole.F_v;
-        if (v2 >= 0) count += both_ways(out + count, top, gamma3, v2, w0);
+        const family_levels at = levels_at(top, gamma3);
+        const double v2 = slip_square(levels, &at, w0 * w0, error);
+        if (v2 >= 0) count += both_ways(out + count, top, gamma3, sqrt(v2), w0);
     }
     return count;
 }
 
-/* G = 0: the equator, v_nu and omega3 free there, both from E and F0. */
-static unsigned equatorial(jlt_fixed_point *out, const jlt_top *top, const jlt_balanced_levels *levels)
+/* G = 0: the equator, v_nu and omega3 free there, both from E and F0. False: omega3 is 0, and all gamma3 are served. */
+static bool equatorial(jlt_fixed_point *out, unsigned *count, const jlt_top *top, const jlt_balanced_levels *levels)
 {
     const family_levels at = levels_at(top, 0);
-    const double w2 = (at.F_v * levels->E - at.E_v * levels->F0) / (at.F_v * at.E_w - at.E_v * at.F_w);
-    const double v2 = (levels->F0 - at.F_w * w2) / at.F_v;
-    unsigned count = 0;
+    const double numerator = at.F_v * levels->E - at.E_v * levels->F0, divisor = at.F_v * at.E_w - at.E_v * at.F_w;
+    const double above = at.F_v * levels->E + at.E_v * fabs(levels->F0), below = at.F_v * at.E_w + at.E_v * fabs(at.F_w);
+    const double w2 = numerator / divisor;
 
-    if (!(w2 > 0 && v2 >= 0)) return 0;
-    for (int side = -1; side <= 1; side += 2) count += both_ways(out + count, top, 0, v2, side * sqrt(w2));
-    return count;
+    if (fabs(numerator) <= rounding * above) return false;
+    const double v2 = slip_square(levels, &at, w2, rounding * (above / fabs(numerator) + below / fabs(divisor)));
+    if (!(w2 > 0 && v2 >= 0)) return true;
+    for (int side = -1; side <= 1; side += 2) *count += both_ways(out + *count, top, 0, sqrt(v2), side * sqrt(w2));
+    return true;
 }
 
 jlt_status jlt_balanced_fixed_points(jlt_fixed_point out[4], unsigned *count, const jlt_top *top,
@@ -265,8 +290,20 @@ jlt_status jlt_balanced_fixed_points(jlt_fixed_point out[4], unsigned *count, co
 {
     *count = 0;
     if (!(top->I3 > 0)) return JLT_ERR_UNSUPPORTED;
-    *count = levels->G != 0 ? tilted(out, top, levels) : equatorial(out, top, levels);
-    return levels->G == 0 && *count == 0 ? JLT_ERR_UNSUPPORTED : JLT_OK;
+    if (levels->G == 0) return equatorial(out, count, top, levels) ? JLT_OK : JLT_ERR_UNSUPPORTED;
+    *count = tilted(out, top, levels);
+    return JLT_OK;
+}
+
+bool jlt_balanced_fixed_like(jlt_fixed_point out[4], unsigned *count, const jlt_top *top, const double *x)
+{
+    const double gamma3 = x[JLT_TOP_GAMMA3], v_nu = x[JLT_TOP_V_NU], omega3 = x[JLT_TOP_OMEGA3];
+
+    *count = 0;
+    if (x[JLT_TOP_OMEGA_TAU] != 0 || x[JLT_TOP_OMEGA_N] != 0 || omega3 == 0 || !(top->I3 > 0)) return false;
+    for (int side = -1; side <= 1; side += 2)
+        *count += both_ways(out + *count, top, 0.0 + side * fabs(gamma3), fabs(v_nu), side * copysign(omega3, gamma3 * omega3));
+    return true;
 }
 
 /* Multiples of the golden section's generalization in two dimensions (M. Roberts, 2018). */

@@ -55,9 +55,13 @@ typedef struct {
     int focus;                     /* they are a complex pair */
 } jlt_fixed_point;
 
-/** The fixed points on a level, isolated ones; *count <= 4. Errors: UNSUPPORTED, G = 0 with omega3 = 0 (they fill a
- *  curve), or I3 = 0. */
+/** The fixed points on a level, isolated ones; *count <= 4. A v_nu^2 or an omega3^2 that the levels, rounded to doubles, do not
+ *  tell from 0 is taken for 0. Errors: UNSUPPORTED, G = 0 with omega3 = 0 (they fill a curve), or I3 = 0. */
 JLT_CHECKED jlt_status jlt_balanced_fixed_points(jlt_fixed_point out[4], unsigned *count, const jlt_top *top,
                                                  const jlt_balanced_levels *levels);
+
+/** The same on the levels of a state x, shape (JLT_TOP_STATES,), that is a fixed point itself: x as it stands, and its images under
+ *  changes of sign. False: x is none, or none that is isolated, or I3 = 0. */
+bool jlt_balanced_fixed_like(jlt_fixed_point out[4], unsigned *count, const jlt_top *top, const double *x);
 
 #endif

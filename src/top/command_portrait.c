@@ -78,11 +78,10 @@ static jlt_exit read_levels(jlt_portrait_request *r)
     if ((r->level.count > 0) == (r->session.start.count > 0))
         return jlt_command_fail(JLT_EXIT_USAGE, "say which surface: --level E=...,G=...,F0=..., or --start");
     if (r->session.start.count > 0) {
-        double x[JLT_TOP_STATES];
         const jlt_exit code = jlt_session_start(&r->session);
         if (code != JLT_EXIT_DONE) return code;
-        jlt_counterpart_look(&r->counterpart, x, r->session.x);
-        jlt_balanced_levels_of(&r->levels, &r->top, x);
+        jlt_counterpart_look(&r->counterpart, r->start, r->session.x);
+        jlt_balanced_levels_of(&r->levels, &r->top, r->start);
         return JLT_EXIT_DONE;
     }
     for (size_t i = 0; i < r->level.count; i++) {
@@ -287,7 +286,6 @@ static jlt_exit run(int argc, char **argv)
     jlt_common *common = &r.session.common;
     jlt_stream trajectories = { 0 };
     jlt_exit code;
-    jlt_status st;
 
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
@@ -298,8 +296,8 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_open(&trajectories, r.trajectories);
     if (code != JLT_EXIT_DONE) goto done;
-    st = jlt_balanced_fixed_points(r.fixed, &r.fixed_count, &r.top, &r.levels);
-    r.fixed_curve = st == JLT_ERR_UNSUPPORTED;
+    if (!jlt_balanced_fixed_like(r.fixed, &r.fixed_count, &r.top, r.start))
+        r.fixed_curve = jlt_balanced_fixed_points(r.fixed, &r.fixed_count, &r.top, &r.levels) == JLT_ERR_UNSUPPORTED;
     write_fixed_points(common->table.file, &r);
     if (common->points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);

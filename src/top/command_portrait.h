@@ -25,6 +25,7 @@ typedef struct {
     jlt_top top;                  /* with the general field and the parameters of JLT_DEFAULT_MODEL */
     const jlt_descriptor *model;
     double params[JLT_WAY_VALUES_MAX];
+    double start[JLT_TOP_STATES]; /* all 0 where levels are given */
     jlt_balanced_levels levels;
     jlt_fixed_point fixed[4];
     unsigned fixed_count;

@@ -109,6 +109,23 @@ jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,ome
 [ "$(grep -c 'attracting focus' "$scratch/m2.csv")$(grep -c 'repelling focus' "$scratch/m2.csv")" = 22 ] ||
     fail "fixed points on M^2"
 [ "$(grep -c '^5,' "$scratch/orbits.csv")" -gt 100 ] || fail "orbits on M^2"
+# A start at rest is a fixed point as it stands, which levels lose: without slip (a centre), slipping by 1e-9, beside a pole, and
+# with omega3 = 0, where all gamma3 are served.
+at_rest() { # WORDS GAMMA3 V_NU OMEGA3 COLUMNS: so many rows say so, of points with these columns but for signs
+    jellett portrait --set I1=2/5,I3=1/4 --start "gamma3=$2,v_nu=$3,omega_tau=0,omega_n=0,omega3=$4" --orbits 0 > "$scratch/m2.csv"
+    grep "$1" "$scratch/m2.csv" | tr -d - | grep -c "^$5,"
+}
+[ "$(at_rest centre 0.3 0 0.9 0.3,0,0.9)$(at_rest attracting 0.3 1e-9 0.9 0.3,1e09,0.9)" = 22 ] || fail "slow fixed points"
+[ "$(at_rest attracting 0.9999999999 0.8 0.01 0.9999999999,0.8,0.01)" = 2 ] || fail "fixed points beside a pole"
+at_rest centre 0.3 0.8 0 0 > "$scratch/out" || true
+grep -q 'fill a curve' "$scratch/m2.csv" && [ "$(cat "$scratch/out")" = 0 ] || fail "a curve of fixed points"
+# The same by levels: v_nu = 0 to within their rounding; and none at all where v_nu^2 would be -1/2.
+jellett portrait --set I1=2/5,I3=1/4 --level E=0.4698,G=-0.0675,F0=0.05910975 --orbits 0 -o "$scratch/m2.csv"
+[ "$(grep -c '^-\?0.3[0-9.]*,0,.*centre' "$scratch/m2.csv")" = 2 ] || fail "levels of slow ones: $(tail -4 "$scratch/m2.csv")"
+# F0 is least there where I1 < I3: rounding makes no such level one without states.
+jellett portrait --set I1=1/8,I3=1/4 --level E=81/200,G=-9/80,F0=-243/12800 --orbits 0 -o "$scratch/m2.csv" || fail "the least F0"
+[ "$(grep -c '^-\?0.5,0,-\?0.9,.*centre' "$scratch/m2.csv")" = 2 ] || fail "the least F0: $(tail -3 "$scratch/m2.csv")"
+jellett portrait --set I1=2/5,I3=1/4 --level E=1,G=0,F0=0.07 --orbits 0 | grep -E 'curve|centre' && fail "no fixed points are some"
 
 expect 3 'omega_n as well' jellett simulate --start gamma3=0,v_nu=0,omega_tau=0 --times 1
 expect 3 'strictly between -1 and 1' jellett simulate --start gamma3=1,v_nu=0,omega_tau=0,omega_n=0,omega3=0 --times 1

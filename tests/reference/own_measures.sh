@@ -105,4 +105,32 @@ for a in 1 2; do
 done
 # Where x^2 is lost that is said; it is no pole of the density.
 for a in 1e-150 1e-160 1e-300; do expect 4 'use units in which parameters' jellett measure ./narrow.tt --set a=$a; done
+
+# At a = p the density 1/(1 - y) is invariant. The trace of the equilibrium x = a^(1/2), a - p, is then zero but for the rounding
+# of x.
+cat > rounded.tt <<'TABLE'
+model rounded
+param a > 0
+param p > 0
+default a = 3, p = 3
+state x
+state y in (-10, 1/2)
+root w = sqrt(a)
+eq x = y
+eq y =
+    + (x^2 - p)*y
+    - (x^2 - a)
+equilibria right : x = w, y = 0
+trace right = a - p
+obstructs right
+TABLE
+expect 0 'density of y alone' jellett measure ./rounded.tt
+! grep obstruction out || fail "a density is there: $(tail -2 out)"
+expect 0 'the trace is 1 .error < .*, so no invariant measure' jellett measure ./rounded.tt --set p=2
+# What a family excludes is told of claims that are proved: this one keeps areas.
+for claim in 'trace rest = 0' 'obstructs rest'; do
+    printf '%s\n' 'model turning' 'state x' 'state y' 'eq x = y' 'eq y = -x' 'equilibria rest : x = 0, y = 0' "$claim" > turning.tt
+    expect 0 '^    rest' jellett models ./turning.tt
+    ! grep 'excludes' out || fail "models, of a claim that is not proved"
+done
 exit $status

@@ -23,3 +23,62 @@ END
 jellett verify --json --samples=$samples chaplygin_sleigh |
     jq -r '.. | objects | select(has("numbers")) | "\(.numbers) \(.name)"' > "$scratch/made"
 diff "$scratch/expected" "$scratch/made"
+
+# Certificates are points of the table's domain: of intervals on both sides and on one, with numbers and parameters as ends, and of
+# a condition that no small numbers for k meet.
+export XDG_CACHE_HOME=$scratch/cache
+cat > "$scratch/inside.tt" << 'END'
+model inside
+param a > 0
+param k > 0
+default a = 1, k = 3
+state x in (2, 3)
+state z in (-a, 2*a)
+state w in (-inf, -4)
+state y
+domain near : k - x > 0
+eq x = y*x
+eq y = y*(x - 1)*w
+eq z = y
+eq w = -y
+equilibria rest : y = 0
+trace rest = (x - 1)*w
+obstructs rest
+END
+jellett verify --json --samples=$samples "$scratch/inside.tt" |
+    jq -r '.. | objects | select(has("point")) | .point' > "$scratch/made"
+[ "$(wc -l < "$scratch/made")" = 3 ]
+python3 - "$scratch/made" << 'END'
+import fractions, sys
+for line in open(sys.argv[1]):
+    p = {name: fractions.Fraction(value) for name, value in (each.split(" = ") for each in line.strip().split(", "))}
+    assert 2 < p["x"] < 3 and -p["a"] < p["z"] < 2*p["a"] and p["w"] < -4 and p["k"] > p["x"], line
+END
+
+# A family that excludes a measure where c = 0 says nothing of c = 1, where exp(-e x) is a density; nor does one out of range of the
+# density that is found.
+cat > "$scratch/elsewhere.tt" << 'END'
+model elsewhere
+param c
+param e > 0
+default c = 1, e = 1/3
+state x
+state y
+eq x = c + y*(1 - c)
+eq y = e*y - x*(1 - c^2)
+equilibria rest : y = 0, x = 0 when c = 0
+trace rest = e
+obstructs rest
+END
+cat > "$scratch/beyond.tt" << 'END'
+model beyond
+state x
+eq x = x - 7
+equilibria rest : x = 7
+trace rest = 1
+obstructs rest
+END
+for table in elsewhere beyond; do
+    jellett verify --samples=$samples "$scratch/$table.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }
+    grep -q 'density of x alone' "$scratch/said"
+done

@@ -200,4 +200,14 @@ says 'verdict not settled at 53 bits' resonant.tt --at x=1.4,y=2 --find
 jellett eigen resonant.tt --at x=1.4,y=2 --find --digits 20 > out 2> err
 code=$?
 [ $code -eq 4 ] && [ ! -s out ] && grep -q 'too close together' err || fail "--digits: status $code, says '$(cat err)'"
+
+# x' > 0 everywhere, though by doubles 2^(1/2) is at rest: there is a density, exp(-3 t)/x' with the time t since x = 0. So the
+# trace, 3 at y = 0, excludes nothing; and no more digits of it are given than the place where x' nearly vanishes has.
+printf '%s\n' 'model passed' 'param p > 0' 'default p = 1e-31' 'state x' 'state y' 'eq x = (x^2 - 2)^2 + p' 'eq y = 3*y' > passed.tt
+nothing='measure the trace is not zero here, but that an equilibrium with such a trace exists is not proved: nothing follows'
+says "$nothing" passed.tt --at x=1.4142135623730951
+says "$nothing" passed.tt --at x=1.4142135623730951 --fast
+says ' 0 or near it, condition not defined' passed.tt --at x=1.4142135623730951
+says 'trace 3' passed.tt --at x=1.4142135623730951 --digits 30
+says ' 3 condition 1' passed.tt --at x=1.4142135623730951 --digits 30
 exit $status
