@@ -1,8 +1,8 @@
 /** Units of mass, length and time in which the numbers of a problem are of the order of 1.
  *
- *  Integrators measure errors against max(|x|, 1) and choose first steps for rates of the order of 1; both make sense only
- *  in such units. The units are powers of two of kg, m and s: conversion rounds nothing, and two problems that differ only
- *  by such units give the same bits. */
+ *  Integrators measure errors against max(|x|, 1), or less where an orbit starts far below 1, and choose first steps for rates
+ *  of the order of 1; both make sense only in such units. The units are powers of two of kg, m and s: conversion rounds nothing,
+ *  and two problems that differ only by such units give the same bits. */
 #ifndef JLT_KERNEL_UNITS_H
 #define JLT_KERNEL_UNITS_H
 

@@ -1,6 +1,5 @@
 #include "scene/leg.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
