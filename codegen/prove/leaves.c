@@ -178,7 +178,8 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     size_t kept = c->task->kept, skipped = c->skipped;
     descend_apart(c, &solved);
     degenerate.is_degenerate = true;
-    degenerate.is_orphan |= c->task->kept == kept || c->skipped > skipped;
+    /* What lies in no component of its own lies in those that were shown to be kept, wherever it is cut further. */
+    degenerate.is_orphan |= !is_no_component(c->task, &solved) && (c->task->kept == kept || c->skipped > skipped);
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
     ttc_id itself = ttc_subcase_expression(c->task, factor);
     if (degenerate.goal_count + 2 > sizeof degenerate.goals / sizeof *degenerate.goals) {
