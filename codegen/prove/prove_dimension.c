@@ -1,4 +1,5 @@
 /* The dimension of the image of a reduction or an embedding, leaf by leaf: by the rank of what is given, along the leaf. */
+#include "prove/image.h"
 #include "prove/tangent.h"
 #include "prove/vanishing.h"
 
@@ -114,24 +115,40 @@ static bool binds_parameter(const ttc_task *task)
     return false;
 }
 
-/* Whatever the parameters, the minor is not zero at all states: its coefficients do not vanish together. */
-static void require_minor(ttc_task *task, const ttc_ratio *minor)
+/* What a value is made of stays as it is, down to what its roots and functions are of. */
+static void hold(ttc_task *task, bool *moves, const ttc_ratio *value)
 {
-    if (ttc_task_moves(task, minor) && binds_parameter(task)) {
-        ttc_task_unsettle(task, "a parameter follows from the states on the levels, and for some the image may be of lower "
-                                "dimension");
-        return;
+    const ttc_ring *ring = task->ring;
+    const ttc_model *model = task->model;
+    ttc_ratio of;
+    ttc_ratio_init(task->ring, &of);
+    for (slong v = 0; v < (slong)ring->variable_count; v++) {
+        if (!moves[v] || !ttc_ratio_uses(ring, value, v)) continue;
+        moves[v] = false;
+        for (size_t i = 0; i < ring->generator_count; i++)
+            if (ring->generators[i].variable == v) hold(task, moves, &ring->generators[i].square);
+        const size_t symbol = ttc_valuation_symbol(task->field, v);
+        if (symbol >= model->symbol_count || model->symbols[symbol].definition == TTC_NONE) continue;
+        ttc_evaluate(task->field, &of, model->symbols[symbol].definition);
+        hold(task, moves, &of);
     }
+    ttc_ratio_clear(task->ring, &of);
+}
+
+/* What moves on levels of what is given for the target's parameters: for certain, what these do not use. For free(). */
+static bool *moves_on_levels(ttc_task *task, const ttc_model *target)
+{
+    const ttc_bindings *given = &task->claim->bindings;
     bool *moves = ttc_vanishing_moves(task);
-    fmpz_mpoly_t polynomial;
-    fmpz_mpoly_init(polynomial, task->ring->context);
-    fmpz_mpoly_set(polynomial, minor->numerator, task->ring->context);
-    const bool apart = moves != NULL && separate(task, polynomial, moves);
-    const ttc_search_result result = apart ? ttc_vanishing_search(task, polynomial, moves, NULL) : TTC_POINT_NOT_DECIDED;
-    if (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED)
-        ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
-    fmpz_mpoly_clear(polynomial, task->ring->context);
-    free(moves);
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; moves != NULL && i < given->count; i++) {
+        if (ttc_param_of(target, task->claim->target_names[i]) == UINT32_MAX) continue;
+        ttc_evaluate(task->field, &value, given->items[i].expression);
+        hold(task, moves, &value);
+    }
+    ttc_ratio_clear(task->ring, &value);
+    return moves;
 }
 
 /* What has been found on a leaf: the rows given for states, those for parameters, and what is zero along the leaf. */
@@ -173,8 +190,17 @@ static void copy_rows(ttc_task *task, ttc_ratio *out, const ttc_ratio *rows, siz
     for (size_t i = 0; i < count; i++) ttc_ratio_set(task->ring, &out[i], &rows[i]);
 }
 
-/* The rank along the leaf's free states of what is zero along the leaf, with these rows; minor: that shows it. */
-static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bool params, ttc_ratio *minor)
+/* The variable of a column of the tangent. */
+static slong free_state(const ttc_task *task, size_t column)
+{
+    size_t i = 0;
+    while (ttc_valuation_is_bound(task->field, task->model->states[i]) || column-- > 0) i++;
+    return ttc_valuation_variable(task->field, task->model->states[i]);
+}
+
+/* The rank along the leaf's free states of what is zero along the leaf, with these rows; minor: that shows it. moves: NULL, or which
+ * of the free states count. */
+static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bool params, const bool *moves, ttc_ratio *minor)
 {
     const size_t n = image->tangent.columns, most = 2 * image->rows + image->tangent.constraint_count;
     size_t count = 0, rank = 0;
@@ -187,9 +213,39 @@ static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bo
     count += params ? image->param_rows : 0;
     copy_rows(task, matrix + count * n, image->tangent.constraints, image->tangent.constraint_count * n);
     count += image->tangent.constraint_count;
+    for (size_t i = 0; moves != NULL && i < count * n; i++)
+        if (!moves[free_state(task, i % n)]) ttc_ratio_set_integer(task->ring, &matrix[i], 0);
     rank = rank_of(task, matrix, count, n, minor);
     ttc_task_free(task, matrix, most * n);
     return rank;
+}
+
+/* Whatever does not move, the minor is not zero for all of what does: its coefficients do not vanish together. */
+static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves)
+{
+    fmpz_mpoly_t polynomial;
+    fmpz_mpoly_init(polynomial, task->ring->context);
+    fmpz_mpoly_set(polynomial, minor->numerator, task->ring->context);
+    const bool apart = separate(task, polynomial, moves);
+    const ttc_search_result result = apart ? ttc_vanishing_search(task, polynomial, moves, NULL) : TTC_POINT_NOT_DECIDED;
+    fmpz_mpoly_clear(polynomial, task->ring->context);
+    return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
+}
+
+/* The images have the target's dimension whatever the parameters, here and in the target: by the minor that shows it in general, or
+ * by one of what moves on the levels alone. */
+static void require_minor(ttc_task *task, const ttc_model *target, const leaf_image *image, ttc_ratio *minor)
+{
+    if (ttc_task_moves(task, minor) && binds_parameter(task)) {
+        ttc_task_unsettle(task, "a parameter follows from the states on the levels, and for some the image may be of lower "
+                                "dimension");
+        return;
+    }
+    bool *moves = moves_on_levels(task, target);
+    if (moves == NULL || !(stays(task, minor, moves) || (image->tangent.constraint_count == 0 &&
+            rank_with(task, image, true, false, moves, minor) == target->state_count && stays(task, minor, moves))))
+        ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
+    free(moves);
 }
 
 /* A leaf along which the gradients of the levels have the rank of its codimension is a component of their common zeros, and one
@@ -235,10 +291,10 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
     const bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
     ttc_ratio minor;
     ttc_ratio_init(task->ring, &minor);
-    const size_t cut = rank_with(task, image, false, false, &minor);
+    const size_t cut = rank_with(task, image, false, false, NULL, &minor);
     const size_t dimension = image->tangent.columns - cut, codimension = task->model->state_count - dimension;
-    const size_t fixed = onto ? rank_with(task, image, false, true, &minor) : cut;
-    const size_t found = rank_with(task, image, true, true, &minor) - fixed, wanted = onto ? target->state_count : dimension;
+    const size_t fixed = onto ? rank_with(task, image, false, true, NULL, &minor) : cut;
+    const size_t found = rank_with(task, image, true, true, NULL, &minor) - fixed, wanted = onto ? target->state_count : dimension;
     if (!ttc_task_open(task) || codimension > task->claim->modulo_count) goto done;
     if (found != wanted) {
         /* Of an embedding it is the real points that must have the leaf's dimension. */
@@ -250,9 +306,9 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
                           wanted);
         goto done;
     }
-    if (onto) require_minor(task, &minor);
-    if (!ttc_task_open(task)) goto done;
     const bool has = (onto && task->claim->modulo_count == 0) || has_dimension(task, &minor);
+    if (onto) require_minor(task, target, image, &minor);
+    if (!ttc_task_open(task)) goto done;
     if (!onto && !has) ttc_task_unsettle(task, "no point is known at which the image has the dimension of this table");
     task->kept += has;
 done:
