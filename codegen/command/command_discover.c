@@ -239,16 +239,16 @@ static void bind(work *w)
 }
 
 /* A claim that holds under the conditions asked for: all that it sets is so already. */
-static bool holds_here(const ttc_discovery *d, const ttc_claim *claim)
+static bool holds_here(ttc_discovery *d, const ttc_claim *claim)
 {
     bool holds = claim->modulo_count == 0;
     ttc_ratio left, right;
     ttc_ratio_init(d->flow->ring, &left);
     ttc_ratio_init(d->flow->ring, &right);
     for (size_t i = 0; i < claim->when.count && holds; i++) {
-        ttc_evaluate(d->flow->valuation, &left, d->flow->model->symbols[claim->when.items[i].symbol].node);
-        ttc_evaluate(d->flow->valuation, &right, claim->when.items[i].expression);
-        holds = d->flow->ring->status == TTC_RING_OK && ttc_ratio_equal(d->flow->ring, &left, &right);
+        holds = ttc_discovery_value(d, &left, d->flow->model->symbols[claim->when.items[i].symbol].node)
+                && ttc_discovery_value(d, &right, claim->when.items[i].expression)
+                && ttc_ratio_equal(d->flow->ring, &left, &right);
     }
     ttc_ratio_clear(d->flow->ring, &right);
     ttc_ratio_clear(d->flow->ring, &left);
@@ -269,9 +269,9 @@ static bool learn(work *w, ttc_discovery *d)
     for (size_t i = 0; report != NULL && i < w->model->claim_count; i++) {
         const ttc_claim *claim = &w->model->claims[i];
         if (report->proofs[i].status != TTC_PROVED || !holds_here(d, claim)) continue;
-        if (claim->kind == TTC_CLAIM_MEASURE) ttc_discovery_know_density(d, claim->name, claim->expression);
-        else if (claim->kind != TTC_CLAIM_INTEGRAL) continue;
-        else if (!ttc_discovery_know_integral(d, claim->name, claim->expression)) continue;
+        if (claim->kind != TTC_CLAIM_INTEGRAL && claim->kind != TTC_CLAIM_MEASURE) continue;
+        ttc_knowns *knowns = claim->kind == TTC_CLAIM_INTEGRAL ? &d->integrals : &d->densities;
+        if (!ttc_discovery_know(d, knowns, claim->name, claim->expression)) continue;
         ttc_text_format(&known, "%s%s", known.length > 0 ? ", " : "", claim->name);
         if (w->found != NULL) json_array_append_new(json_object_get(w->found, "known"), json_string(claim->name));
     }
@@ -286,8 +286,8 @@ static void divide(work *w, ttc_discovery *d, size_t i)
 {
     ttc_ratio denominator;
     ttc_ratio_init(d->flow->ring, &denominator);
-    ttc_evaluate(d->flow->valuation, &denominator, w->expressions[i]);
-    if (d->flow->ring->status == TTC_RING_OK && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context)) {
+    if (ttc_discovery_value(d, &denominator, w->expressions[i])
+        && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context)) {
         ttc_discover_integrals(d, &denominator, w->denominators[i]);
     } else {
         w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' is zero, or no ratio", w->denominators[i]);

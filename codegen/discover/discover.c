@@ -48,28 +48,27 @@ static int degree_of(const ttc_flow *flow, const ttc_ratio *value)
     return divides ? -1 : ttc_flow_degree(flow, value->numerator);
 }
 
-static int know(ttc_discovery *d, ttc_knowns *knowns, const char *name, ttc_id expression)
+bool ttc_discovery_value(ttc_discovery *d, ttc_ratio *out, ttc_id expression)
+{
+    ttc_ring *ring = d->flow->ring;
+    ttc_evaluate(d->flow->valuation, out, expression);
+    const bool has_value = ring->status == TTC_RING_OK;
+    if (ring->status != TTC_RING_NO_MEMORY) ring->status = TTC_RING_OK;
+    return has_value;
+}
+
+bool ttc_discovery_know(ttc_discovery *d, ttc_knowns *knowns, const char *name, ttc_id expression)
 {
     int degree = -1;
     ttc_ratio value;
     ttc_ratio_init(d->flow->ring, &value);
-    ttc_evaluate(d->flow->valuation, &value, expression);
-    if (d->flow->ring->status == TTC_RING_OK) {
+    const bool has_value = ttc_discovery_value(d, &value, expression);
+    if (has_value) {
         degree = degree_of(d->flow, &value);
         ttc_knowns_add(knowns, d->flow, name, &value, NULL, degree);
     }
     ttc_ratio_clear(d->flow->ring, &value);
-    return degree;
-}
-
-bool ttc_discovery_know_integral(ttc_discovery *d, const char *name, ttc_id expression)
-{
-    return know(d, &d->integrals, name, expression) >= 0;
-}
-
-void ttc_discovery_know_density(ttc_discovery *d, const char *name, ttc_id expression)
-{
-    know(d, &d->densities, name, expression);
+    return has_value && (degree >= 0 || knowns == &d->densities);
 }
 
 bool ttc_discovery_fits(ttc_discovery *d, size_t *columns)

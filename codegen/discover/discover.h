@@ -15,10 +15,12 @@ ttc_discovery *ttc_discovery_create(const ttc_model *model, const ttc_bindings *
                                     ttc_discovery_host host, const char **why);
 void ttc_discovery_destroy(ttc_discovery *d); /* legal on NULL */
 
-/* An integral that the table claims, or a density, proved: products with it are not new. False: the integral is no polynomial in
- * the quantities, so that nothing follows for products. */
-bool ttc_discovery_know_integral(ttc_discovery *d, const char *name, ttc_id expression);
-void ttc_discovery_know_density(ttc_discovery *d, const char *name, ttc_id expression);
+/* The value of an expression under the conditions. False: it has none there, or none that could be computed. */
+bool ttc_discovery_value(ttc_discovery *d, ttc_ratio *out, ttc_id expression);
+
+/* What the table claims, proved, joins d->integrals or d->densities: products with it are not new. False: it has no value under the
+ * conditions, or is an integral that is no polynomial in the quantities, so that nothing follows for products. */
+bool ttc_discovery_know(ttc_discovery *d, ttc_knowns *knowns, const char *name, ttc_id expression);
 
 /* False: the largest matrix of the greatest degree, with that many columns, is beyond the memory; too_large has its bytes. Nothing
  * is allocated for it. */

@@ -31,7 +31,7 @@ static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given
         if (pass == 1) break;
         for (size_t i = 0; i < flow->count; i++) ttc_factors_add_all(&f->list, flow->slopes[flow->variables[i]].denominator);
         for (size_t i = 0; i < given_count; i++) {
-            ttc_evaluate(flow->valuation, &value, given[i]);
+            if (!ttc_discovery_value(d, &value, given[i])) continue;
             ttc_factors_add_all(&f->list, value.numerator);
             ttc_factors_add_all(&f->list, value.denominator);
         }

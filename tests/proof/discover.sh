@@ -80,6 +80,15 @@ for when in 'beta=6*sigma-2, rho=2*sigma-1' 'beta=4, sigma=1'; do
     ttc discover codegen/models/lorenz.tt --when "$when" --seek factors --degree 4 > "$scratch/lorenz" 2>&1
     grep -qE '^rate P1 : -x\^4 \+ 4\*(sigma\*)?x\^2\*z' "$scratch/lorenz" || fail "lorenz when $when: no quartic"
 done
+# What the table claims, and is proved, may have no value under the conditions: it is then not known, and what has one is found.
+printf '%s\n' 'model spring' 'param a' 'param b' 'param c' 'state x' 'state y' 'eq x = y' 'eq y = -b*x' \
+    'integral G = (b*x^2 + y^2)/a' 'integral L = y when b = c/a' 'measure rho = 1/a' > "$scratch/spring.tt"
+ttc discover "$scratch/spring.tt" --when a=0 --denominator a,x^2+1 > "$scratch/finds" 2> "$scratch/err"
+[ $? -eq 3 ] && grep -qxF "ttc discover: --denominator 'a' is zero, or no ratio" "$scratch/err" || fail "spring: $(cat "$scratch/err")"
+for line in 'integral F1 = b*x^2 + y^2 when a=0' 'measure rho2 = 1 when a=0' \
+    '# integrals: no other P/(x^2+1), deg P <= 4 (15 monomials, rank 13)'; do
+    grep -qxF -- "$line" "$scratch/finds" || fail "spring: not said: $line: $(cat "$scratch/finds")"
+done
 # Invariant lines, planes and conics, whose cofactors are polynomials: made so. With u = x + 2 y - 1 and v = 3 x - y, u' = u (a + v)
 # and v' = v (b + u); three kinds that eat each other; a limit cycle; Euler's equations, whose planes are irrational.
 kinds() { # NAME LINE...: the lines that are no comments
