@@ -2,8 +2,8 @@
  * and the others as sums of rational multiples of it: 2 log(x) for log(x^2), an exponent for the logarithm of its exponential.
  *
  * Arguments are compared as products, by the exponents of elements without common factors. One that holds roots is compared by
- * its square, where that holds none; any other is known again only as what it is, or as its inverse, and nothing is known of
- * what its logarithm depends on. */
+ * its square, or the square of that, where this holds none; any other is known again only as what it is, as its inverse, or as a
+ * square or root of these, and nothing is known of what its logarithm depends on. */
 #include "algebra/coprime.h"
 #include "algebra/valuation_state.h"
 
@@ -15,8 +15,8 @@
 /* A symbol whose value and logarithm are known: an exponential, or a logarithm with its argument. */
 typedef struct {
     uint32_t symbol;
-    ttc_ratio product; /* what is compared: the argument, or its square */
-    ulong power;       /* of the argument: 1 or 2 */
+    ttc_ratio product; /* what is compared: the argument, or a power of it that holds no roots */
+    ulong power;       /* of the argument: 1, 2, 4 ... */
 } comparand;
 
 typedef struct {
@@ -28,22 +28,25 @@ typedef struct {
     fmpq *weights;        /* by item of the basis: the argument is the product of these powers */
 } comparison;
 
-static bool uses_generators(const ttc_ring *ring, const ttc_ratio *a)
+/* The number of generators that a ratio uses, or that come before one that it uses. */
+static size_t generators_of(const ttc_ring *ring, const ttc_ratio *a)
 {
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ttc_ratio_uses(ring, a, ring->generators[i].variable)) return true;
-    return false;
+    size_t count = ring->generator_count;
+    while (count > 0 && !ttc_ratio_uses(ring, a, ring->generators[count - 1].variable)) count--;
+    return count;
 }
 
-/* False when neither the argument nor its square is free of roots. */
+/* False when no power of the argument that squaring leads to is free of roots. */
 static bool set_product(ttc_ring *ring, comparand *c, const ttc_ratio *argument)
 {
     ttc_ratio_set(ring, &c->product, argument);
     c->power = 1;
-    if (!uses_generators(ring, argument)) return true;
-    ttc_ratio_multiply(ring, &c->product, argument, argument);
-    c->power = 2;
-    return !uses_generators(ring, &c->product);
+    for (size_t used = generators_of(ring, argument), before = used + 1; used > 0 && used < before; c->power *= 2) {
+        ttc_ratio_multiply(ring, &c->product, &c->product, &c->product);
+        before = used;
+        used = generators_of(ring, &c->product);
+    }
+    return generators_of(ring, &c->product) == 0;
 }
 
 static void init_comparand(ttc_ring *ring, comparand *c, uint32_t symbol)
@@ -256,22 +259,39 @@ static void join(comparison *c, uint32_t symbol, bool *taken)
     v->logarithms[v->logarithm_count++] = symbol;
 }
 
-/* An argument with roots: the same as that of a logarithm of the basis, or its inverse, or a new one. */
+/* out = argument^power[0] - other^power[1] is zero. */
+static bool is_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *argument, const ttc_ratio *other, const long power[2])
+{
+    ttc_ratio right;
+    ttc_ratio_init(ring, &right);
+    ttc_ratio_power(ring, out, argument, power[0]);
+    ttc_ratio_power(ring, &right, other, power[1]);
+    ttc_ratio_subtract(ring, out, out, &right);
+    ttc_ratio_clear(ring, &right);
+    return ring->status == TTC_RING_OK && fmpz_mpoly_is_zero(out->numerator, ring->context);
+}
+
+/* An argument with roots: the same as that of a logarithm of the basis, or its inverse, or a square or root of these, or a new one. */
 static void opaque_value(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argument, uint32_t symbol)
 {
+    static const long powers[][2] = { { 1, 1 }, { 1, -1 }, { 1, 2 }, { 1, -2 }, { 2, 1 }, { 2, -1 }, { 1, 4 }, { 1, -4 }, { 4, 1 },
+                                      { 4, -1 } };
     bool found = false;
     ttc_ratio other;
+    fmpq_t weight;
     ttc_ratio_init(v->ring, &other);
-    for (size_t i = 0; i < v->logarithm_count && !found && v->ring->status == TTC_RING_OK; i++)
-        for (int sign = 1; sign >= -1 && !found; sign -= 2) {
-            ttc_evaluate(v, &other, v->model->symbols[v->logarithms[i]].definition);
-            ttc_ratio_power(v->ring, &other, &other, sign);
-            ttc_ratio_subtract(v->ring, &other, &other, argument);
-            found = v->ring->status == TTC_RING_OK && fmpz_mpoly_is_zero(other.numerator, v->ring->context);
+    fmpq_init(weight);
+    for (size_t i = 0; i < v->logarithm_count && !found && v->ring->status == TTC_RING_OK; i++) {
+        ttc_evaluate(v, &other, v->model->symbols[v->logarithms[i]].definition);
+        for (size_t k = 0; k < sizeof powers / sizeof *powers && !found; k++) {
+            found = is_power(v->ring, out, argument, &other, powers[k]);
             if (!found) continue;
+            fmpq_set_si(weight, powers[k][1], (ulong)powers[k][0]);
             ttc_ratio_set_variable(v->ring, out, v->variable[v->logarithms[i]]);
-            if (sign < 0) ttc_ratio_scale(v->ring, out, out, v->ring->minus_one);
+            ttc_ratio_scale(v->ring, out, out, weight);
         }
+    }
+    fmpq_clear(weight);
     ttc_ratio_clear(v->ring, &other);
     if (found || v->ring->status != TTC_RING_OK) return;
     if (symbol == NO_SYMBOL) {
