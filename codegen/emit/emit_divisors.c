@@ -1,5 +1,6 @@
 /* What the equations divide by, as the table writes them, before anything is cancelled: it is not zero in the domain. Kernels show
- * no zero of what is cancelled in them, so that starts are held against these values. */
+ * no zero of what is cancelled in them, so that starts are held against these values. And what is made of parameters alone and
+ * integrals and densities divide by, without which no kernel could be prepared. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -8,8 +9,9 @@
 #include "show/print.h"
 
 typedef struct {
-    ttc_id written;    /* as the table writes it, */
-    ttc_id outputs[2]; /* and in the field's symbols, with the squares of what it adds up */
+    const ttc_claim *claim; /* that divides by it; NULL: the equations do */
+    ttc_id written;         /* as the table writes it, */
+    ttc_id outputs[2];      /* and in the field's symbols, with the squares of what it adds up */
 } factor;
 
 typedef struct {
@@ -39,16 +41,17 @@ static ttc_id squares(ttc_graph *graph, ttc_id id)
     return result;
 }
 
-static void add_factor(factor_list *list, ttc_id written)
+static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written)
 {
     ttc_graph *graph = list->field->graph;
     if (ttc_kind_of(graph, written) == TTC_PRODUCT) {
-        for (size_t i = 0; i < ttc_part_count(graph, written); i++) add_factor(list, ttc_part_at(graph, written, i).id);
+        for (size_t i = 0; i < ttc_part_count(graph, written); i++) add_factor(list, claim, ttc_part_at(graph, written, i).id);
         return;
     }
     const ttc_id id = ttc_field_specialise(list->field, written);
     list->failed |= id == TTC_NONE;
     if (list->failed || (ttc_field_extent(list->field, id).signs & TTC_SIGN_ZERO) == 0) return;
+    if (claim != NULL && !ttc_field_is_constant(list->field, id)) return;
     for (size_t i = 0; i < list->count; i++)
         if (list->factors[i].outputs[0] == id) return;
     const ttc_id sum = squares(graph, id);
@@ -58,7 +61,7 @@ static void add_factor(factor_list *list, ttc_id written)
     list->failed |= factors == NULL;
     if (factors == NULL) return;
     list->factors = factors;
-    factors[list->count++] = (factor){ written, { id, sum } };
+    factors[list->count++] = (factor){ claim, written, { id, sum } };
 }
 
 static bool find_factors(factor_list *list)
@@ -68,8 +71,11 @@ static bool find_factors(factor_list *list)
     list->failed = used == NULL;
     for (size_t i = 0; !list->failed && i < model->divisor_count; i++) {
         const ttc_divisor *d = model->divisors + i;
-        if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner])) add_factor(list, d->divisor);
+        if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner])) add_factor(list, NULL, d->divisor);
     }
+    for (size_t i = 0; !list->failed && i < model->divisor_count; i++)
+        for (uint32_t k = 0; !list->failed && k < model->claim_count; k++)
+            if (ttc_model_prepares(model, k, model->divisors + i)) add_factor(list, model->claims + k, model->divisors[i].divisor);
     free(used);
     return !list->failed;
 }
@@ -92,7 +98,9 @@ static bool add_factors(ttc_text *text, factor_list *list)
     free(outputs);
     ttc_text_add(text, "static const jlt_region divisors[] = {\n");
     for (size_t i = 0; good && i < list->count; i++) {
-        ttc_text_add(text, "    { \"a division\", \"");
+        const ttc_claim *claim = list->factors[i].claim;
+        if (claim == NULL) ttc_text_add(text, "    { \"a division\", \"");
+        else ttc_text_format(text, "    { \"the %s %s\", \"", ttc_claim_kind_name(claim->kind), claim->name);
         add_text(text, field->model, list->factors[i].written);
         ttc_text_format(text, "\", %d },\n", ttc_field_is_constant(field, list->factors[i].outputs[0]));
     }

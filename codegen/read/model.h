@@ -324,6 +324,9 @@ unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size
 /* The definitions that equations, intervals and domain records name, and those that these name in their turn, as written: shape
  * (symbol_count,), 1 or 0, for the caller to free; NULL when memory is out. */
 unsigned char *ttc_model_uses(const ttc_model *model);
+/* Whether the claim number `claim` is an integral or density without conditions that divides by it, itself or in a definition: such
+ * kernels of the model share with the others what is prepared of parameters. */
+bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_divisor *divisor);
 /* Adds to `used` the definitions that those in it name. */
 void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
 

@@ -140,3 +140,12 @@ unsigned char *ttc_model_uses(const ttc_model *model)
     ttc_model_close_uses(model, used);
     return used;
 }
+
+bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_divisor *divisor)
+{
+    const ttc_claim *of = model->claims + claim;
+    const bool is_quantity = of->kind == TTC_CLAIM_INTEGRAL || of->kind == TTC_CLAIM_MEASURE;
+    if (!is_quantity || of->when.count + of->modulo_count > 0) return false;
+    if (divisor->role == TTC_DIVIDES_SYMBOL) return ttc_model_depends(model, of->expression, divisor->owner);
+    return divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == claim;
+}

@@ -249,12 +249,25 @@ static bool field_divides_by(const ttc_model *model, const unsigned char *used, 
     return divides;
 }
 
+/* A domain record speaks of the parameter, and of no state: it may exclude that it is 0, which is not for the parser to say. */
+static bool domain_speaks_of(const ttc_model *model, ttc_id param)
+{
+    bool speaks = false;
+    for (size_t i = 0; i < model->region_count && !speaks; i++) {
+        const ttc_id region = model->regions[i].expression;
+        speaks = ttc_model_depends(model, region, ttc_symbol_of(model->graph, param));
+        for (size_t k = 0; k < model->state_count && speaks; k++) speaks = !ttc_model_depends(model, region, model->states[k]);
+    }
+    return speaks;
+}
+
 /* Whether there was something to tell. */
 static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_divisor *d, ttc_severity severity,
                          const char *kind, const char *name, ttc_place place)
 {
     const ttc_symbol_entry *param = zero_divisor(parser->model, d->divisor);
-    if (param == NULL || field_divides_by(parser->model, used, param->node)) return false;
+    if (param == NULL || field_divides_by(parser->model, used, param->node) || domain_speaks_of(parser->model, param->node))
+        return false;
     ttc_report(parser->diagnostics, severity, place.line, place.column,
                "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
                "(expected 'param %s != 0', or '> 0')",
@@ -282,12 +295,6 @@ static void check_observed(ttc_parser *parser)
     free(used);
 }
 
-/* Values of these are kernels of the model itself, with which they share what is prepared of parameters. */
-static bool is_prepared(const ttc_claim *claim)
-{
-    return (claim->kind == TTC_CLAIM_INTEGRAL || claim->kind == TTC_CLAIM_MEASURE) && claim->when.count + claim->modulo_count == 0;
-}
-
 /* A claim may divide by zero here and there; kernels take no parameters for which it does. */
 static void warn_of_divisors(ttc_parser *parser)
 {
@@ -296,14 +303,11 @@ static void warn_of_divisors(ttc_parser *parser)
     if (used == NULL) ttc_parse_no_memory(parser);
     for (uint32_t k = 0; used != NULL && k < model->claim_count; k++) {
         const ttc_claim *claim = model->claims + k;
-        bool told = !is_prepared(claim);
-        for (size_t i = 0; i < model->divisor_count && !told; i++) {
-            const ttc_divisor *d = model->divisors + i;
-            const bool own = d->role == TTC_DIVIDES_CLAIM && d->owner == k;
-            const bool named = d->role == TTC_DIVIDES_SYMBOL && ttc_model_depends(model, claim->expression, d->owner);
-            told = (own || named) &&
-                   tell_divisor(parser, used, d, TTC_WARNING, ttc_claim_kind_name(claim->kind), claim->name, claim->place);
-        }
+        bool told = false;
+        for (size_t i = 0; i < model->divisor_count && !told; i++)
+            told = ttc_model_prepares(model, k, model->divisors + i) &&
+                   tell_divisor(parser, used, model->divisors + i, TTC_WARNING, ttc_claim_kind_name(claim->kind), claim->name,
+                                claim->place);
     }
     free(used);
 }

@@ -303,8 +303,8 @@ typedef struct jlt_descriptor {
     const jlt_region *domains;      /* parameters and lifted roots; with ends of intervals that are no numbers; on all fields */
     jlt_kernel domain_values;       /* shape (domains,); the field means nothing where one is not > 0 */
     jlt_kernel domain_gradients;    /* shape (domains, states) */
-    unsigned divisor_count;         /* what the equations divide by as written, factor by factor, where it may be 0: on the general
-                                       field, in times without lifted roots */
+    unsigned divisor_count;         /* what the equations divide by as written, factor by factor, where it may be 0, and integrals
+                                       and densities by parameters: on the general field, in times without lifted roots */
     const jlt_region *divisors;     /* the field means nothing where one is 0, also where kernels cancel it */
     jlt_kernel_function divisor_values; /* x, params -> (divisors, 2): the value, and the sum of squares of what it adds up */
     unsigned reversor_count;        /* reversors that the table claims without a condition and that change signs of states, no
