@@ -77,5 +77,6 @@ void ttc_check_root(ttc_check *check); /* and logarithms */
 void ttc_check_variant(ttc_check *check);
 void ttc_check_time(ttc_check *check);
 void ttc_check_elimination(ttc_check *check);
+void ttc_check_observed(ttc_check *check); /* what observe, valid and tier divide by */
 
 #endif

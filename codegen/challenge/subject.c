@@ -1,5 +1,7 @@
 #include "challenge/subject.h"
 
+#include "prove/observed.h"
+
 #include <string.h>
 
 /* An identity that fails somewhere fails almost everywhere, as long as it speaks of an open set of points. */
@@ -98,6 +100,13 @@ static bool find_derived(ttc_subject *subject, const ttc_model *model, const cha
     } else if (strcmp(kind, "pole") == 0) {
         for (uint32_t i = 0; i < model->pole_count; i++)
             if (strcmp(model->symbols[model->poles[i].state].name, name) == 0) return use_derived(subject, ttc_check_pole, i);
+    }
+    const size_t observed = ttc_observed_count(model);
+    for (uint32_t i = 0; i < observed; i++) {
+        ttc_observed record;
+        ttc_observed_get(model, i, &record);
+        if (strcmp(record.kind, kind) == 0 && strcmp(record.name, name) == 0)
+            return use_derived(subject, ttc_check_observed, i);
     }
     return false;
 }

@@ -6,7 +6,7 @@
 
 typedef struct {
     const ttc_claim *claim; /* NULL for what is derived */
-    uint32_t index;         /* of the claim; of the root's symbol, the variant, time or elimination */
+    uint32_t index;         /* of the claim; of the root's symbol, the variant, time, elimination or observed record */
     ttc_checker checker;
     ttc_situation situation;
     bool fails_on_open_set; /* where it is false, it is false almost everywhere */

@@ -4,8 +4,7 @@
 
 #include <stdlib.h>
 
-/* Which divisors of the table the record alone brings in, by their number, for free(); NULL when memory is out. */
-static unsigned char *own_divisors(const ttc_model *model, const ttc_observed *record)
+unsigned char *ttc_observed_divisors(const ttc_model *model, const ttc_observed *record)
 {
     unsigned char *own = calloc(model->divisor_count + 1, 1), *field = ttc_model_uses(model);
     unsigned char *used = calloc(model->symbol_count + 1, 1);
@@ -28,7 +27,7 @@ static unsigned char *own_divisors(const ttc_model *model, const ttc_observed *r
 
 static bool divides(const ttc_model *model, const ttc_observed *record)
 {
-    unsigned char *own = own_divisors(model, record);
+    unsigned char *own = ttc_observed_divisors(model, record);
     bool some = own == NULL;
     for (size_t i = 0; !some && i < model->divisor_count; i++) some = own[i] != 0;
     free(own);
@@ -93,7 +92,7 @@ void ttc_prove_observed(ttc_task *task)
     const ttc_model *model = task->model;
     ttc_observed record;
     ttc_observed_get(model, task->claim->family, &record);
-    unsigned char *own = own_divisors(model, &record);
+    unsigned char *own = ttc_observed_divisors(model, &record);
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
     if (own == NULL) ttc_task_unsettle(task, "out of memory");
