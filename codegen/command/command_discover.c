@@ -261,6 +261,15 @@ static bool is_quantity(void *context, const ttc_proof *proof)
     return strcmp(proof->kind, "integral") == 0 || strcmp(proof->kind, "measure") == 0;
 }
 
+/* Some point of the domain meets the conditions: without one nothing that is found could be proved. Else w->reason has why. */
+static bool have_a_point(work *w)
+{
+    char *claim = joined("equal when_ : 0 = 0", w->when, "\n");
+    const bool have = *w->when == '\0' || (claim != NULL && prove(w, claim, NULL));
+    free(claim);
+    return have;
+}
+
 /* What the table claims of this kind, and is proved. */
 static bool learn(work *w, ttc_discovery *d)
 {
@@ -286,12 +295,11 @@ static void divide(work *w, ttc_discovery *d, size_t i)
 {
     ttc_ratio denominator;
     ttc_ratio_init(d->flow->ring, &denominator);
-    if (ttc_discovery_value(d, &denominator, w->expressions[i])
-        && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context)) {
+    const bool has_value = ttc_discovery_value(d, &denominator, w->expressions[i]);
+    if (has_value && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context))
         ttc_discover_integrals(d, &denominator, w->denominators[i]);
-    } else {
+    else
         w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' is zero, or no ratio", w->denominators[i]);
-    }
     ttc_ratio_clear(d->flow->ring, &denominator);
 }
 
@@ -320,7 +328,10 @@ static void seek(work *w)
         w->status = refuse(w, TTC_EXIT_BAD_TABLE, "%s%s: %s", w->model->name, w->when, why);
         return;
     }
-    if (!ttc_discovery_fits(d, &columns)) {
+    if (!have_a_point(w)) {
+        w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--when '%s': no point of the domain of %s is known to be so (%s)", options->when,
+                           w->model->name, w->reason);
+    } else if (!ttc_discovery_fits(d, &columns)) {
         w->status = refuse(w, TTC_EXIT_MEMORY,
                            "degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a smaller --degree, "
                            "or allow for more by --memory)",

@@ -89,6 +89,11 @@ for line in 'integral F1 = b*x^2 + y^2 when a=0' 'measure rho2 = 1 when a=0' \
     '# integrals: no other P/(x^2+1), deg P <= 4 (15 monomials, rank 13)'; do
     grep -qxF -- "$line" "$scratch/finds" || fail "spring: not said: $line: $(cat "$scratch/finds")"
 done
+# Conditions that no point of the domain meets are told of once, before anything is looked for.
+sed 's/param b/param b > 0/' "$scratch/spring.tt" > "$scratch/stiff.tt"
+ttc discover "$scratch/stiff.tt" --when b=-1 > "$scratch/finds" 2> "$scratch/err"
+[ $? -eq 3 ] && [ ! -s "$scratch/finds" ] && grep -q "^ttc discover: --when 'b=-1': no point of the domain of spring is known" \
+    "$scratch/err" || fail "stiff: $(cat "$scratch/finds" "$scratch/err")"
 # Invariant lines, planes and conics, whose cofactors are polynomials: made so. With u = x + 2 y - 1 and v = 3 x - y, u' = u (a + v)
 # and v' = v (b + u); three kinds that eat each other; a limit cycle; Euler's equations, whose planes are irrational.
 kinds() { # NAME LINE...: the lines that are no comments
