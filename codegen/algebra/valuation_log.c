@@ -271,7 +271,7 @@ static bool is_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *argument, 
     return ring->status == TTC_RING_OK && fmpz_mpoly_is_zero(out->numerator, ring->context);
 }
 
-/* An argument with roots: the same as that of a logarithm of the basis, or its inverse, or a square or root of these, or a new one. */
+/* An argument with roots: the same as that of a logarithm of the basis, its inverse, a square or root of these, or a new one. */
 static void opaque_value(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argument, uint32_t symbol)
 {
     static const long powers[][2] = { { 1, 1 }, { 1, -1 }, { 1, 2 }, { 1, -2 }, { 2, 1 }, { 2, -1 }, { 1, 4 }, { 1, -4 }, { 4, 1 },

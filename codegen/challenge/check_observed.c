@@ -1,5 +1,5 @@
-/* What is looked at beside the equations, around one point: of what it divides by nothing is zero at all states near it. With functions
- * of the states parameters are moved as well, as in exp(k*x) - 1: for one k alone that is zero at all states. */
+/* What is looked at beside the equations, around one point: of what it divides by nothing is zero at all states near it. With
+ * functions of the states parameters are moved as well, as in exp(k*x) - 1: for one k alone that is zero at all states. */
 #include "challenge/check.h"
 #include "prove/observed.h"
 

@@ -198,8 +198,8 @@ static slong free_state(const ttc_task *task, size_t column)
     return ttc_valuation_variable(task->field, task->model->states[i]);
 }
 
-/* The rank along the leaf's free states of what is zero along the leaf, with these rows; minor: that shows it. moves: NULL, or which
- * of the free states count. */
+/* The rank along the leaf's free states of what is zero along the leaf, with these rows; minor: that shows it. moves: NULL, or
+ * which of the free states count. */
 static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bool params, const bool *moves, ttc_ratio *minor)
 {
     const size_t n = image->tangent.columns, most = 2 * image->rows + image->tangent.constraint_count;

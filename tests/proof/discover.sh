@@ -84,7 +84,8 @@ done
 printf '%s\n' 'model spring' 'param a' 'param b' 'param c' 'state x' 'state y' 'eq x = y' 'eq y = -b*x' \
     'integral G = (b*x^2 + y^2)/a' 'integral L = y when b = c/a' 'measure rho = 1/a' > "$scratch/spring.tt"
 ttc discover "$scratch/spring.tt" --when a=0 --denominator a,x^2+1 > "$scratch/finds" 2> "$scratch/err"
-[ $? -eq 3 ] && grep -qxF "ttc discover: --denominator 'a' is zero, or no ratio" "$scratch/err" || fail "spring: $(cat "$scratch/err")"
+[ $? -eq 3 ] && grep -qxF "ttc discover: --denominator 'a' is zero, or no ratio" "$scratch/err" ||
+    fail "spring: $(cat "$scratch/err")"
 for line in 'integral F1 = b*x^2 + y^2 when a=0' 'measure rho2 = 1 when a=0' \
     '# integrals: no other P/(x^2+1), deg P <= 4 (15 monomials, rank 13)'; do
     grep -qxF -- "$line" "$scratch/finds" || fail "spring: not said: $line: $(cat "$scratch/finds")"
