@@ -76,8 +76,8 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d)
     return im[0] == 0 && re[0] < 0 ? JLT_ORBIT_FLIP_SADDLE : JLT_ORBIT_SADDLE;
 }
 
-/* Multipliers that errors of DP change by more than a thousandth: one alone follows from the determinant, which the divergence tells;
- * of several nothing is known. */
+/* Multipliers that errors of DP change by more than a thousandth: one alone follows from the determinant, by the divergence; of
+ * several nothing is known. */
 static void leave_known(jlt_periodic *orbit, const double *slope, double tolerance, unsigned d)
 {
     const double noise = 1e3 * tolerance * fmax(1, jlt_linear_length(slope, d * d));
