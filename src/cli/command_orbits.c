@@ -158,6 +158,10 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt
         return jlt_command_fail(JLT_EXIT_INPUT, "--line: the section has no coordinate '%s'", axis.name);
     line.low = axis.low, line.high = axis.high, line.samples = axis.count;
     st = jlt_orbits_search(list, map, &search);
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--line: no reversor keeps the points of this line and mirrors one coordinate: write 'reversor "
+                                "STATE -> -STATE' in the table, or --mirror STATE,...");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 
