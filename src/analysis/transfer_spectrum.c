@@ -10,6 +10,7 @@
 
 static const double rounding = 1e-9; /* of a mass */
 static const double alike = 1e-3;    /* of an eigenvalue */
+static const double doubled = 1e-6;  /* of a pair's magnitude, its imaginary part: a real eigenvalue twice, but for rounding */
 
 enum { SPACE = 24, RESTARTS = 300 };
 
@@ -134,7 +135,7 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
     for (size_t i = 0; st == JLT_OK && i < count; i++) {
         const size_t k = order[i], head = im[k] < 0 ? k - 1 : k; /* a pair's first holds the real part of its vector */
         out->re[i] = re[k];
-        out->im[i] = im[k];
+        out->im[i] = fabs(im[k]) > doubled * fabs(re[k]) ? im[k] : 0;
         out->residual[i] = residual_of(transfer, re[k], fabs(im[k]), vectors + head * n,
                                        im[k] != 0 ? vectors + (head + 1) * n : NULL, work);
         out->spread[i] = nearest(other, re[k], im[k]);
@@ -143,11 +144,11 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
     out->told = count_told(out);
     for (size_t i = 0; i < out->count; i++) {
         const size_t k = order[i];
-        if (im[k] != 0) continue;
+        if (out->im[i] != 0) continue;
         if (first == count || re[k] > out->re[first]) {
             if (first < out->told && out->re[first] > 0) second = first;
             first = i;
-        } else if (re[k] > 0 && i < out->told && (second == count || re[k] > out->re[second])) second = i;
+        } else if (im[k] == 0 && re[k] > 0 && i < out->told && (second == count || re[k] > out->re[second])) second = i;
     }
     if (st == JLT_OK && first == count) st = JLT_ERR_NO_CONVERGENCE;
     if (st == JLT_OK) {

@@ -28,7 +28,7 @@ static const struct argp_option option_table[] = {
     { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points, in coordinates; default 0.01", 1 },
     { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring pieces, in radians; default 0.2", 1 },
     { "count", COUNT, "N", 0, "At most N points on a branch; default 4000", 1 },
-    { "seed", SEED, "VALUE", 0, "Distance from the saddle at which branches begin, in coordinates; default 1e-4", 1 },
+    { "seed", SEED, "VALUE", 0, "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4", 1 },
     { "crossings", CROSSINGS, "FILE", 0, "Write the points where separatrices cross to FILE, as CSV", 1 },
     { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for points where separatrices cross", 1 },
     { 0 },
@@ -54,7 +54,12 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case TURN: jlt_common_positive(&o->growth.turn, value, "--turn"); return 0;
     case COUNT: jlt_common_count(&o->growth.points_max, value, 2, 10000000, "--count"); return 0;
-    case SEED: jlt_common_positive(&o->seed, value, "--seed"); return 0;
+    case SEED:
+        jlt_common_number(&o->seed, value, "--seed");
+        if (!(o->seed >= JLT_BRANCH_SEED_LEAST && o->seed <= JLT_BRANCH_SEED_MOST))
+            exit((int)jlt_command_fail(JLT_EXIT_INPUT, "--seed: '%s' is not from %g to %g", value, JLT_BRANCH_SEED_LEAST,
+                                       JLT_BRANCH_SEED_MOST));
+        return 0;
     case CROSSINGS: o->points = value; return 0;
     case NO_CROSSINGS: o->no_crossings = true; return 0;
     case ARGP_KEY_END:

@@ -73,7 +73,8 @@ static const struct argp parser = {
     "\vColumns: period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, residual. The residual "
     "is the largest distance by which a return misses the orbit's next point; distances are in coordinates, or in parts of "
     "their size, where that is not between 1/64 and 64. The determinant is the exponential of the "
-    "integrated divergence, which DP's own determinant is checked against. An orbit that is not symmetric and has det != 1 "
+    "integrated divergence, which DP's own determinant is checked against. Of three multipliers or more, those that errors of DP "
+    "hide are empty. An orbit that is not symmetric and has det != 1 "
     "excludes a smooth positive invariant measure; its mirror image has 1/det.\n\n"
     "  jellett orbits --period 4\n"
     "  jellett orbits --set I1=0.591,I3=0.494,a3=0.548 \\\n"
@@ -157,6 +158,10 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt
         return jlt_command_fail(JLT_EXIT_INPUT, "--line: the section has no coordinate '%s'", axis.name);
     line.low = axis.low, line.high = axis.high, line.samples = axis.count;
     st = jlt_orbits_search(list, map, &search);
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "--line: no reversor keeps the points of this line and mirrors one coordinate: write 'reversor "
+                                "STATE -> -STATE' in the table, or --mirror STATE,...");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 

@@ -82,8 +82,7 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
                                 "the comparison needs a reversor that takes the section to itself, crossed as it is: "
                                 "write 'reversor STATE -> -STATE' in the table, or --mirror STATE,...");
     code = jlt_motion_axes(axes, system, o->motion.grid, "--grid");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(cells, system, o->cells, "--cells");
-    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(cells, "--cells");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_cells(cells, system, o->cells, "--cells");
     if (code != JLT_EXIT_DONE) return code;
     for (int k = 0; k < 2; k++) {
         wanted.low[k] = cells[k].low;

@@ -153,7 +153,6 @@ static void clear(study *s)
     free(s->candidates);
 }
 
-/* The axes as boxes: where the ends of an interval were not typed, all of it. */
 static jlt_exit choose_boxes(study *s, jlt_grid_axis *axes)
 {
     const options *o = s->o;
@@ -168,28 +167,21 @@ static jlt_exit choose_boxes(study *s, jlt_grid_axis *axes)
     if (chart->dim > JLT_BOXES_DIM_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: the section has %u coordinates, and boxes have %d at most", chart->dim,
                                 JLT_BOXES_DIM_MAX);
-    code = jlt_motion_axes(axes, s->system, text, "--boxes");
-    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(axes, "--boxes");
+    code = jlt_motion_cells(axes, s->system, text, "--boxes");
     if (code != JLT_EXIT_DONE) return code;
     s->boxes.dim = chart->dim;
     for (unsigned k = 0; k < chart->dim; k++) {
-        if (axes[k].low_text == NULL && chart->period[k] == 0)
-            (void)jlt_surface_interval(s->system, k, &axes[k].low, &axes[k].high);
-        s->boxes.low[k] = fmin(axes[k].low, axes[k].high);
-        s->boxes.high[k] = fmax(axes[k].low, axes[k].high);
+        s->boxes.low[k] = axes[k].low;
+        s->boxes.high[k] = axes[k].high;
         s->boxes.period[k] = chart->period[k];
         s->boxes.count[k] = axes[k].count;
-        if (!(s->boxes.high[k] > s->boxes.low[k]))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: %s has no width (write %s=LOW:HIGH:COUNT)", chart->names[k],
-                                    chart->names[k]);
         for (size_t i = 1; i < o->coarse_count; i++)
             if (axes[k].count > 1 && axes[k].count % o->coarse[i] != 0)
                 return jlt_command_fail(JLT_EXIT_INPUT, "--coarse: %zu boxes of %s cannot be taken %zu together", axes[k].count,
                                         chart->names[k], o->coarse[i]);
     }
     if (jlt_boxes_count(&all, &s->boxes) != JLT_OK)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: %s: more than %zu boxes, or an angle that goes round more than once",
-                                text, JLT_BOXES_MAX);
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: %s: more than %zu boxes", text, JLT_BOXES_MAX);
     if (jlt_boxes_samples(&s->boxes, o->strata) > 1000000)
         return jlt_command_fail(JLT_EXIT_INPUT, "--strata: %zu along %u coordinates are more than 1000000 points of a box",
                                 o->strata, chart->dim);

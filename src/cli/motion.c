@@ -273,6 +273,27 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     return code;
 }
 
+jlt_exit jlt_motion_cells(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option)
+{
+    const jlt_chart *chart = system->flow.chart;
+    jlt_exit code = jlt_motion_axes(axes, system, text, option);
+
+    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(axes, option);
+    for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++) {
+        const double period = chart->period[k];
+        if (axes[k].low_text == NULL && period == 0) (void)interval(system, k, &axes[k].low, &axes[k].high);
+        const double low = fmin(axes[k].low, axes[k].high), high = fmax(axes[k].low, axes[k].high);
+        axes[k].low = low;
+        axes[k].high = high;
+        if (!(high > low))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s has no width (write %s=LOW:HIGH:COUNT)", option, chart->names[k],
+                                    chart->names[k]);
+        if (period != 0 && high - low > period * (1 + 1e-12))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s goes round more than once", option, chart->names[k]);
+    }
+    return code;
+}
+
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
 {
     size_t all = 1;

@@ -99,6 +99,10 @@ jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *st
  *  every coordinate that is no angle has to be named. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
+/** The same for cells that cover these axes, low before high: all of an interval, where its ends are not typed. Refused: a part of
+ *  a grid, an axis without width, and an angle that goes round more than once. */
+jlt_exit jlt_motion_cells(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
+
 /** Point number `index` of the grid (the first coordinate runs fastest, unlike jlt_grid_point), and how many points there are. A
  *  grid of which a part was asked for, @FIRST:COUNT, counts the points of this part alone. */
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);

@@ -17,7 +17,8 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
     double multiplier, turn, slope[4];
     jlt_status st;
 
-    if (chart->dim != 2 || (side != 1 && side != -1) || !(seed >= 1e-8 && seed <= 1e-2)) return JLT_ERR_ARG;
+    if (chart->dim != 2 || (side != 1 && side != -1)) return JLT_ERR_ARG;
+    if (!(seed >= JLT_BRANCH_SEED_LEAST && seed <= JLT_BRANCH_SEED_MOST)) return JLT_ERR_ARG;
     if (saddle->type != JLT_ORBIT_SADDLE && saddle->type != JLT_ORBIT_FLIP_SADDLE) return JLT_ERR_ARG;
     if (point != 0) {
         st = jlt_periodic_rotate(map, &orbit, point);

@@ -14,6 +14,9 @@
 #include "dynamics/map_batch.h"
 #include "dynamics/periodic.h"
 
+#define JLT_BRANCH_SEED_LEAST 1e-8
+#define JLT_BRANCH_SEED_MOST 1e-2
+
 typedef struct {
     jlt_map *map;
     double q[2],        /* the saddle's point */
@@ -25,7 +28,7 @@ typedef struct {
 } jlt_branch;
 
 /** Take the stable or the unstable branch at one point of the orbit. In: point, its index, 0 .. period-1; side, +1 along the
- *  eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, 1e-8 .. 1e-2.
+ *  eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, in these bounds.
  *  Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of range; those of jlt_periodic_rotate. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point,
                                        bool stable, int side, double seed);

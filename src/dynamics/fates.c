@@ -45,5 +45,5 @@ void jlt_fates_share(double *share, double *error, const jlt_fates_count *count,
     const double k = (double)(held ? count->valid[fate] : count->by_fate[fate]);
 
     *share = n > 0 ? k / n : NAN;
-    *error = n > 0 ? sqrt(*share * (1 - *share) / n) : NAN;
+    *error = n > 0 ? (fabs(n / 2 - k) / n + sqrt(k * (1 - *share) + 1. / 4)) / (n + 1) : NAN;
 }

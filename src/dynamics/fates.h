@@ -37,8 +37,9 @@ typedef struct {
 /* Count one start. */
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);
 
-/** Of all starts, the share with this fate, 0 to 1, with its binomial standard error; NaN for no starts. held: the share with
- *  this fate on which the model held throughout as well. */
+/** Of all starts, the share with this fate, 0 to 1, and how far the farther end of its interval is: of the shares x that differ
+ *  from it by no more than their standard error, sqrt(x (1 - x)/starts) (E. B. Wilson, J. Amer. Stat. Assoc. 22 (1927)). NaN for no
+ *  starts. held: the share with this fate on which the model held throughout as well. */
 void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held);
 
 #endif

@@ -44,6 +44,7 @@ static void begin_refinement(refinement *self, const jlt_homoclinic *at)
 static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2])
 {
     const double *du = tangent[0], *ds = tangent[1], cross = du[0] * ds[1] - du[1] * ds[0];
+    const double inner = du[0] * ds[0] + du[1] * ds[1];
     jlt_homoclinic *best = &self->best;
     double gap[2];
 
@@ -55,9 +56,7 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
     best->sigma_unstable = self->sigma[0];
     best->sigma_stable = self->sigma[1];
     memcpy(best->q, q[0], sizeof best->q);
-    best->angle = atan2(cross, du[0] * ds[0] + du[1] * ds[1]);
-    if (best->angle > pi / 2) best->angle -= pi;
-    if (best->angle <= -pi / 2) best->angle += pi;
+    best->angle = inner > 0 || (inner == 0 && cross > 0) ? atan2(cross, inner) : atan2(-cross, -inner);
     /* u + du x = s + ds y */
     self->sigma[0] += (gap[0] * ds[1] - gap[1] * ds[0]) / cross;
     self->sigma[1] += (gap[0] * du[1] - gap[1] * du[0]) / cross;

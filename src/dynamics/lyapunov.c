@@ -13,8 +13,8 @@ static double noise_of(const jlt_flow *flow)
 }
 
 /* Columns of q replaced by A q, orthonormalised by modified Gram-Schmidt, twice; growth gets the logarithms of the lengths, which
- * add up to log |det A|, so that the last of them is what the others leave. NaN where a length before it is below `noise`, relative
- * to the longest row of A or 1. Returns whether there is one. */
+ * add up to log |det A|: the last is what the others leave, and its column, which rounding may make 0, is not needed. NaN where a
+ * length before it is below `noise`, relative to the longest row of A or 1. Returns whether there is one. */
 static bool step_frame(double *frame, double *growth, const double *slope, double size, double noise, unsigned d)
 {
     double next[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
@@ -24,28 +24,23 @@ static bool step_frame(double *frame, double *growth, const double *slope, doubl
 
     for (i = 0; i < d; i++) longest = fmax(longest, jlt_linear_length(slope + i * d, d));
 
-    for (i = 0; i < d; i++)
-        for (j = 0; j < d; j++) {
-            double sum = 0;
-            for (k = 0; k < d; k++) sum += slope[i * d + k] * frame[k * d + j];
-            next[i * d + j] = sum;
-        }
-    for (j = 0; j < d; j++) {
+    jlt_linear_multiply(next, slope, frame, d);
+    for (j = 0; j + 1 < d; j++) {
         double length = 0;
         for (pass = 0; pass < 2; pass++)
             for (k = 0; k < j; k++) {
                 double inner = 0;
-                for (i = 0; i < d; i++) inner += next[i * d + k] * next[i * d + j];
-                for (i = 0; i < d; i++) next[i * d + j] -= inner * next[i * d + k];
+                for (i = 0; i < d; i++) inner += frame[i * d + k] * next[i * d + j];
+                for (i = 0; i < d; i++) next[i * d + j] -= inner * frame[i * d + k];
             }
         for (i = 0; i < d; i++) length = hypot(length, next[i * d + j]);
-        is_lost |= j + 1 < d && !(length > noise * longest);
+        is_lost |= !(length > noise * longest);
         growth[j] += is_lost ? NAN : log(length);
         rest -= log(length);
-        for (i = 0; i < d; i++) next[i * d + j] /= length;
+        for (i = 0; i < d; i++) frame[i * d + j] = next[i * d + j] /= length;
     }
-    memcpy(frame, next, sizeof *frame * d * d);
-    growth[d - 1] += rest;
+    is_lost |= !(size > 0); /* for less than numbers have */
+    growth[d - 1] += is_lost ? NAN : rest;
     return is_lost;
 }
 

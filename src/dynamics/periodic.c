@@ -76,9 +76,26 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d)
     return im[0] == 0 && re[0] < 0 ? JLT_ORBIT_FLIP_SADDLE : JLT_ORBIT_SADDLE;
 }
 
+/* Multipliers that errors of DP change by more than a thousandth: one alone follows from the determinant, by the divergence; of
+ * several nothing is known. */
+static void leave_known(jlt_periodic *orbit, const double *slope, double tolerance, unsigned d)
+{
+    const double noise = 1e3 * tolerance * fmax(1, jlt_linear_length(slope, d * d));
+    double rest = orbit->determinant;
+    unsigned known = 0;
+
+    for (; known < d && hypot(orbit->re[known], orbit->im[known]) > noise; known++)
+        rest /= orbit->im[known] != 0 ? hypot(orbit->re[known], orbit->im[known]) : orbit->re[known];
+    for (unsigned i = known; i < d; i++) {
+        orbit->re[i] = known + 1 == d ? rest : NAN;
+        orbit->im[i] = known + 1 == d ? 0 : NAN;
+    }
+}
+
 jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
+    const double tolerance = jlt_map_flow(map)->tolerance;
     const unsigned d = chart->dim;
     jlt_periodic orbit = *io;
     jlt_shooting at = { 0 };
@@ -109,6 +126,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     if (d == 2 && orbit.im[0] == 0 && orbit.re[0] != 0) orbit.re[1] = orbit.determinant / orbit.re[0];
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
     orbit.type = classify(orbit.re, orbit.im, d);
+    if (d > 2) leave_known(&orbit, slope, tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE, d);
     *io = orbit;
 done:
     jlt_shooting_clear(&at);

@@ -26,7 +26,7 @@ typedef struct {
     double trace;            /* of D(P^period), on any section */
     double determinant;      /* exp of the integral of the divergence: the flux is the same at both ends */
     double determinant_slope; /* of slope itself, a second way */
-    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* multipliers, largest modulus first */
+    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* multipliers, largest modulus first; NaN: too small to be known */
     double residual;         /* max over points of |P(q_i) - q_(i+1)| */
     double defect;           /* worst defect of the flux identity, see map.h */
     bool symmetric;          /* its own mirror image, within 1e-7 */

@@ -30,7 +30,9 @@ static size_t cell_of(const cells *self, const double *q)
     unsigned k;
 
     for (k = 0; k < 2; k++) {
-        const double at = (q[k] - o->low[k]) / (o->high[k] - o->low[k]) * (double)o->cells[k];
+        const double period = self->chart->period[k], above = q[k] - o->low[k];
+        const double off = period != 0 ? above - period * floor(above / period) : above;
+        const double at = off / (o->high[k] - o->low[k]) * (double)o->cells[k];
         if (!(at >= 0 && at <= (double)o->cells[k])) return SIZE_MAX;
         index[k] = at < (double)o->cells[k] ? (size_t)at : o->cells[k] - 1;
     }

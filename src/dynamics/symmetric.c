@@ -11,7 +11,7 @@ typedef struct {
     jlt_section *both;  /* the flow's section, crossed in both directions */
     const jlt_symmetric_line *line;
     unsigned mirrored;
-    unsigned char held[JLT_CHART_DIM_MAX];
+    unsigned char held[JLT_CHART_DIM_MAX]; /* on the line; the mirrored coordinate alone if there are two */
 } search;
 
 /* h_1 .. h_count along the orbit from u; NaN after its end. */
@@ -83,6 +83,7 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     const unsigned d = chart->dim;
     double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], mirror[JLT_CHART_DIM_MAX];
     double nearest = INFINITY;
+    const unsigned char *held = self->held;
     jlt_periodic orbit;
     jlt_image image;
     jlt_status st;
@@ -97,9 +98,11 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
         st = jlt_map_point(self->map, &image, q, 1, 1);
         if (st != JLT_OK) return JLT_OK;
         memcpy(q, image.q, sizeof q);
+        if (d == 2) held = NULL;
     }
-    st = jlt_periodic_find(self->map, &orbit, q, period, d > 2 ? self->held : NULL);
+    st = jlt_periodic_find(self->map, &orbit, q, period, held);
     if (st != JLT_OK) return st == JLT_ERR_NOMEM ? st : JLT_OK;
+    if (!orbit.symmetric && orbit.type != JLT_ORBIT_DEGENERATE) return JLT_OK; /* Newton's method went to another one */
     for (k = 0; k < orbit.period; k++) {
         double distance;
         jlt_chart_mirror(chart, mirror, orbit.points + k * d);
@@ -150,6 +153,7 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
         self.mirrored = k;
     }
     if (self.mirrored == JLT_CHART_DIM_MAX) return JLT_ERR_UNSUPPORTED;
+    self.held[self.mirrored] = chart->dim == 2;
     if (crossings == 0) return JLT_OK;
     both.direction = JLT_BOTH;
     JLT_TRY(jlt_section_create(&self.both, &both));

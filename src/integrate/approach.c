@@ -114,8 +114,9 @@ bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, 
     for (unsigned i = 0; i < n; i++) moves |= f[i] != 0;
     if (!moves) return true;
     jacobian(a, field, x);
-    if (rates(&slowest, &fastest, &count, a, n, 1) != JLT_OK) return true;
-    if (jlt_eigen_least_squares(y, a, f, n, n, singular) != JLT_OK) return true;
+    jlt_status st = rates(&slowest, &fastest, &count, a, n, 1);
+    if (st == JLT_OK) st = jlt_eigen_least_squares(y, a, f, n, n, singular);
+    if (st != JLT_OK) return st != JLT_ERR_NONFINITE;
     multiply(image, a, y, n, 1);
     for (unsigned i = 0; i < n; i++) {
         const double unit = fmax(fabs(x[i]), size);

@@ -22,7 +22,8 @@ bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
 
 /** Whether an equilibrium lies within `distance` of x, shape (dim,), relative to each state or `size`: J y = x' has such a y, but
  *  for rounding and terms of second order. However slow a motion that goes farther is, it is none. A field with more than
- *  JLT_JACOBIAN_DIM_MAX states, and one whose eigenvalues are not found, is taken to have one. Cost: as below. */
+ *  JLT_JACOBIAN_DIM_MAX states, and one whose eigenvalues are not found, is taken to have one; but not where its Jacobian is not
+ *  finite, as far out. Cost: as below. */
 bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance);
 
 /** Judge the stepper's current point. Cost: a Jacobian and its eigenvalues. A field with more than JLT_JACOBIAN_DIM_MAX states is

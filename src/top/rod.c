@@ -35,6 +35,9 @@ static bool has_level(void)
 /* P at the distance d from the pole gamma3 = side. */
 static double force_at(const jlt_rod *rod, double side, double d)
 {
+    const double u = side * (1 - side * rod->start - d); /* from the start */
+
+    if (fabs(u) < (1 - fabs(rod->start)) / 2) return rod->force + u * (rod->slope + u * (rod->bend + u * 2 * rod->weight));
     return 2 * d * (2 - d) * (rod->E2 - side * rod->weight + side * rod->weight * d) - rod->barrier;
 }
 
@@ -98,10 +101,16 @@ static jlt_status over(jlt_rod *rod, double *integral, jlt_quadrature_integrand 
 
 static void find_turning_points(jlt_rod *rod, const double *x)
 {
-    const double weight = rod->weight;
+    const double weight = rod->weight, gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3);
+    const double rate = s * x[JLT_TOP_OMEGA_TAU];
+
+    rod->start = gamma3;
+    rod->force = (rod->inertia_pole * gamma3 * gamma3 + rod->inertia_equator * s * s) * rate * rate;
+    rod->slope = 6 * weight * gamma3 * gamma3 - 4 * rod->E2 * gamma3 - 2 * weight;
+    rod->bend = 6 * weight * gamma3 - 2 * rod->E2;
     /* where P is largest */
     const double crest = -weight / (rod->E2 + sqrt(rod->E2 * rod->E2 + 3 * weight * weight));
-    const double inside = force_at(rod, 1, 1 - crest) > 0 ? crest : x[JLT_TOP_GAMMA3];
+    const double inside = force_at(rod, 1, 1 - crest) > 0 ? crest : gamma3;
 
     rod->below = turning_point(rod, -1, 1 + inside);
     rod->above = turning_point(rod, 1, 1 - inside);

@@ -5,7 +5,8 @@
  *  Q = 2 E2 - 2 m g a3 (gamma3 + low + high), and gamma3 = mid - half cos u turns this into the regular
  *      dt = sqrt(D/Q) du,      dpsi = -G/(I1 R s^2) dt,      (v_nu, v_tau) = sqrt(2 E1/m) (cos psi, sin psi):
  *  the end points are no longer singular. The turning points are kept as their distances from the poles, so that 1/s^2 keeps
- *  its digits where an orbit passes close to one. G = 0 runs through the poles and is refused. That form of the equations is what
+ *  its digits where an orbit passes close to one; about the start, which may be a double root, P is expanded from there, where
+ *  it is D (s omega_tau)^2. G = 0 runs through the poles and is refused. That form of the equations is what
  *  is known here; its coefficients, the integrals and the states are values of kernels. */
 #ifndef JLT_TOP_ROD_H
 #define JLT_TOP_ROD_H
@@ -19,6 +20,7 @@ typedef struct {
     double weight, barrier; /* m g a3; c */
     double inertia_pole, inertia_equator; /* D at s = 0 and at s = 1 */
     double turning;         /* G/(I1 R) */
+    double start, force, slope, bend; /* gamma3 there; P, P', P''/2 */
     double below, above;    /* 1 + low, 1 - high: distances of the turning points from the poles */
     double half;            /* (high - low)/2 */
     double period;          /* of gamma3 and of all states on E1 = 0 */

@@ -30,9 +30,11 @@ static void loss_of_contact_ends_orbits_when_asked(void **unused)
     jlt_fates_add(&count, &end);
     jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, false);
     assert_near(share, 0.5, 0);
-    assert_near(error, sqrt(0.125), 1e-15);
+    assert_near(error, sqrt((0.5 + error) * (0.5 - error) / 2), 1e-15); /* the standard error of the interval's end */
     jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, true);
     assert_near(share, 0, 0);
+    assert_near(error, sqrt(error * (1 - error) / 2), 1e-15);
+    assert_true(error > 0);
     jlt_section_destroy(section);
     jlt_system_destroy(system);
 }
@@ -97,6 +99,26 @@ static void attractor_and_repeller_are_told_apart(void **unused)
     jlt_system_destroy(system);
 }
 
+/* Eighty cells around an angle are the same ones from wherever they are counted. */
+static void cells_of_an_angle_go_around(void **unused)
+{
+    const double pi = acos(-1), starts[] = { 0.43, -0.62, -0.43, -0.62, 2, -0.5, 0.9, -0.3 };
+    jlt_separation_options options = { .low = { -pi, -1 }, .high = { pi, 1 }, .cells = { 80, 80 }, .settle = 0, .returns = 100 };
+    jlt_separation around[48], shifted[48];
+    jlt_system *system = top_51(1e-12);
+    size_t count;
+
+    (void)unused;
+    assert_ok(jlt_separation_measure(around, &count, &system->flow, starts, 4, &options));
+    for (int quarter = -3; quarter <= 5; quarter += 4) {
+        options.low[0] = quarter * pi / 2;
+        options.high[0] = options.low[0] + 2 * pi;
+        assert_ok(jlt_separation_measure(shifted, &count, &system->flow, starts, 4, &options));
+        assert_memory_equal(around, shifted, count * sizeof *around);
+    }
+    jlt_system_destroy(system);
+}
+
 /* Orbits backwards that are taken for mirror images are those that are followed, to the cell; of the starts two have no mirror
  * image among the others and come to poles, and one is on the symmetry line, its own image. */
 static void mirror_images_are_the_orbits_backwards(void **unused)
@@ -131,6 +153,7 @@ int main(void)
         cmocka_unit_test(loss_of_contact_ends_orbits_when_asked),
         cmocka_unit_test(orbits_come_to_rest_on_attracting_equilibria),
         cmocka_unit_test(attractor_and_repeller_are_told_apart),
+        cmocka_unit_test(cells_of_an_angle_go_around),
         cmocka_unit_test(mirror_images_are_the_orbits_backwards),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -109,6 +109,25 @@ static void rod_orbits_without_translation_are_periodic(void **unused)
     }
 }
 
+/* At a relative equilibrium both turning points are the start, a double root, and the period is that of small oscillations:
+ * D gamma3'' = P'/2, with P = 2 (1 - gamma3^2) (E2 - m g a3 gamma3) - c. Turning points are known to some roundings of 1. */
+static void rod_stays_at_relative_equilibria(void **unused)
+{
+    const jlt_top top = { 1, 1, 1, 0.3, 0.7, 0 };
+    jlt_rod orbit;
+
+    (void)unused;
+    for (int i = 1; i < 9; i++) {
+        const double gamma3 = -0.05 * i, E2 = top.a3 * (3 * gamma3 * gamma3 - 1) / (2 * gamma3); /* P' = 0 */
+        const double x[STATES] = { gamma3, 0.6, 0, sqrt(2 * (E2 - top.a3 * gamma3) / top.I1), 0 };
+        const double D = top.I1 + top.a3 * top.a3 * (1 - gamma3 * gamma3);
+        assert_int_equal(open_rod(&orbit, &top, x), JLT_OK);
+        assert_true(fabs(orbit.E2 - E2) <= 1e-15 * E2);
+        assert_true(fabs(orbit.below - (1 + gamma3)) <= 1e-15 && fabs(orbit.above - (1 - gamma3)) <= 1e-15);
+        assert_true(fabs(orbit.period / (2 * pi * sqrt(D / (2 * E2 - 6 * top.a3 * gamma3))) - 1) <= 1e-14);
+    }
+}
+
 static void rod_refuses_what_it_does_not_describe(void **unused)
 {
     const double x[STATES] = { 0.2, 0.6, 0.4, 1.3, -0.8 }, flat[STATES] = { 0.2, 0.6, 0.4, 0, -0.8 };
@@ -244,6 +263,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rod_period_and_rotation_by_quadrature_are_those_of_integration),
         cmocka_unit_test(rod_orbits_without_translation_are_periodic),
+        cmocka_unit_test(rod_stays_at_relative_equilibria),
         cmocka_unit_test(rod_refuses_what_it_does_not_describe),
         cmocka_unit_test(levels_and_coordinates_on_the_balanced_surface_are_inverse),
         cmocka_unit_test(balanced_fixed_points_are_those_of_the_field),

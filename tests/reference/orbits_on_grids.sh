@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A search over a grid: a degenerate orbit, to which Newton's method comes from all sides and no nearer than a root of its residual,
-# is listed once; a grid none of whose points is on the levels is refused, by every command that has one.
+# is listed once; a grid none of whose points is on the levels is refused, by every command that has one. And small multipliers.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -44,5 +44,29 @@ for command in "orbits --period 1" "lyapunov --returns 2" "section --returns 2" 
         --grid y=-0.1:0.1:3,py=0:0.1:3 > rows.csv 2> err
     [ $? -eq 4 ] && grep -q 'finds no state with these levels' err ||
         fail "$command on an empty level: $(tail -1 rows.csv; cat err)"
+done
+# Multipliers of three coordinates are exp(2 pi a), with a = 1/10, b and c, however small: the smallest by the determinant, and two
+# that errors of DP hide not at all.
+cat > linear.tt << 'T'
+model linear
+param b
+param c
+state x
+state y
+state z
+state phi
+angle C S = cos(phi) sin(phi)
+eq x = x/10 + y*C/10
+eq y = b*y + z*S
+eq z = c*z + C
+eq phi = 1
+periodic phi = 2*pi
+T
+for set in b=-1,c=-5 b=-1,c=-20 b=-8,c=-20; do
+    jellett orbits ./linear.tt --set "$set" --section phi=0 --start x=0,y=0,z=0 --period 1 2> err | tail -1 > row.csv
+    echo "${set//[bc]=/}" | awk -F, 'function is(mu, a) { return mu != "" && (mu/exp(8*atan2(1, 1)*a) - 1)^2 < 1e-16 }
+        NR == FNR { b = $1; c = $2; next }
+        { exit !(NF == 16 && is($8, 1/10) && (b < -7 ? $10 $12 == "" : is($10, b) && is($12, c)) && $15 == "saddle") }' - row.csv ||
+        fail "multipliers with $set: $(cat row.csv err)"
 done
 exit $status

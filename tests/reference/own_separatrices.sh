@@ -40,4 +40,21 @@ jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --length 2.4 --cr
     { echo "homoclinic points of an integrable system: $(grep -v '^#' points.csv | head -3)"; status=1; }
 grep -qE 'at [0-9]+ places separatrices touch, or cross by no more than errors tell' err ||
     { echo "nothing is said of touching: $(cat err)"; status=1; }
+
+# In other units angles are small, and their errors with them. That of the mirror images at the outermost point is
+# 2 atan(tan(angle/2)/1e6) where x counts in millionths.
+sed -e 's/^model well/model driven/' -e 's/^param w.*/param L > 0/' -e 's/^default .*/default L = 1/' -e 's/^eq x = v/eq x = v*L/' \
+    -e 's|^    + x$|    + x/L|' -e 's|^    - x^3|    - x^3/L^3 + c/20|' -e 's/^eq phi = w/eq phi = 1/' well.tt > driven.tt
+echo 'reversor v -> -v, phi -> -phi' >> driven.tt
+for L in 1 1e-6; do
+    jellett manifolds ./driven.tt --set L=$L --section phi=0 --start "x=$(awk -v L=$L 'BEGIN { print -L/40 }'),v=0" --length 2.5 \
+        --crossings points.csv > out 2> err < /dev/null || cat err
+    awk -F, -v L=$L '$1/L < -1.4 { sub(/-/, "", $7); print $7, $8 }' points.csv
+done > angles
+awk 'NR == 1 { t = sin($1/2)/cos($1/2)*1e-6; want = 2*atan2(t, 1); error = $2*1e-6 }
+    NR == 2 { off = $1 - want; error += $2; known = $2 > 0 && off*off <= error*error }
+    END { exit !(NR == 2 && known) }' angles || { echo "small angles: $(cat angles)"; status=1; }
+
+jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --seed 1e-9 > out 2> err < /dev/null
+[ $? -eq 3 ] && grep -q -- '--seed:' err || { echo "a seed out of range: $(cat err)"; status=1; }
 exit $status

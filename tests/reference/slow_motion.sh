@@ -55,4 +55,22 @@ done
 printf 'model creep\nstate x\nstate v\nstate p\nstate q\neq x = v\neq v = -x\neq p = q/2^43\neq q = -p/2^43\n' > creep.tt
 rows section ./creep.tt --section q=0 --start x=0,v=0,p=1 --returns 1 > creep.csv
 grep -q "0,1,27633741218861" creep.csv || fail "slow motion beside what rests: $(cat creep.csv err)"
+
+# A body that leaves another for good comes to no rest, however slow it is against where it has come to: one at a time and in lanes.
+cat > kepler.tt << 'T'
+model kepler
+state x
+state y
+state vx
+state vy
+root r = sqrt(x^2 + y^2)
+eq x = vx
+eq y = vy
+eq vx = -x/r^3
+eq vy = -y/r^3
+T
+for start in --start=x=1,vx=0,vy=2 --grid=x=1,vx=0,vy=2; do
+    jellett section ./kepler.tt --section y=0 "$start" --returns 2 > out 2> err || fail "$start: $(cat err)"
+    tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
+done
 exit $status

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Orbits on the line that a reversor keeps are found over a grid that has no point near them, and a branch that comes to the end of
-# a parameter's domain has come to the end of its range.
+# Orbits on the line that a reversor keeps are found over a grid that has no point near them, and no others are found there; a
+# branch that comes to the end of a parameter's domain has come to the end of its range.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -53,4 +53,21 @@ grep -q 'the range ends' err || fail "the branch does not end at delta = 0: $(ca
 # x = (3 cos t + delta sin t)/(9 + delta^2)
 tail -1 out | awk -F, '{ x = 3/(9 + $2*$2); exit !($2 < 1e-5 && $5 - x < 1e-10 && x - $5 < 1e-10) }' ||
     fail "its end: $(tail -1 out)"
+
+# Of a strongly unstable map all that is listed of a line is symmetric, and begins on it: Newton's method goes to no other orbit.
+cat > kicked.tt << 'T'
+model kicked
+state x
+state v
+state phi
+angle c s = cos(phi) sin(phi)
+eq x = v
+eq v = - x/2 - 3*x*c - x^3
+eq phi = 2
+periodic phi = 2*pi
+reversor v -> -v, phi -> -phi
+T
+jellett orbits ./kicked.tt --section phi=0 --start x=0,v=0 --line x=-2:2:100 --period 5 > out 2> err || fail "a line: $(cat err)"
+grep '^[0-9]' out | awk -F, '$3 != 0 || $11 != "yes" { bad++ } END { exit bad > 0 || NR < 10 }' ||
+    fail "on the line v = 0: $(grep '^[0-9]' out | cut -d, -f1-3,10,11)"
 exit $status

@@ -111,6 +111,15 @@ column known_density out | awk '{ low = 0.2*NR; high = low + 0.2
     share = (high^2/2 + high^4/4 - low^2/2 - low^4/4)/(0.5 + 0.25 - 0.02 - 0.0004)
     if (($1*0.2/share - 1)^2 > 4e-4) bad = 1 } END { exit bad || NR != 4 }' || fail "the known density: $(column known_density out)"
 
+# x' = k x on both sides of 0, which are two maps, so that each eigenvalue comes twice, and the leading one is exp(-2 pi k). A box
+# keeps one share of its points but for a stratum at its ends: 2 of 100.
+printf '%s\n' 'model leaving' 'param k' 'default k = 1/20' 'state x' 'state phi' 'eq x = k*x' 'eq phi = 1' 'periodic phi = 2*pi' \
+    > leaving.tt
+expect 0 ^x, jellett transfer ./leaving.tt --section phi=0 --boxes x=-1:1:200 --strata 100
+sed -n 's/.*escape rate \([^ ]*\) a return.*/\1/p' err |
+    awk '{ off = exp(-$1) - exp(-atan2(1, 1)*4/10) } END { exit !(NR == 1 && off*off < 4e-4) }' ||
+    fail "orbits that leave: $(cat err)"
+
 # Rows of a sweep are those of each point by itself, behind its value.
 jellett transfer --sweep a3=0.4:0.6:3 --boxes 12x12 --strata 4 > swept.csv 2> err || fail "a sweep: $(cat err)"
 for a3 in 0.4 0.5 0.6; do

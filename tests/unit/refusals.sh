@@ -50,6 +50,8 @@ refuse 3 "outside of the range" jellett continue --along E=3:4
 refuse 3 "I1 = -1: spherical_top needs I1 > 0" jellett rod --start "$start" --sweep I1=-1:1:3
 refuse 3 "--sweep: more than 3 names" jellett rod --start "$start" --sweep v_nu=0:1:2,omega_n=1:2:2,gamma3=0:1:2,I1=1:2:2
 refuse 3 "--cells: '0' is no whole number" jellett separation --grid 2x2 --cells 0x0
+refuse 3 "--cells: eta has no width" jellett separation --grid 2x2 --cells eta=0.3,gamma3=-1:1:20
+refuse 3 "--cells: eta goes round more than once" jellett separation --grid 2x2 --cells eta=-4:4:20,gamma3=-1:1:20
 refuse 3 "needs a section of two coordinates, not of 1$" jellett separation lotka_volterra --section x=1 --grid y=0.5:1:3
 refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
