@@ -140,6 +140,11 @@ jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, 
     return jlt_plot_axis(plot, axis, label, range, period);
 }
 
+void jlt_motion_label(char *label, const jlt_system *system, const char *name)
+{
+    jlt_plot_label(label, system->surface != NULL ? system->surface->asked : system->instance->descriptor, name);
+}
+
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;

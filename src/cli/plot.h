@@ -35,6 +35,10 @@ void jlt_plot_value(jlt_plot *self, const char *name, double value);
 /** Write a block of data, $NAME for gnuplot. rows: lines of numbers; NULL: none. */
 void jlt_plot_block(jlt_plot *self, const char *name, const char *rows);
 
+/** The label of an axis for what has this name, with the unit of the model's parameter or state, if it is one. Out: label, shape
+ *  (JLT_LOOK_LABEL_MAX,). */
+void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name);
+
 /** Write the axis 'x' or 'y' of the panel that is drawn next, as jlt_look_axis does. Returns its range. */
 jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period);
 
