@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/motion_many.h"
-#include "cli/motion_plane.h"
 #include "integrate/batch_method.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"

@@ -26,10 +26,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common);
 
 /** Add to the caption, which --title replaces: words, formatted as by printf, and behind them NAME=VALUE. A NaN is left out. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-void jlt_plot_words(jlt_plot *self, const char *format, ...);
+JLT_PRINTF(2, 3) void jlt_plot_words(jlt_plot *self, const char *format, ...);
 void jlt_plot_value(jlt_plot *self, const char *name, double value);
 
 /** Write a block of data, $NAME for gnuplot. rows: lines of numbers; NULL: none. */
