@@ -1,5 +1,4 @@
 /* Rates of change of cosines, sines, exponentials and logarithms, from the rates of their arguments. */
-#include "algebra/derive.h"
 #include "algebra/valuation_state.h"
 
 /* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. The sine follows from the cosine, as a root of 1 - cos^2. */

@@ -74,6 +74,7 @@ typedef struct {
 /* names and positive: shape (variable_count,), must outlive the ring; spares follow from first_spare on. */
 ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char **names, const bool *positive);
 void ttc_ring_destroy(ttc_ring *ring); /* legal on NULL */
+bool ttc_ring_is_generator(const ttc_ring *ring, slong variable); /* whether it is one that was adjoined */
 void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status);
 const char *ttc_ring_status_text(ttc_ring_status status); /* a phrase; never NULL */
 /* A failure that says that what was evaluated has no value, rather than that it could not be computed. */

@@ -6,6 +6,8 @@
 #ifndef TTC_DIAGNOSTIC_H
 #define TTC_DIAGNOSTIC_H
 
+#include "base/text.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -33,11 +35,8 @@ void ttc_diagnostics_destroy(ttc_diagnostics *diagnostics); /* legal on NULL */
 /* The text that later places refer to; both borrowed, and used by the reports that follow only: they keep copies. */
 void ttc_diagnostics_source(ttc_diagnostics *diagnostics, const char *file, const char *text, size_t length);
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 5, 6)))
-#endif
-void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t line, uint32_t column, const char *format,
-                ...);
+TTC_PRINTF(5, 6)
+void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t line, uint32_t column, const char *format, ...);
 
 /* Errors of all kinds, kept or not; those of them that are TTC_IO_ERROR; warnings. */
 size_t ttc_error_count(const ttc_diagnostics *diagnostics);

@@ -201,3 +201,11 @@ int ttc_output_write(const ttc_output *output, const char *folder, const char **
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return error;
 }
+
+bool ttc_output_standard(void)
+{
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
+        if (fcntl(descriptor, F_GETFD) < 0
+            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
+    return true;
+}

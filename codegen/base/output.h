@@ -28,4 +28,8 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path);
  *  Returns 0, or errno of what failed with its path in *where (borrowed from the set, or from `folder`). */
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored);
 
+/* Open standard input, output and error where they are closed, so that no file is opened in their place: writing to them fails, as
+ * before. To be called first; false: it cannot be done. */
+bool ttc_output_standard(void);
+
 #endif

@@ -5,6 +5,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Of a function whose argument number `at` is a format of printf, for the arguments from number `first` on. */
+#if defined(__GNUC__)
+#define TTC_PRINTF(at, first) __attribute__((format(printf, at, first)))
+#else
+#define TTC_PRINTF(at, first)
+#endif
+
 typedef struct {
     char *bytes; /* NUL-terminated once anything was added; NULL before */
     size_t length, capacity;
@@ -15,10 +22,7 @@ void ttc_text_clear(ttc_text *text); /* frees; the text is empty and usable afte
 void ttc_text_add(ttc_text *text, const char *bytes);
 void ttc_text_add_bytes(ttc_text *text, const char *bytes, size_t length);
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-void ttc_text_format(ttc_text *text, const char *format, ...);
+TTC_PRINTF(2, 3) void ttc_text_format(ttc_text *text, const char *format, ...);
 
 /* The bytes as a string; "" when nothing was added. Valid until the next change. */
 const char *ttc_text_string(const ttc_text *text);

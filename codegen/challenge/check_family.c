@@ -104,19 +104,12 @@ static void determinant(arb_t out, arb_srcptr jacobian, size_t n, const arb_t la
     arb_mat_clear(matrix);
 }
 
-static uint32_t lambda_symbol(const ttc_model *model)
-{
-    uint32_t symbol = 0;
-    while (model->symbols[symbol].kind != TTC_LAMBDA) symbol++;
-    return symbol;
-}
-
 /* P(lambda) = c det(lambda E - A) with one c: P and the determinant at some lambdas have the same ratios. */
 void ttc_check_charpoly(ttc_check *check)
 {
     const size_t n = check->model->state_count;
     const long precision = ttc_probe_precision(check->probe);
-    const uint32_t symbol = lambda_symbol(check->model);
+    const uint32_t symbol = ttc_model_lambda(check->model);
     fmpq_t number;
     arb_t lambda, cross;
     fmpq_init(number);

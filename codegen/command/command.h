@@ -63,16 +63,10 @@ void ttc_command_raise(int *status, int to);
 ttc_model *ttc_command_read(const char *path, int *status, json_t *problems);
 
 /* An error at a place of a table that was read: on stderr, and in `problems` unless NULL. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
-void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...);
+TTC_PRINTF(4, 5) void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...);
 
 /* A warning at a place of a table that was read, on stderr. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-void ttc_command_warn(const ttc_model *model, ttc_place place, const char *format, ...);
+TTC_PRINTF(3, 4) void ttc_command_warn(const ttc_model *model, ttc_place place, const char *format, ...);
 
 /* A message may be cut within a character, and a path may be of any bytes; JSON takes neither: others than ASCII are then '?'. */
 json_t *ttc_command_string(const char *bytes);

@@ -156,10 +156,7 @@ static void free_parts(char **parts, size_t count)
 }
 
 /* On stderr, and where JSON is written among the problems; those of the command line have no place in the table. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-static int refuse(const work *w, int status, const char *format, ...)
+TTC_PRINTF(3, 4) static int refuse(const work *w, int status, const char *format, ...)
 {
     char message[1024];
     va_list arguments;

@@ -1,11 +1,11 @@
 /* ttc, the term-table compiler: command line and dispatch. */
 #include "base/exhaustion.h"
+#include "base/output.h"
 #include "challenge/challenge.h"
 #include "command/command.h"
 
 #include <argp.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -307,18 +307,9 @@ static void end_without_memory(void)
     _exit(TTC_EXIT_MEMORY);
 }
 
-/* A descriptor that was closed must not be given to a file that is opened later: what is written to it fails, as before. */
-static bool open_standard(void)
-{
-    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
-        if (fcntl(descriptor, F_GETFD) < 0
-            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
-    return true;
-}
-
 int main(int argc, char **argv)
 {
-    if (!open_standard()) return TTC_EXIT_IO;
+    if (!ttc_output_standard()) return TTC_EXIT_IO;
     signal(SIGXFSZ, SIG_IGN); /* writing then fails, and is told of as any failure is */
     ttc_exhaustion_handle(end_without_memory);
     const char *word = argc > 1 ? argv[1] : "";

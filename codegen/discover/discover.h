@@ -54,9 +54,6 @@ void ttc_discovery_say(ttc_discovery *d, const char *claim);
 /* The density base^(1/power), power 1 or 2, in the same way. */
 bool ttc_discovery_publish_density(ttc_discovery *d, const char *base, int power);
 /* A comment line. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-void ttc_discovery_remark(ttc_discovery *d, const char *format, ...);
+TTC_PRINTF(2, 3) void ttc_discovery_remark(ttc_discovery *d, const char *format, ...);
 
 #endif

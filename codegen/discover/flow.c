@@ -8,13 +8,6 @@
 
 enum { ATTEMPTS = 4096, PRIMES_MAX = 256 };
 
-static bool is_generator(const ttc_ring *ring, slong variable)
-{
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return true;
-    return false;
-}
-
 static bool is_quantity(const ttc_flow *flow, slong variable)
 {
     for (size_t i = 0; i < flow->count; i++)
@@ -58,7 +51,7 @@ static void add_plain(ttc_flow *flow)
         const ttc_symbol_kind kind = flow->model->symbols[i].kind;
         if (kind == TTC_LET || kind == TTC_LAMBDA) continue;
         const slong variable = own_variable(flow, i, &value);
-        if (variable < 0 || is_generator(flow->ring, variable)) continue;
+        if (variable < 0 || ttc_ring_is_generator(flow->ring, variable)) continue;
         const bool moves = !fmpz_mpoly_is_zero(flow->slopes[variable].numerator, flow->ring->context);
         if (kind == TTC_STATE || moves) add_quantity(flow, variable, false);
         else flow->parameters[flow->parameter_count++] = variable;

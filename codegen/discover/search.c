@@ -1,7 +1,6 @@
 #include "discover/search.h"
 
 #include <stdio.h>
-#include <string.h>
 
 enum { POINTS_TO_SPARE = 6, POINTS_FOR_OTHERS = 400, TRIED_MAX = 12 };
 

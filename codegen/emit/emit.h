@@ -63,9 +63,6 @@ void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kern
  * not of the form it must have. */
 bool ttc_emit_equilibria(ttc_text *text, ttc_kernels *kernels);
 
-/* The name of the table's file without its folder; borrowed. */
-const char *ttc_emit_base_name(const ttc_model *model);
-
 /* Name parts: "general", "balanced_in_regular_on_level_omega3", ... */
 void ttc_emit_stem(ttc_text *text, const ttc_field *field);
 

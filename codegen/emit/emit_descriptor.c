@@ -85,7 +85,7 @@ static const char *effort_option(const ttc_kernels *k) { return k->effort == TTC
 void ttc_emit_command(ttc_text *text, const ttc_kernels *k)
 {
     ttc_text_format(text, "ttc generate%s%s --out DIR %s (ttc %s); do not edit", effort_option(k),
-                    k->unproved != NULL ? " --unproved" : "", ttc_emit_base_name(k->field->model), JLT_VERSION);
+                    k->unproved != NULL ? " --unproved" : "", ttc_model_base_name(k->field->model), JLT_VERSION);
 }
 
 /* The generator's name for the descriptor. */

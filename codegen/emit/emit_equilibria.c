@@ -62,19 +62,11 @@ static bool emit_specialised(family_emitter *e, const char *name, const ttc_id *
     return ok;
 }
 
-/* By its kind, not by its name: a table may have a quantity named lambda. */
-static uint32_t indeterminate(const ttc_model *model)
-{
-    uint32_t symbol = 0;
-    while (model->symbols[symbol].kind != TTC_LAMBDA) symbol++;
-    return symbol;
-}
-
 static bool emit_charpoly(family_emitter *e)
 {
     ttc_field *field = e->kernels->field;
     size_t n = field->state_count;
-    uint32_t lambda = indeterminate(field->model);
+    uint32_t lambda = ttc_model_lambda(field->model);
     ttc_id *coefficients = calloc(n + 1, sizeof *coefficients);
     bool ok = coefficients != NULL;
     ttc_id id = ok ? ttc_field_specialise(field, e->charpoly->expression) : TTC_NONE;

@@ -4,8 +4,6 @@
 
 #include "prove/section_chart.h"
 
-#include <string.h>
-
 /* A string literal may be too long for a conforming compiler; an array of characters may not. */
 static void add_table(ttc_text *text, const ttc_model *model)
 {

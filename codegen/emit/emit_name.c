@@ -1,8 +1,6 @@
 /* Names that emitted files give each other. */
 #include "emit/emit.h"
 
-#include <string.h>
-
 static void add_stem(ttc_text *text, const char *variant, const ttc_field *field)
 {
     ttc_text_add(text, variant);
@@ -19,10 +17,4 @@ void ttc_emit_ball_name(ttc_text *text, const ttc_field *field)
 {
     ttc_text_format(text, "jlt_balls_%s_", field->model->name);
     add_stem(text, "general", field);
-}
-
-const char *ttc_emit_base_name(const ttc_model *model)
-{
-    const char *slash = strrchr(model->file, '/');
-    return slash == NULL ? model->file : slash + 1;
 }

@@ -5,7 +5,6 @@
 #include "prove/way_table.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { OWN, PARAMS, LEVEL, OTHER_LEVEL }; /* jlt_source */
 

@@ -1,15 +1,15 @@
-/* Removes values that nothing uses; the order of the others stays. */
+/* Copies programs: without values that nothing uses, in another order, or for another layout of their prepared values. */
 #include "optimize/program.h"
 
 #include <stdlib.h>
 
-static ttc_value rebuilt(ttc_program *out, const ttc_value *renamed, const ttc_instruction *i)
+static ttc_value rebuilt(ttc_program *out, const ttc_value *renamed, const ttc_instruction *i, const uint32_t *numbers)
 {
     switch (i->op) {
     case TTC_OP_INPUT:
         return ttc_program_input(out, i->index);
     case TTC_OP_PARAMETER:
-        return ttc_program_parameter(out, i->index);
+        return ttc_program_parameter(out, numbers != NULL ? numbers[i->index] : i->index);
     case TTC_OP_CONSTANT:
         return ttc_program_constant(out, i->constant);
     case TTC_OP_PI:
@@ -20,7 +20,8 @@ static ttc_value rebuilt(ttc_program *out, const ttc_value *renamed, const ttc_i
     }
 }
 
-ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *order, size_t count)
+/* Of `count` values, in this order, NULL for their own; numbers, NULL for their own: those of parameters. */
+static ttc_program *copy(const ttc_program *program, const ttc_value *order, size_t count, const uint32_t *numbers)
 {
     size_t n = ttc_program_size(program);
     ttc_program *out = ttc_program_create();
@@ -28,11 +29,11 @@ ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *or
     bool ok = out != NULL && renamed != NULL;
     if (ok) ttc_program_keep_duplicates(out);
     for (size_t k = 0; ok && k < count; k++) {
-        ttc_value value = rebuilt(out, renamed, ttc_program_at(program, order[k]));
-        renamed[order[k]] = value;
-        ok = value != TTC_NO_VALUE;
-        if (ok && ttc_program_label_of(program, order[k]) != NULL)
-            ttc_program_label(out, value, ttc_program_label_of(program, order[k]));
+        const ttc_value from = order != NULL ? order[k] : (ttc_value)k;
+        renamed[from] = rebuilt(out, renamed, ttc_program_at(program, from), numbers);
+        ok = renamed[from] != TTC_NO_VALUE;
+        const char *label = ttc_program_label_of(program, from);
+        if (ok && label != NULL) ttc_program_label(out, renamed[from], label);
     }
     for (size_t k = 0; ok && k < ttc_program_output_count(program); k++)
         ttc_program_output(out, renamed[ttc_program_output_at(program, k)]);
@@ -40,6 +41,16 @@ ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *or
     if (ok && !ttc_program_failed(out)) return out;
     ttc_program_destroy(out);
     return NULL;
+}
+
+ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *order, size_t count)
+{
+    return copy(program, order, count, NULL);
+}
+
+ttc_program *ttc_program_renumber(const ttc_program *program, const uint32_t *numbers)
+{
+    return copy(program, NULL, ttc_program_size(program), numbers);
 }
 
 /* reached, shape (size,), zeroed: 1 for the values that outputs need. */

@@ -104,12 +104,6 @@ static char *mutant_text(const ttc_model *model, const ttc_mutant *mutant)
     return text;
 }
 
-static const char *base_name(const ttc_model *model)
-{
-    const char *slash = strrchr(model->file, '/');
-    return slash == NULL ? model->file : slash + 1;
-}
-
 /* A mutant in the place of its table, among the others. */
 typedef struct {
     const ttc_model *mutated;
@@ -120,7 +114,7 @@ typedef struct {
 static ttc_model *resolve_mutant(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
     const substitute *s = context;
-    if (strcmp(target, base_name(s->mutated)) != 0) return s->resolver(s->context, model, target, diagnostics);
+    if (strcmp(target, ttc_model_base_name(s->mutated)) != 0) return s->resolver(s->context, model, target, diagnostics);
     return ttc_model_parse(s->mutated->text, strlen(s->mutated->text), s->mutated->file, diagnostics);
 }
 
@@ -134,7 +128,7 @@ static bool prove_sections(const ttc_model *mutated, ttc_resolver resolver, void
     ttc_proof_run *run = owner == NULL ? NULL : ttc_proof_run_create(owner, resolve_mutant, &s);
     for (size_t i = 0; run != NULL && mutant->refuted == NULL && i < owner->section_count; i++) {
         const uint32_t claim = owner->sections[i].claim;
-        if (strcmp(owner->claims[claim].target, base_name(mutated)) != 0) continue;
+        if (strcmp(owner->claims[claim].target, ttc_model_base_name(mutated)) != 0) continue;
         ttc_proof_run_prove(run, claim);
         if (ttc_proof_run_proof(run, claim)->status == TTC_PROVED) continue;
         mutant->fate = TTC_MUTANT_REFUTED;

@@ -147,9 +147,7 @@ static void coefficient_of(ttc_task *task, ttc_ratio *out, const ttc_ratio *poly
 
 static slong lambda_variable(const ttc_task *task)
 {
-    for (uint32_t i = 0; i < task->model->symbol_count; i++)
-        if (task->model->symbols[i].kind == TTC_LAMBDA) return ttc_valuation_variable(task->field, i);
-    return -1;
+    return ttc_valuation_variable(task->field, ttc_model_lambda(task->model));
 }
 
 /* claimed = factor * det(lambda E - A), the factor being the claimed coefficient of lambda^n, nonzero. */

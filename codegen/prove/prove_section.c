@@ -7,7 +7,6 @@
 #include "prove/section_chart.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static const ttc_section *section_of(const ttc_task *task)
 {

@@ -64,11 +64,6 @@ struct ttc_task {
 
 /* Against a claim. The format names what is wrong; a ratio, when given, is appended. A refutation stays; the first reason why
  * a claim is not settled stays as well, unless it is refuted on another leaf. */
-#if defined(__GNUC__)
-#define TTC_PRINTF(at, first) __attribute__((format(printf, at, first)))
-#else
-#define TTC_PRINTF(at, first)
-#endif
 TTC_PRINTF(2, 3) void ttc_task_unsettle(ttc_task *task, const char *format, ...);
 /* False at every point of this leaf. */
 TTC_PRINTF(3, 4) void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);

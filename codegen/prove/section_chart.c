@@ -29,10 +29,7 @@ typedef struct {
     size_t size;
 } fitting;
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static bool refuse(const fitting *f, const char *format, ...)
+TTC_PRINTF(2, 3) static bool refuse(const fitting *f, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);

@@ -19,10 +19,7 @@ typedef struct {
     size_t size;
 } fitting;
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static bool refuse(const fitting *f, const char *format, ...)
+TTC_PRINTF(2, 3) static bool refuse(const fitting *f, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -43,7 +40,7 @@ static bool gives_states(const ttc_model *model, const ttc_claim *back)
 static bool find_back(const fitting *f, uint32_t *back)
 {
     const ttc_claim_kind kind = descends(f) ? TTC_CLAIM_EMBEDDING : TTC_CLAIM_REDUCTION;
-    const char *slash = strrchr(f->model->file, '/'), *own = slash == NULL ? f->model->file : slash + 1;
+    const char *own = ttc_model_base_name(f->model);
     for (int by_name = 1; by_name >= 0; by_name--)
         for (uint32_t i = 0; i < f->table->claim_count; i++) {
             const ttc_claim *claim = f->table->claims + i;

@@ -158,6 +158,19 @@ bool ttc_claim_is_unnamed(const ttc_claim *claim)
            strcmp(claim->name, ttc_claim_kind_name(claim->kind)) == 0;
 }
 
+uint32_t ttc_model_lambda(const ttc_model *model)
+{
+    uint32_t symbol = 0;
+    while (model->symbols[symbol].kind != TTC_LAMBDA) symbol++;
+    return symbol;
+}
+
+const char *ttc_model_base_name(const ttc_model *model)
+{
+    const char *slash = strrchr(model->file, '/');
+    return slash == NULL ? model->file : slash + 1;
+}
+
 /* One that has the name as its own goes before those that are called so by their keyword. */
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim)
 {

@@ -291,6 +291,10 @@ typedef struct ttc_model {
  *  warnings in any case. Cost: linear in the text, and in the nodes it makes. */
 ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, ttc_diagnostics *diagnostics);
 
+/** Read a table that was read before, such as one that its kernels carry. text: ends with a NUL. NULL: memory is out, or it does
+ *  not read. */
+ttc_model *ttc_model_again(const char *text, const char *file);
+
 /* The same from a file; an unreadable one is a diagnostic too. */
 ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics);
 
@@ -304,6 +308,12 @@ bool ttc_claim_is_unnamed(const ttc_claim *claim);
 /* Find a symbol or a claim by its name; false when there is none. */
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);
+
+/* The indeterminate of characteristic polynomials: a table may have a quantity of its own that is called lambda. */
+uint32_t ttc_model_lambda(const ttc_model *model);
+
+/* The name of the table's file without its folder; borrowed. */
+const char *ttc_model_base_name(const ttc_model *model);
 
 /* Whether symbols of this kind are functions of their definition: roots, cosines, sines, exponentials, logarithms. */
 bool ttc_symbol_is_function(ttc_symbol_kind kind);

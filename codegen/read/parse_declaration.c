@@ -46,7 +46,7 @@ static bool parse_unit_and_meaning(ttc_parser *parser, uint32_t symbol)
     return ttc_parse_unit_and_meaning(parser, &entry->unit, &entry->meaning);
 }
 
-static bool append_index(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
+bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
 {
     uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
     if (grown == NULL) return ttc_parse_no_memory(parser);
@@ -60,7 +60,7 @@ static bool parse_param(ttc_parser *parser)
     uint32_t symbol;
     const ttc_token *name = ttc_parse_name(parser, "the parameter's name");
     if (name == NULL || !ttc_parse_define(parser, name, TTC_PARAM, TTC_NONE, &symbol) ||
-        !append_index(parser, &parser->model->params, &parser->model->param_count, symbol))
+        !ttc_parse_append(parser, &parser->model->params, &parser->model->param_count, symbol))
         return false;
     ttc_sign sign = TTC_ANY_SIGN;
     const ttc_token *relation = ttc_parse_peek(parser);
@@ -121,7 +121,7 @@ static bool parse_state(ttc_parser *parser)
     if (parser->model->state_count >= TTC_STATE_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many states (expected at most %d)", TTC_STATE_LIMIT);
     if (!ttc_parse_define(parser, name, TTC_STATE, TTC_NONE, &symbol) ||
-        !append_index(parser, &parser->model->states, &parser->model->state_count, symbol))
+        !ttc_parse_append(parser, &parser->model->states, &parser->model->state_count, symbol))
         return false;
     if (ttc_parse_accept_keyword(parser, TTC_KEYWORD_IN)) {
         ttc_id ends[2] = { TTC_NONE, TTC_NONE };

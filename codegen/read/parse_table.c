@@ -197,6 +197,14 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
     return NULL;
 }
 
+ttc_model *ttc_model_again(const char *text, const char *file)
+{
+    ttc_diagnostics *ignored = ttc_diagnostics_create();
+    ttc_model *model = ignored != NULL ? ttc_model_parse(text, strlen(text), file, ignored) : NULL;
+    ttc_diagnostics_destroy(ignored);
+    return model;
+}
+
 ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics)
 {
     size_t length = 0;

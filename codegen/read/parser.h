@@ -76,11 +76,11 @@ bool ttc_parse_unexpected(ttc_parser *parser, const char *expected); /* reports;
 ttc_place ttc_token_place(const ttc_token *token);
 bool ttc_token_is(const ttc_token *token, const char *name);
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ...); /* always false */
+TTC_PRINTF(3, 4) bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ...); /* always false */
 bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
+
+/* Add a symbol or a claim to a list of the model; false: memory. */
+bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index);
 
 /* Expressions. */
 bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol); /* notes that the current record names this definition */

@@ -12,15 +12,6 @@ static bool find_claim(const ttc_model *model, const ttc_token *name, uint32_t *
     return ttc_model_find_claim(model, text, claim);
 }
 
-static bool append_claim(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t claim)
-{
-    uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
-    if (grown == NULL) return ttc_parse_no_memory(parser);
-    *list = grown;
-    grown[(*count)++] = claim;
-    return true;
-}
-
 static void resolve_reference(ttc_parser *parser, const ttc_reference *reference)
 {
     ttc_model *model = parser->model;
@@ -47,8 +38,8 @@ static void resolve_reference(ttc_parser *parser, const ttc_reference *reference
     ttc_claim *owner = model->claims + reference->owner;
     switch (reference->role) {
     case TTC_REFER_FAMILY: owner->family = found; break;
-    case TTC_REFER_MODULO: append_claim(parser, &owner->modulo, &owner->modulo_count, found); break;
-    case TTC_REFER_MEMBER: append_claim(parser, &owner->members, &owner->member_count, found); break;
+    case TTC_REFER_MODULO: ttc_parse_append(parser, &owner->modulo, &owner->modulo_count, found); break;
+    case TTC_REFER_MEMBER: ttc_parse_append(parser, &owner->members, &owner->member_count, found); break;
     case TTC_REFER_ELIMINATION: model->eliminations[reference->owner].integral = found; break;
     }
 }

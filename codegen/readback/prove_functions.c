@@ -288,14 +288,12 @@ static bool check_gradients(checker *c, const record *r, ttc_function_reading *o
 /* What one more record says of the family. */
 static bool check_member(checker *c, const record *r, ttc_function_reading *on, const ttc_claim *member)
 {
-    uint32_t lambda = 0;
     switch (member->kind) {
     case TTC_CLAIM_TRACE:
         expect(c, 0, member->expression, UINT32_MAX);
         return check(c, r, "trace", on, 1);
     case TTC_CLAIM_CHARPOLY:
-        while (c->model->symbols[lambda].kind != TTC_LAMBDA) lambda++;
-        return check_one(c, r, "charpoly", on, c->model->state_count + 1, member->expression, lambda);
+        return check_one(c, r, "charpoly", on, c->model->state_count + 1, member->expression, ttc_model_lambda(c->model));
     case TTC_CLAIM_MATRIX:
         if (!has_room(c, member->entry_count)) return false;
         for (size_t i = 0; i < member->entry_count; i++) expect(c, i, member->entries[i], UINT32_MAX);

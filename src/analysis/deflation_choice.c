@@ -6,7 +6,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 

@@ -38,8 +38,10 @@ typedef struct {
     size_t n;
     double f[JLT_LINEARIZATION_SIZE_MAX];
     double residual;                  /* largest |f_i| */
-    double residual_ratio;            /* largest TOLERANCE |f_i| / sum_j |df_i/dx_j reach_j|; 0 where f_i is exactly 0 */
-    double reach[JLT_LINEARIZATION_SIZE_MAX]; /* how far an equilibrium may lie off the state */
+    double reach[JLT_LINEARIZATION_SIZE_MAX]; /* how far from x_j an equilibrium may lie for x to count as one, see
+                                                 JLT_LINEARIZATION_TOLERANCE */
+    double residual_ratio;            /* largest JLT_LINEARIZATION_TOLERANCE |f_i| / sum_j |df_i/dx_j| reach_j: x counts as an
+                                         equilibrium where this is at most the tolerance; 0 where f_i is exactly 0 */
     double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
     size_t integrals;                 /* of the variant, those that are proved */
     jlt_named held[JLT_LINEARIZATION_SIZE_MAX]; /* shape (integrals,) */
@@ -54,7 +56,7 @@ typedef struct {
     long precision;                   /* bits of the arithmetic behind the eigenvalues */
     bool exists;                      /* the equilibrium is proved in balls; false: it may be missing, or where the trace is zero */
     bool proved;                      /* so is the verdict; false: it is that of doubles to first order, or UNDECIDED */
-    bool sure;                        /* every number is the nearest one */
+    bool sure;                        /* every number is proved to be the double nearest to the exact one */
     jlt_ball_texts *texts;            /* all numbers as decimals, for jlt_ball_texts_destroy; NULL where none were asked for */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
     jlt_verdict verdict;

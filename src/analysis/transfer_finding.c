@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const double eigenvalue_tolerance = 1e-12, same_eigenvalue = 1e-8;
 

@@ -12,10 +12,10 @@ typedef struct {
                          two */
     double *re, *im;  /* (count,) */
     double *residual; /* (count,): sum of |v P - lambda v|, computed from the matrix */
-    double *spread;   /* (count,): how far the nearest eigenvalue of a second computation is, from another start. Eigenvalues 0 of
-                         a block of k come out on a circle, at the k-th root of a rounding, with a residual that is as small as
-                         any */
-    size_t told;      /* the first so many are the same to three digits in both; what follows is not told from 0, or from others */
+    double *spread;   /* (count,): distance to the nearest eigenvalue of a second computation, from another start vector. It tells
+                         what the residual does not: a Jordan block of size k for the eigenvalue 0 is computed as k values on a
+                         circle whose radius is the k-th root of a rounding error, with small residuals */
+    size_t told;      /* the first so many agree to three digits in both; the rest is not told from 0, or from others */
     double *leading;  /* (transfer->count,): of the largest real eigenvalue, the masses that stay, >= 0 */
     size_t leading_index;
     double negative;  /* the part of its mass that ARPACK gives the other sign: 0 but for rounding, unless the eigenvalue is not

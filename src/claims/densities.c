@@ -2,8 +2,6 @@
 #include "claims/verify.h"
 
 #include "core/memory.h"
-#include "kernel/descriptor.h"
-#include "kernel/kernel.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,4 @@
-/** Points of a family of equilibria, drawn at random, with all that is compared there enclosed
- *  in balls. */
+/** Points of a family of equilibria, drawn at random, with all that is compared there enclosed in balls. */
 #ifndef JLT_CLAIMS_SAMPLE_H
 #define JLT_CLAIMS_SAMPLE_H
 

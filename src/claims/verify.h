@@ -8,7 +8,6 @@
 #include "spectrum/oracle.h"
 
 #include <signal.h>
-#include <stdint.h>
 
 /* One comparison over all samples of a family; it holds when no error passes the bound derived for it.
  * A number's size is the sum of the moduli of what is rounded on the way to it, each with the weight it has in the result;

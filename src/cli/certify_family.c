@@ -120,8 +120,7 @@ static jlt_exit find_family(const ttc_claim **family, const ttc_model *model, co
 jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o, const jlt_assign_list *set,
                             const jlt_descriptor *d)
 {
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = diagnostics == NULL ? NULL : ttc_model_parse(d->table, strlen(d->table), d->model, diagnostics);
+    ttc_model *model = ttc_model_again(d->table, d->model);
     const ttc_claim *family;
     json_t *box = json_object();
     jlt_exit code = model == NULL ? jlt_command_no_memory() : find_family(&family, model, o->family);
@@ -136,6 +135,5 @@ jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o,
     if (code == JLT_EXIT_DONE && *given == NULL) code = jlt_command_no_memory();
     json_decref(box);
     ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
     return code;
 }

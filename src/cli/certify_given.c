@@ -30,15 +30,13 @@ static ttc_id find_section(const ttc_model *model, const char *name)
 /* NULL: none. For the caller to free(). */
 static char *text_of(value_finder *find, const char *table, const char *name)
 {
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = diagnostics == NULL ? NULL : ttc_model_parse(table, strlen(table), "table", diagnostics);
+    ttc_model *model = ttc_model_again(table, "table");
     const ttc_id value = model == NULL ? TTC_NONE : find(model, name);
     ttc_ball *ball = value == TTC_NONE ? NULL : ttc_ball_create(model);
     char *text = ball == NULL ? NULL : ttc_ball_exact_text(ball, value);
 
     ttc_ball_destroy(ball);
     ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
     return text;
 }
 
@@ -83,9 +81,7 @@ static ttc_id expression_of(const ttc_model *model, const char *claim, const cha
  * caller to free(). */
 static char *compute(const jlt_link_step *step, const char *name, const json_t *params)
 {
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = diagnostics == NULL ? NULL
-                                           : ttc_model_parse(step->from->table, strlen(step->from->table), "table", diagnostics);
+    ttc_model *model = ttc_model_again(step->from->table, "table");
     const ttc_id value = model == NULL ? TTC_NONE : expression_of(model, step->claim->name, name);
     ttc_ball *ball = value == TTC_NONE ? NULL : ttc_ball_create(model);
     const char *param;
@@ -100,7 +96,6 @@ static char *compute(const jlt_link_step *step, const char *name, const json_t *
     }
     ttc_ball_destroy(ball);
     ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
     return text;
 }
 

@@ -43,10 +43,7 @@ const jlt_command *jlt_command_at(size_t index);
 const jlt_command *jlt_command_find(const char *name);
 
 /* Print "jellett: ", the message and a newline on standard error. Returns `code`, so that a caller can return it at once. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
+JLT_PRINTF(2, 3) jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
 
 /* Print one line on standard error for a model whose kernels rest on claims that are not proved, and for each smaller model that
  * may answer in its place. */

@@ -3,8 +3,6 @@
 #include "cli/certify_given.h"
 #include "cli/certify_homoclinic.h"
 #include "dynamics/periodic.h"
-#include "kernel/descriptor.h"
-#include "report/json.h"
 #include "validated/certificate.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"

@@ -204,7 +204,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     jlt_plot_block(&plot, "POINTS", o->motion.common.drawn);
     jlt_plot_words(&plot, "First points of periodic orbits\n");
     jlt_motion_caption(&plot, system, name);
-    jlt_look_label(label, name, "");
+    jlt_motion_label(label, system, name);
     for (unsigned k = 0; k < 2; k++) {
         const jlt_extent range = jlt_extent_wider(to->extent[k]);
         if (to->shown[k] == 0) jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, range, 0);

@@ -135,7 +135,7 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt
     jlt_plot_block(&plot, "SHARES", o->motion.common.drawn);
     jlt_plot_words(&plot, "Share of orbits that %s\n", turns ? "turn over" : "go on");
     jlt_motion_caption(&plot, system, axis->name);
-    jlt_look_label(label, axis->name, "");
+    jlt_motion_label(label, system, axis->name);
     jlt_plot_axis(&plot, 'x', label, jlt_extent_wider((jlt_extent){ fmin(axis->low, axis->high), fmax(axis->low, axis->high) }), 0);
     jlt_plot_axis(&plot, 'y', turns ? "share of low starts" : "share of starts", (jlt_extent){ 0, 1 }, 0);
     fputs("plot $SHARES using 1:2:3 ", plot.stream);

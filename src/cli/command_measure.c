@@ -236,7 +236,7 @@ static jlt_exit draw(const jlt_measure_finding *f, const request *r)
     fputs("END\n", stream);
     jlt_plot_words(&plot, "Density of an invariant measure of %s\n", d->model);
     for (unsigned i = 0; i < d->param_count; i++) jlt_plot_value(&plot, d->params[i].name, f->instance->params[i]);
-    jlt_look_label(label, along_name(f), d->states[a->along].unit);
+    jlt_plot_label(label, d, along_name(f));
     jlt_plot_axis(&plot, 'x', label, jlt_extent_wider((jlt_extent){ a->points[0].at, a->points[a->count - 1].at }), 0);
     jlt_plot_axis(&plot, 'y', "density, 1 in the middle", jlt_extent_wider(extent), 0);
     fputs(JLT_LOOK_GRID "plot ", stream);

@@ -69,11 +69,6 @@ static void list_kernels(entry out[KERNELS], const jlt_descriptor *d)
     memcpy(out, all, sizeof all);
 }
 
-static unsigned total(const jlt_operation_count *c)
-{
-    return c->add + c->multiply + c->fma + c->divide + c->root + c->elementary;
-}
-
 static json_t *count_json(const jlt_operation_count *c)
 {
     return json_pack("{s:i,s:i,s:i,s:i,s:i,s:i,s:i,s:i}", "add", (int)c->add, "multiply", (int)c->multiply, "fma",
@@ -220,8 +215,8 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
     }
     snprintf(name, sizeof name, "%s%s%s%s%s", d->variant[0] != '\0' ? d->variant : "general",
              d->time[0] != '\0' ? ", " : "", d->time, d->elimination[0] != '\0' ? ", " : "", d->elimination);
-    fprintf(stream, "    %-44s %6u %6u %9u %7u ", name, d->state_count, total(&d->rhs.optimized),
-            total(&d->jacobian.optimized), total(&d->rhs_jacobian.optimized));
+    fprintf(stream, "    %-44s %6u %6u %9u %7u ", name, d->state_count, jlt_descriptor_operations(&d->rhs.optimized),
+            jlt_descriptor_operations(&d->jacobian.optimized), jlt_descriptor_operations(&d->rhs_jacobian.optimized));
     for (unsigned i = 0; i < d->integral_count; i++) fprintf(stream, " %s", d->integrals[i].name);
     for (unsigned i = 0; i < d->measure_count; i++) fprintf(stream, " %s", d->measures[i].name);
     if (d->unproved != NULL) fprintf(stream, "  UNPROVED: rests on %s", d->unproved);

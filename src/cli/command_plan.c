@@ -6,7 +6,6 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/program.h"
-#include "cli/table.h"
 #include "kernel/descriptor.h"
 #include "scene/tier.h"
 #include "top/top.h"

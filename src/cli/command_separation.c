@@ -4,7 +4,6 @@
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

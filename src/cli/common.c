@@ -1,6 +1,5 @@
 #include "cli/common.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -50,8 +50,7 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_e
         jlt_look_pen(stream, plot->look, (jlt_pen){ "points", .colour = 2, .size = 1 });
         fputs(" title 'eigenvalues'", stream);
     } else {
-        jlt_look_label(label, r->axes[0].name,
-                       (axis->is_state ? r->question.descriptor->states : r->question.descriptor->params)[axis->index].unit);
+        jlt_plot_label(label, r->question.descriptor, r->axes[0].name);
         jlt_look_palette(stream, plot->look, label,
                          (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
         fprintf(stream, "plot $VALUES using 1:2:3 with points pt 7 ps %.3g lc palette notitle", 0.5 * plot->look->size);

@@ -1,6 +1,5 @@
 #include "cli/fates_table.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "report/csv.h"

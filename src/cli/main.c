@@ -15,6 +15,7 @@ static void print_help(FILE *stream)
     for (size_t i = 0; (command = jlt_command_at(i)) != NULL; i++)
         fprintf(stream, "  %s %s\n        %s\n", command->name, command->arguments, command->summary);
     fputs("\nMODEL is " JLT_DEFAULT_MODEL " when none is named. Values are exact: 1/3, 0.51, 1e-3.\n\n"
+          "  jellett section --grid 24x16 --plot map.svg -o map.csv    a first picture: the Poincare map at (5.1)\n"
           "  jellett COMMAND --help    options of a command, with examples\n"
           "  jellett --help            this page\n"
           "  jellett --version         the version\n\n"

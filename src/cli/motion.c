@@ -1,12 +1,10 @@
 #include "cli/motion.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/interrupt.h"
 #include "dynamics/scale.h"
-#include "kernel/descriptor.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
 

@@ -73,6 +73,9 @@ jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, 
 #define JLT_MOTION_WHOLE ((jlt_extent){ -INFINITY, INFINITY })
 jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, unsigned coordinate, jlt_extent range);
 
+/** The label of an axis along which a parameter or level of the model runs, as by jlt_plot_label. */
+void jlt_motion_label(char *label, const jlt_system *system, const char *name);
+
 /** Keep --start of a command that takes one start, while options are parsed. */
 void jlt_motion_one_start(jlt_motion_options *options, const char *text);
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/motion_many.h"
-#include "cli/motion_plane.h"
 #include "integrate/batch_method.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -138,6 +137,11 @@ jlt_extent jlt_motion_axis(jlt_plot *plot, const jlt_system *system, char axis, 
     else if (isinf(range.low))
         range = jlt_motion_framed(system, coordinate) ? bounds_of(system, coordinate) : (jlt_extent){ -1, 1 };
     return jlt_plot_axis(plot, axis, label, range, period);
+}
+
+void jlt_motion_label(char *label, const jlt_system *system, const char *name)
+{
+    jlt_plot_label(label, system->surface != NULL ? system->surface->asked : system->instance->descriptor, name);
 }
 
 jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, const jlt_system *system)

@@ -8,6 +8,7 @@
 #include "cli/grid.h"
 #include "cli/interrupt.h"
 #include "ext/number.h"
+#include "kernel/descriptor.h"
 #include "report/picture.h"
 #include "report/symbol.h"
 
@@ -187,7 +188,8 @@ jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common)
     *self = (jlt_plot){ .common = common, .look = &common->look };
     if (jlt_command_open(&self->script) == JLT_OK && jlt_command_open(&self->title) == JLT_OK) {
         self->stream = self->script.stream;
-        jlt_look_key(self->stream, self->look, "bmargin center horizontal Left reverse samplen 2 height 1");
+        /* gnuplot guesses how wide texts are: a letter more keeps a column off the next one */
+        jlt_look_key(self->stream, self->look, "bmargin center horizontal Left reverse samplen 2 height 1 width 1");
         return JLT_OK;
     }
     close_both(self);
@@ -218,6 +220,16 @@ void jlt_plot_value(jlt_plot *self, const char *name, double value)
 void jlt_plot_block(jlt_plot *self, const char *name, const char *rows)
 {
     fprintf(self->stream, "$%s << END\n%sEND\n", name, rows != NULL ? rows : "");
+}
+
+void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name)
+{
+    size_t index;
+
+    jlt_look_label(label, name,
+                   jlt_descriptor_param(model, name, &index)   ? model->params[index].unit
+                   : jlt_descriptor_state(model, name, &index) ? model->states[index].unit
+                                                               : "");
 }
 
 jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period)

@@ -26,14 +26,15 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common);
 
 /** Add to the caption, which --title replaces: words, formatted as by printf, and behind them NAME=VALUE. A NaN is left out. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-void jlt_plot_words(jlt_plot *self, const char *format, ...);
+JLT_PRINTF(2, 3) void jlt_plot_words(jlt_plot *self, const char *format, ...);
 void jlt_plot_value(jlt_plot *self, const char *name, double value);
 
 /** Write a block of data, $NAME for gnuplot. rows: lines of numbers; NULL: none. */
 void jlt_plot_block(jlt_plot *self, const char *name, const char *rows);
+
+/** The label of an axis for what has this name, with the unit of the model's parameter or state, if it is one. Out: label, shape
+ *  (JLT_LOOK_LABEL_MAX,). */
+void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name);
 
 /** Write the axis 'x' or 'y' of the panel that is drawn next, as jlt_look_axis does. Returns its range. */
 jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period);

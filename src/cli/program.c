@@ -1,11 +1,11 @@
 #include "cli/program.h"
 
 #include "base/exhaustion.h"
+#include "base/output.h"
 #include "cli/interrupt.h"
 
 #include <argp.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -21,15 +21,6 @@ static void close_output(void)
     }
 }
 
-/* A descriptor that was closed must not be given to a file that is opened later: what is written to it fails, as before. */
-static bool open_standard(void)
-{
-    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
-        if (fcntl(descriptor, F_GETFD) < 0
-            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
-    return true;
-}
-
 static void end_without_memory(void)
 {
     static const char text[] = "jellett: out of memory\n";
@@ -42,7 +33,7 @@ static void end_without_memory(void)
 
 jlt_exit jlt_program_begin(void)
 {
-    if (!open_standard()) return JLT_EXIT_IO;
+    if (!ttc_output_standard()) return JLT_EXIT_IO;
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
     argp_err_exit_status = JLT_EXIT_USAGE;

@@ -313,14 +313,6 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
 }
 
 /* The unit of a parameter or state; "" for what is neither. */
-static const char *unit_of(const jlt_descriptor *model, const char *name)
-{
-    size_t index;
-
-    if (jlt_descriptor_param(model, name, &index)) return model->params[index].unit;
-    return jlt_descriptor_state(model, name, &index) ? model->states[index].unit : "";
-}
-
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
 {
     char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[COLUMNS_MAX];
@@ -340,7 +332,7 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
     jlt_plot_words(&plot, "%s: jellett %s at each %s\n", self->model->model, self->what, self->axes[0].name);
     caption(&plot, self);
     for (unsigned k = 0; k < 2; k++) {
-        jlt_look_label(label, names[k], unit_of(self->model, names[k]));
+        jlt_plot_label(label, self->model, names[k]);
         jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(self->extent[k]), 0);
     }
     fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);

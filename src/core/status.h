@@ -21,8 +21,11 @@ typedef enum { JLT_STATUS_LIST(JLT_STATUS_ENUM) } jlt_status;
 
 #if defined(__GNUC__)
 #define JLT_CHECKED __attribute__((warn_unused_result))
+/* Of a function whose argument number `at` is a format of printf, for the arguments from number `first` on. */
+#define JLT_PRINTF(at, first) __attribute__((format(printf, at, first)))
 #else
 #define JLT_CHECKED
+#define JLT_PRINTF(at, first)
 #endif
 
 /* Leave through the label `done` with the status in `st` when a call fails. */

@@ -44,7 +44,8 @@ struct jlt_chart {
     /* q (dim,), angles in (-period/2, period/2], and when slope is not NULL dq/dx (dim, states), row-major. */
     void (*lower)(const jlt_chart *self, double *q, double *slope, const double *x);
 
-    /* Density, in the coordinates q, of the flux of volume through the section on its levels; f = dx/dtau at x. */
+    /* Density F(q), in the coordinates q, of the flux of volume through the section on its levels: what crosses dq in unit tau is
+     * F dq. Of a plane section without levels F = f_column. f, shape (states,): dx/dtau at x. */
     double (*flux)(const jlt_chart *self, const double *x, const double *f);
 
     /* Side (+1, -1) of the pole at which an orbit has ended in the state x, in the table's units; x is changed as by

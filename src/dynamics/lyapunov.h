@@ -1,7 +1,9 @@
-/** Lyapunov exponents of a return map: growth rates of its derivative, by repeated QR (Benettin et al. 1980, Dieci et al.).
+/** Lyapunov exponents of a return map: growth rates of its derivative DP per unit of physical time, by a QR decomposition after
+ *  every return (Benettin et al., Meccanica 15, 1980; Dieci, Russell, Van Vleck, SIAM J. Numer. Anal. 34, 1997).
  *
- *  The sum follows from flux and divergence; the last exponent is the sum minus the others. Section coordinates leave out the
- *  direction of the flow and those across the levels, whose exponents are zero. */
+ *  The sum of all exponents is known without DP: it is the mean of ln |det DP|, from flux and divergence (map.h); the last exponent
+ *  is that sum minus the others. Section coordinates leave out the direction of the flow and those across the levels, whose
+ *  exponents are zero. */
 #ifndef JLT_DYNAMICS_LYAPUNOV_H
 #define JLT_DYNAMICS_LYAPUNOV_H
 
@@ -10,9 +12,9 @@
 typedef struct {
     size_t returns;
     double t;         /* [time] of these returns */
-    double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit; NaN from the first
-                                            on that such a return leaves unknown */
-    size_t blurred;   /* returns whose derivative contracts some direction below what the tolerance resolves */
+    double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit */
+    size_t blurred;   /* returns whose DP contracts some direction by more than the tolerance resolves: the exponent of that
+                         direction and those after it are NaN from then on */
     double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return */
 } jlt_lyapunov_state;

@@ -9,7 +9,7 @@
 
 #include "dynamics/branch.h"
 
-#define JLT_MANIFOLD_FINEST 1e-4
+#define JLT_MANIFOLD_FINEST 1e-4 /* distance of neighbouring points, in coordinates of the section */
 
 typedef enum {
     JLT_MANIFOLD_LENGTH, /* the length asked for is reached */
@@ -19,10 +19,10 @@ typedef enum {
 } jlt_manifold_end;
 
 typedef struct {
-    double spacing;    /* default 0.01 */
+    double spacing;    /* in coordinates of the section, as all lengths here; default 0.01 */
     double turn;       /* in radians, default 0.2 */
     double finest;     /* default JLT_MANIFOLD_FINEST; below spacing */
-    double length_max; /* default 5 */
+    double length_max; /* of arc; default 5 */
     size_t points_max; /* default 20000 */
 } jlt_manifold_options;
 

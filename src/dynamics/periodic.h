@@ -18,18 +18,19 @@ typedef enum {
 
 const char *jlt_periodic_type_name(jlt_orbit_type type);
 
+/** A periodic orbit: plain data, some 67 kB a record. Distances are lengths in scaled coordinates, as of jlt_chart_distance. */
 typedef struct {
     size_t period;                                       /* primitive, <= JLT_PERIODIC_MAX */
     double points[(size_t)JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
     double T;                                            /* [time] of the whole orbit */
-    double slope[4];         /* D(P^period) at the first point; on sections of two coordinates alone */
+    double slope[4];         /* D(P^period) at the first point, row-major; on sections of two coordinates alone, else unset */
     double trace;            /* of D(P^period), on any section */
-    double determinant;      /* exp of the integral of the divergence: the flux is the same at both ends */
-    double determinant_slope; /* of slope itself, a second way */
-    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* multipliers, largest modulus first; NaN: too small to be known */
-    double residual;         /* max over points of |P(q_i) - q_(i+1)| */
+    double determinant;      /* of D(P^period): exp of the integral of the divergence, for the flux is the same at both ends */
+    double determinant_slope; /* the same a second way: the product of det DP over the returns */
+    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* (dim,): multipliers, largest first; NaN: too small to be known */
+    double residual;         /* largest distance of P(q_i) from q_(i+1) */
     double defect;           /* worst defect of the flux identity, see map.h */
-    bool symmetric;          /* its own mirror image, within 1e-7 */
+    bool symmetric;          /* its own mirror image under the chart's reversor, within the distance 1e-7 */
     jlt_orbit_type type;
 } jlt_periodic;
 

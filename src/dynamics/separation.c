@@ -1,6 +1,5 @@
 #include "dynamics/separation.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

@@ -35,8 +35,7 @@ typedef struct {
  *  and one for these; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends is
  *  counted up to its end.
  *  Errors: ARG, a section of other than two coordinates or without reversor, no cells, no returns or more than 2^47;
- *  NO_CONVERGENCE (interrupted); as
- *  jlt_section_batch_run. */
+ *  NO_CONVERGENCE (interrupted); as jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow,
                                               const double *starts, size_t count,
                                               const jlt_separation_options *options);

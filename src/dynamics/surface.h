@@ -15,7 +15,8 @@
 /* Starts with the default values, by the names of the records: of a regular orbit, of a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
-enum { JLT_SURFACE_COMPUTED = ~0u >> 1 }; /* instead of an entry: others are computed from this value */
+enum { JLT_SURFACE_COMPUTED = ~0u >> 1 }; /* in place of an index: the section's kernels do not take this value, a parameter of the
+                                             asked table; parameters that they take are computed from it */
 
 /** Plain data. Its values are the parameters of the table that go by equal names, in the table's order, those of the asked table
  *  from which others are computed, then the levels. */
@@ -82,8 +83,9 @@ void jlt_surface_ending(double *out, const jlt_system *system, const double *x);
 /** The coordinates, shape (dim,), of a state of a row off the section: angles are NaN. */
 void jlt_surface_off_section(double *q, const jlt_system *system, const double *x);
 
-/** is_low: whether an orbit that starts at q, shape (dim,), has yet to turn over; turned_at: the fate by which it then turns over.
- *  Without the clause `turns` in the table these are false and ALIVE. */
+/** Turning over, by the expression of the clause `turns`: an orbit that begins where it is < 0 and ends where it is > 0 has turned
+ *  over. _is_low: whether it is < 0 at q, shape (dim,); _turned_at: the fate of orbits that end at the pole where it is > 0.
+ *  Without that clause they return false and JLT_FATE_ALIVE. */
 bool jlt_surface_is_low(const jlt_system *system, const double *q);
 jlt_fate jlt_surface_turned_at(const jlt_system *system);
 

@@ -1,6 +1,5 @@
 #include "dynamics/varied.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -10,9 +10,9 @@
 
 /** Find where in the last step the orbit is outside for the first time, as far as the polynomial tells. Out: *theta, 1 where only
  *  the end of the step is known to be outside, INFINITY when the orbit stays inside.
- *  Cost: that of jlt_stepper_dense where the step comes near enough to an end
- *  that its variation does not exclude it; of conditions, two evaluations of their values and gradients, and by methods with a
- *  polynomial of their own 13 of values. Errors: those of jlt_stepper_dense and of partial steps. */
+ *  Cost: that of jlt_stepper_dense where the step comes so near to an end that its variation does not exclude it; of conditions,
+ *  two evaluations of their values and gradients, and by methods with a polynomial of their own 13 of values. Errors: those of
+ *  jlt_stepper_dense and of partial steps. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 
 /** The first zero of an event's function within the last step, whose start is on this side of it. In/out: *theta, replaced by that

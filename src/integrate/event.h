@@ -5,9 +5,9 @@
  *  points, shared by neighbouring steps, and the side the orbit is on is remembered: a crossing is counted where the side
  *  changes, once, wherever the step ends fall. A start on the section belongs to the side it leaves to and is no crossing.
  *  Each zero is refined by Newton's method on states computed by a fresh step from the start of the step, so its error is
- *  that of the method and not of the polynomial. Where a zero of the slope lies within the error of touching, the extremum
- *  is refined in the same way: zeros on both sides of it are two crossings, and a touch within rounding is reported as
- *  grazing. */
+ *  that of the method and not of the polynomial. Where an extremum of g is as near to 0 as the polynomial's error, so that the
+ *  polynomial does not tell whether g changes sign there, the extremum is refined in the same way: zeros on both sides of it are
+ *  two crossings, and an extremum that is 0 to rounding is a touch, which is reported as grazing. */
 #ifndef JLT_INTEGRATE_EVENT_H
 #define JLT_INTEGRATE_EVENT_H
 

@@ -45,14 +45,14 @@ typedef struct {
     unsigned sized;                /* leading states of which a scale of 1 stands for jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
-/** The size below which the states of an orbit count as small, whose largest one at the start, the root left out, is `largest`: 1,
- *  or, where that is below 1/64 and not 0, the largest power of two that it is not below, at least 2^-100. */
+/** The size of an orbit, below which its states count as small. largest: the largest |state| at its start, the root left out. The
+ *  size is 1 where largest is 0 or at least 1/64; else the largest power of two that is at most `largest`, but at least 2^-100. */
 double jlt_field_size(double largest);
 
-/** That of an orbit of this field that starts at x, shape (dim,): by its sized states whose scale is 1. */
+/** The size of an orbit of this field that starts at x, shape (dim,): of the first `sized` states those with scale 1 count. */
 double jlt_field_size_at(const jlt_field *field, const double *x);
 
-/** The scale of state i, 1 also where that stands for the size of a start. */
+/** The scale of state i as the field declares it: 1 also where the orbit's size is to stand for it. */
 double jlt_field_scale(const jlt_field *field, unsigned i);
 
 /** How near a state may come to a finite bound of its domain, relative to the bound. Nearer, fewer than 16 bits of the distance
@@ -62,10 +62,11 @@ double jlt_field_scale(const jlt_field *field, unsigned i);
 /** Whether anything of the field's domain is to be watched: a finite interval, or a condition. */
 bool jlt_field_watches(const jlt_field *field);
 
-/** Which state seems to grow without bound at x, shape (dim,), where no step from time t on is long enough any more: it is above 1,
- *  and at its present rate it would be twice as large after 10^5 roundings of t. Of several the one that would be so first;
- *  field->dim: none. Steps before a pole of the solution are at least a thousandth of the time to it. Not so is a state with a
- *  limit there at which its rate has none. */
+/** Name the state that grows without bound, where an integration has stopped at x, shape (dim,), at physical time t because its
+ *  steps no longer change t. Returned is the index of the state that doubles first at its present rate, among those with |x_i| > 1
+ *  that do so within 10^5 roundings of t; field->dim: none does. (Before a pole of the solution steps are no shorter than a
+ *  thousandth of the time to the pole, so that 10^5 roundings cover it. A state that stays bounded, while its rate does not, is not
+ *  named.) Cost: one evaluation of the field. */
 unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t);
 
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the

@@ -20,8 +20,8 @@
 /** Zero means the default, in all fields. */
 typedef struct {
     double tolerance;         /* see method.h; default JLT_ORBIT_TOLERANCE */
-    double first_step;        /* in tau */
-    double max_step;          /* in tau */
+    double first_step;        /* |dtau|; default: the method chooses */
+    double max_step;          /* |dtau|; default: no limit */
     size_t max_steps;         /* budget of accepted and rejected steps of one call; default 10^7 */
     const volatile sig_atomic_t *interrupt; /* nonzero ends the call with JLT_END_INTERRUPT; NULL: none */
     jlt_invariants invariants;

@@ -48,7 +48,7 @@ static bool serves(const jlt_descriptor *descriptor, const double *params)
     return true;
 }
 
-static unsigned operations(const jlt_operation_count *count)
+unsigned jlt_descriptor_operations(const jlt_operation_count *count)
 {
     return count->add + count->multiply + count->fma + count->divide + count->root + count->elementary;
 }
@@ -56,7 +56,7 @@ static unsigned operations(const jlt_operation_count *count)
 static bool more_special(const jlt_descriptor *a, const jlt_descriptor *b)
 {
     if (a->integral_count != b->integral_count) return a->integral_count > b->integral_count;
-    return operations(&a->rhs_jacobian.optimized) < operations(&b->rhs_jacobian.optimized);
+    return jlt_descriptor_operations(&a->rhs_jacobian.optimized) < jlt_descriptor_operations(&b->rhs_jacobian.optimized);
 }
 
 const jlt_descriptor *jlt_descriptor_sibling(const jlt_descriptor *of, const char *variant, const char *time,

@@ -27,6 +27,9 @@ const jlt_descriptor *jlt_descriptor_sibling(const jlt_descriptor *of, const cha
 const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char *time, const char *elimination,
                                             const double *params);
 
+/** How many operations one call of a kernel takes; a fused multiply-add is one. */
+unsigned jlt_descriptor_operations(const jlt_operation_count *count);
+
 /** A claim of the model, by kind and name; NULL when its table makes none. */
 const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 

@@ -32,19 +32,20 @@ typedef struct {
 bool jlt_link_find(jlt_link *link, const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to,
                    const jlt_way_tables *others);
 
-/** What gives a parameter of the last table: _OWN, that of the same name in every table of the chain; _PARAMS, it is computed from
- *  parameters of the first by jlt_link_params; _LEVEL, states. */
+/** What gives the parameter `name` of the last table: JLT_SOURCE_OWN, the parameter of the same name in every table of the chain;
+ *  JLT_SOURCE_PARAMS, parameters of the first table, from which jlt_link_params computes it; JLT_SOURCE_LEVEL, states of the first
+ *  table: it is the value of an integral there. */
 jlt_source jlt_link_source(const jlt_link *link, const char *name);
 
 /** A parameter of the table `to`, onto which a claim of `from` reduces, that cannot be followed: something else has its name in
  *  `from`; NULL: there is none. */
 const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
 
-/** Whether any is computed. */
+/** Whether any parameter of the last table is JLT_SOURCE_PARAMS. */
 bool jlt_link_computes(const jlt_link *link);
 
-/** The parameters of the last table, shape (its parameters,), from those of the first, shape (its parameters,); what is a level
- *  there means nothing. */
+/** The parameters of the last table: out, shape (param_count of it,), from those of the first, params, shape (param_count of it,).
+ *  The caller replaces those that are JLT_SOURCE_LEVEL, which no parameters give. Where both are one table `out` is untouched. */
 void jlt_link_params(const jlt_link *link, double *out, const double *params);
 
 #endif

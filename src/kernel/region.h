@@ -24,10 +24,10 @@ enum {
  *  not called when count is 0. */
 bool jlt_region_holds(unsigned count, jlt_kernel_function values, const double *p, const double *x);
 
-/** Intervals of all states at given parameters, low and high, shape (states,): the table's, within every condition of the domain
- *  that bounds a single state by a number, as ends do that are no numbers. In: prepared, values of these parameters; NULL: no
- *  conditions. Of tables with more than 64 states or conditions the table's intervals alone. Cost: values and gradients of the
- *  conditions, twice. */
+/** Intervals of all states at given parameters: low and high, shape (state_count,). They are the table's, narrowed by every
+ *  condition of the domain that bounds one state linearly, such as an end of an interval that is an expression of parameters. In:
+ *  prepared, the values prepared from these parameters; NULL: conditions are left out. They are also left out for tables with more
+ *  than 64 states or conditions. Cost: one evaluation of the conditions and two of their gradients. */
 void jlt_region_intervals(double *low, double *high, const jlt_descriptor *descriptor, const double *prepared);
 
 #endif

@@ -13,17 +13,17 @@ typedef struct {
     int mass, length, time;
 } jlt_units;
 
-/** Binary exponent of a compound unit, written as in tables: "kg*m^2/s^2", "kg m^2", "1/(m*s^2)", "rad/s", "1", "". Names
- *  other than kg, m and s are numbers. */
+/** The exponent e of a compound unit such that one of these units is 2^e of the table's, which is written "kg*m^2/s^2",
+ *  "kg m^2", "1/(m*s^2)", "rad/s", "1" or "". Any other name than kg, m and s, such as rad, counts as the number 1. */
 int jlt_units_exponent(const jlt_units *units, const char *unit);
 
-/** Convert values, shape (count,), of the quantities `of`, shape (count,): jlt_units_count from the table's units to these,
- *  jlt_units_restore back. out and in may be the same array. */
+/** Convert values, shape (count,), of the quantities `of`, shape (count,), whose member `unit` is read: jlt_units_count from the
+ *  table's units to these, jlt_units_restore back. out and in may be the same array. Exact, unless a value over- or underflows. */
 void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 
-/** Set the units of mass and length: those in which the first positive parameter in kg, and the first in m, are in [1, 2). params,
- *  shape (count,), are in the table's units. */
+/** Set the units of mass and length: those in which the first parameter in kg that the table declares positive, and the first such
+ *  in m, are in [1, 2); where there is none the unit is kg, or m. params, shape (count,), are in the table's units. */
 void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count);
 
 /** Make the units of mass and length no larger than 64 times the largest state that is one: a parameter in m may have nothing to do
@@ -31,8 +31,9 @@ void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quant
 void jlt_units_of_states(jlt_units *units, const double *x, const jlt_quantity *of, unsigned count);
 
 /** The largest rate [1/s] that the sizes of states suggest: a state whose unit has the factor s^p, p < 0, gives |x|^(-1/p), in
- *  these units of mass and length. x, shape (count,), in the table's units; derivatives: how often x has been differentiated by
- *  time. Returns 0 where no state has such a unit. */
+ *  these units of mass and length: a velocity its size, an acceleration the root of it. x, shape (count,), in the table's units;
+ *  derivatives: how often x has been differentiated by time, so that the field itself may be passed with 1. Returns 0 where no
+ *  state has such a unit. */
 double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives);
 
 /** Set the unit of time so that half the square of this rate is in [1, 4); a rate that is 0 or not finite leaves it. */

@@ -80,13 +80,14 @@ void jlt_look_quote(FILE *stream, const char *text)
         fputs(".\"\\n\".", stream);
 }
 
-/* How wide a character is, by its first byte in UTF-8, in sizes of letters: about, of Helvetica and what is like it. */
+/* How wide a character is, by its first byte in UTF-8, in sizes of letters: about, of DejaVu Sans, which stands for Helvetica where
+ * that is not installed, and is the wider one. */
 static double breadth(char first)
 {
     if (((unsigned char)first & 0xc0) == 0x80) return 0; /* the rest of one */
-    if (strchr(" .,;:'|!/()[]ijltfI", first) != NULL) return 0.3;
-    if (strchr("mwMW%@", first) != NULL) return 0.85;
-    return isupper((unsigned char)first) ? 0.7 : 0.56;
+    if (strchr(" .,;:'|!/()[]ijltfI-", first) != NULL) return 0.34;
+    if (strchr("mwMW%@=+<>", first) != NULL) return 0.86;
+    return isupper((unsigned char)first) ? 0.72 : 0.63;
 }
 
 /* How much of a text fits a line of this room, in sizes of letters: to its end, to a blank, or to the first blank beyond. */

@@ -1,6 +1,5 @@
 #include "scene/scene.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -32,9 +32,9 @@ typedef struct {
     bool is_larger;                /* it tells more than was asked */
     jlt_units units;               /* those in which it is opened, all zero: the table's. Conditions are judged in the table's,
                                       since terms and numbers of one may have different dimensions */
-    unsigned way_count;            /* from the asked table to that of the tier, each from where the one before leads */
-    const jlt_way *ways[JLT_TIER_WAYS_MAX];
-    const jlt_descriptor *from[JLT_TIER_WAYS_MAX];
+    unsigned way_count;            /* of ways from the asked table to the tier's, one after another; 0: they are one table */
+    const jlt_way *ways[JLT_TIER_WAYS_MAX];        /* (way_count,) */
+    const jlt_descriptor *from[JLT_TIER_WAYS_MAX]; /* (way_count,): the field from whose states each way leads */
 } jlt_tier;
 
 /** The tiers of a model, from the smallest, with tables that are built in and `others`, NULL for none; each by the first way to its
@@ -81,6 +81,7 @@ void jlt_tier_conditions(double *values, const jlt_tier_view *view, const jlt_de
 
 typedef struct jlt_tier_edges jlt_tier_edges;
 
+/** The context of one edge's event: the caller need not look into it. */
 typedef struct {
     const jlt_tier_edges *edges;
     unsigned index;

@@ -9,10 +9,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/region.h"
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static jlt_status refuse(char *refusal, const char *format, ...)
+JLT_PRINTF(2, 3) static jlt_status refuse(char *refusal, const char *format, ...)
 {
     va_list arguments;
 

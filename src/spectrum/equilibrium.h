@@ -40,10 +40,10 @@ typedef struct {
     jlt_linearization result;
 } jlt_equilibrium;
 
-/** The equilibrium at these parameters and states, both changed in place, as jlt_linearization_enclose gives it. Where that fails
- *  the numbers are those of doubles, and the verdict is open, or where digits were asked for that is an error; where doubles are
- *  enough
- *  the verdict is theirs, and not proved. The caller frees result.texts. */
+/** The equilibrium at these parameters, shape (param_count,), and states, shape (state_count,), both changed in place, as
+ *  jlt_linearization_enclose gives it. Where enclosing fails it is an error if digits were asked for; otherwise the numbers are
+ *  those of doubles, and the verdict is open. Where doubles are enough (`fast`) the verdict is theirs, and not proved. The caller
+ *  gives out->result.texts to jlt_ball_texts_destroy. */
 void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_question *question, double *params, double *x);
 
 #endif

@@ -53,15 +53,14 @@ static jlt_status read_defaults(jlt_oracle *o)
 jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor)
 {
     jlt_oracle *self = calloc(1, sizeof *self);
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     char file[256];
     jlt_status st = JLT_ERR_NOMEM;
 
     *oracle = NULL;
-    if (self == NULL || diagnostics == NULL) goto done;
+    if (self == NULL) goto done;
     self->descriptor = descriptor;
-    snprintf(file, sizeof file, "%s.tt", descriptor->model);
-    self->model = ttc_model_parse(descriptor->table, strlen(descriptor->table), file, diagnostics);
+    snprintf(file, sizeof file, "%s.tt", descriptor->model); /* by which other tables call it */
+    self->model = ttc_model_again(descriptor->table, file);
     st = JLT_ERR_UNSUPPORTED;
     if (self->model == NULL || self->model->state_count != descriptor->state_count) goto done;
     st = JLT_ERR_NOMEM;
@@ -74,7 +73,6 @@ jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descript
     *oracle = self;
     self = NULL; /* ownership moved to the caller */
 done:
-    ttc_diagnostics_destroy(diagnostics);
     jlt_oracle_destroy(self);
     return st;
 }

@@ -1,9 +1,7 @@
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/grid.h"
 #include "top/command_counterpart.h"
 #include "top/command_portrait.h"
 #include "cli/planned.h"

@@ -220,7 +220,7 @@ static jlt_exit draw(const request *r)
     jlt_plot_block(&plot, "ROWS", r->session.common.drawn);
     jlt_plot_words(&plot, "Period and rotation number\n");
     jlt_session_caption(&plot, &r->session);
-    jlt_look_label(label, r->axes[0].name, "");
+    jlt_plot_label(label, r->session.descriptor, r->axes[0].name);
     fputs(JLT_LOOK_GRID, plot.stream);
     for (unsigned k = 0; k < 2; k++) {
         jlt_plot_panel(&plot, k, label,

@@ -1,7 +1,8 @@
 /** The spherical top: parameters, five reduced states, and integrals from its built-in tables.
  *
- *  Numbers come from kernels of the tables built in, in the time in which s = sqrt(1 - gamma3^2) is a state of its own; what a
- *  table does not say any more is NaN. States are those of system (3.2) of Kilin & Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023.
+ *  Numbers come from kernels of the tables built in, in the time in which s = sqrt(1 - gamma3^2) is a state of its own; a value
+ *  whose record was taken out of its table is NaN. States, shape (JLT_TOP_STATES,), are those of system (3.2) of Kilin & Ivanova,
+ *  Rus. J. Nonlin. Dyn. 19(4), 2023: gamma3 without unit, v_nu in m/s, angular velocities in rad/s.
  *
  *  At a pole sigma = gamma3 = +-1 the rates across the set of equilibria (integrate/pole.h) are
  *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),      b = a3 + sigma R,
@@ -18,7 +19,7 @@
 #define JLT_DEFAULT_MODEL "spherical_top"
 
 typedef struct {
-    double m, R, g, a3, I1, I3;
+    double m, R, g, a3, I1, I3; /* [kg], [m], [m/s^2], [m], [kg m^2], [kg m^2], with the meanings of the table */
 } jlt_top;
 
 enum { JLT_TOP_GAMMA3, JLT_TOP_V_NU, JLT_TOP_OMEGA_TAU, JLT_TOP_OMEGA_N, JLT_TOP_OMEGA3, JLT_TOP_STATES };
@@ -57,10 +58,10 @@ void jlt_top_look(const jlt_way *way, double *y, double *other, const jlt_top *t
 /** x, shape (JLT_TOP_STATES,), at y, shape (way->state_count,), which ends with s, of the table that the way leads to. */
 void jlt_top_return(const jlt_way *way, double *x, const double *y, const double *other);
 
-/* Velocity of the centre of mass along tau, by the constraint. */
+/* Velocity of the centre of mass along tau, by the constraint: v_tau = (a3 + R gamma3) omega_n + R s omega3. */
 double jlt_top_v_tau(const jlt_top *top, const double *x);
 
-/* Integrals (3.3). */
+/* Integrals (3.3): the energy E, and Jellett's G = (I omega, r) = I1 R s omega_n - I3 (a3 + R gamma3) omega3. */
 double jlt_top_energy(const jlt_top *top, const double *x);
 double jlt_top_jellett(const jlt_top *top, const double *x);
 

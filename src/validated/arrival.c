@@ -1,7 +1,5 @@
 #include "validated/arrival.h"
 
-#include <stdlib.h>
-
 void jlt_arrival_init(jlt_arrival *self, unsigned dim)
 {
     self->dim = dim;

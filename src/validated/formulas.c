@@ -105,17 +105,16 @@ jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *de
                                const char *const *levels, unsigned level_count)
 {
     jlt_formulas *self = calloc(1, sizeof *self);
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_field *field = NULL;
     jlt_status st = JLT_ERR_NOMEM;
 
     *formulas = NULL;
-    if (self == NULL || diagnostics == NULL) goto done;
+    if (self == NULL) goto done;
     st = JLT_ERR_ARG;
     if (free_count > JLT_FORMULAS_FREE_MAX || level_count > JLT_FORMULAS_LEVELS_MAX) goto done;
     st = JLT_ERR_UNSUPPORTED;
     self->descriptor = descriptor;
-    self->model = ttc_model_parse(descriptor->table, strlen(descriptor->table), descriptor->model, diagnostics);
+    self->model = ttc_model_again(descriptor->table, descriptor->model);
     if (self->model == NULL || self->model->state_count != descriptor->state_count
         || self->model->param_count != descriptor->param_count
         || ttc_field_create(&field, self->model, NULL, NULL, NULL) != TTC_FIELD_OK)
@@ -140,7 +139,6 @@ jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *de
     self = NULL; /* ownership moved to the caller */
 done:
     ttc_field_destroy(field);
-    ttc_diagnostics_destroy(diagnostics);
     jlt_formulas_destroy(self);
     return st;
 }

@@ -5,22 +5,7 @@
 #include "validated/numerals.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static bool refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(problem, JLT_GIVEN_PROBLEM_MAX, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
@@ -29,7 +14,7 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
     const char *digest = json_string_value(json_object_get(table, "sha256"));
 
     if (name == NULL || digest == NULL) {
-        refuse(problem, "it names no table by name and sha256");
+        jlt_refuse(problem, "it names no table by name and sha256");
         return NULL;
     }
     for (size_t i = 0; i <= jlt_descriptor_count(); i++) {
@@ -38,7 +23,7 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
             && strcmp(d->sha256, digest) == 0)
             return d;
     }
-    refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
+    jlt_refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
     return NULL;
 }
 
@@ -55,18 +40,18 @@ static bool read_params(jlt_given *self, const json_t *given, slong bits, char *
     const json_t *params = json_object_get(given, "parameters");
 
     if (!json_is_object(params) || json_object_size(params) != d->param_count)
-        return refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+        return jlt_refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
     for (unsigned i = 0; i < d->param_count; i++) {
         const json_t *value = json_object_get(params, d->params[i].name);
         const bool is_ball = json_is_object(value);
         if (!(is_ball ? jlt_numerals_ball(self->params + i, value, bits)
                       : jlt_numerals_read(self->params + i, json_string_value(value), bits)))
-            return refuse(problem, "parameter %s: no number", d->params[i].name);
+            return jlt_refuse(problem, "parameter %s: no number", d->params[i].name);
         if (!allows(&d->params[i], self->params + i))
-            return refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
+            return jlt_refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
         if (!is_ball) continue;
         if (self->question.free_count == JLT_FORMULAS_FREE_MAX)
-            return refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
+            return jlt_refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
         self->question.free[self->question.free_count++] = i;
     }
     return true;
@@ -80,12 +65,12 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
     const json_int_t direction = json_integer_value(json_object_get(section, "direction"));
     size_t column;
 
-    if (state == NULL || !jlt_descriptor_state(d, state, &column)) return refuse(problem, "section: no such state");
+    if (state == NULL || !jlt_descriptor_state(d, state, &column)) return jlt_refuse(problem, "section: no such state");
     self->question.column = (unsigned)column;
-    if (direction != 1 && direction != -1) return refuse(problem, "section: the direction is 1 or -1");
+    if (direction != 1 && direction != -1) return jlt_refuse(problem, "section: the direction is 1 or -1");
     self->question.direction = (int)direction;
     return jlt_numerals_read(self->section, json_string_value(json_object_get(section, "value")), bits)
-           || refuse(problem, "section: no value");
+           || jlt_refuse(problem, "section: no value");
 }
 
 /* A descriptor lists integrals that are so everywhere: not `when` or `modulo` something alone. */
@@ -104,16 +89,17 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
     const char *name;
     json_t *value;
 
-    if (!json_is_object(levels)) return refuse(problem, "levels: no object of integrals with their values");
-    if (json_object_size(levels) > JLT_FORMULAS_LEVELS_MAX) return refuse(problem, "levels: more than %d", JLT_FORMULAS_LEVELS_MAX);
+    if (!json_is_object(levels)) return jlt_refuse(problem, "levels: no object of integrals with their values");
+    if (json_object_size(levels) > JLT_FORMULAS_LEVELS_MAX)
+        return jlt_refuse(problem, "levels: more than %d", JLT_FORMULAS_LEVELS_MAX);
     json_object_foreach((json_t *)(uintptr_t)levels, name, value) {
         const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
         if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
-            return refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
+            return jlt_refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
         if (!(json_is_object(value) ? jlt_numerals_ball(out, value, bits)
                                     : jlt_numerals_read(out, json_string_value(value), bits)))
-            return refuse(problem, "levels: %s has no value", name);
+            return jlt_refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }
     return true;
@@ -125,13 +111,13 @@ static bool read_coordinates(jlt_given *self, const json_t *given, char *problem
     const json_t *names = json_object_get(given, "coordinates");
 
     self->kept_count = d->state_count - 1 - self->question.level_count;
-    if (json_array_size(names) != self->kept_count) return refuse(problem, "coordinates: %u on these levels", self->kept_count);
+    if (json_array_size(names) != self->kept_count) return jlt_refuse(problem, "coordinates: %u on these levels", self->kept_count);
     for (unsigned i = 0; i < self->kept_count; i++) {
         const char *name = json_string_value(json_array_get(names, i));
         size_t state;
         if (name == NULL || !jlt_descriptor_state(d, name, &state) || state == self->question.column
             || (i > 0 && (unsigned)state <= self->kept[i - 1]))
-            return refuse(problem, "coordinates: states but the section's, in the order of the table");
+            return jlt_refuse(problem, "coordinates: states but the section's, in the order of the table");
         self->kept[i] = (unsigned)state;
     }
     return true;
@@ -149,15 +135,15 @@ bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *
     self->question.section = self->section;
     self->question.levels = self->levels;
     self->question.level_values = self->level_values;
-    if (digits < 5 || digits > JLT_GIVEN_DIGITS_MAX) return refuse(problem, "digits: between 5 and %d", JLT_GIVEN_DIGITS_MAX);
+    if (digits < 5 || digits > JLT_GIVEN_DIGITS_MAX) return jlt_refuse(problem, "digits: between 5 and %d", JLT_GIVEN_DIGITS_MAX);
     if (descriptor->state_count > JLT_CYCLE_STATES_MAX || descriptor->state_count < 2)
-        return refuse(problem, "tables of 2 to %d states are served", JLT_CYCLE_STATES_MAX);
+        return jlt_refuse(problem, "tables of 2 to %d states are served", JLT_CYCLE_STATES_MAX);
     self->question.digits = (unsigned)digits;
     const slong bits = jlt_step_accuracy_for(self->question.digits).bits;
     return read_params(self, given, bits, problem) && read_section(self, given, bits, problem)
            && read_levels(self, given, bits, problem)
            && (descriptor->state_count >= 2 + self->question.level_count
-               || refuse(problem, "levels: too many for %u states", descriptor->state_count));
+               || jlt_refuse(problem, "levels: too many for %u states", descriptor->state_count));
 }
 
 bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_GIVEN_PROBLEM_MAX])

@@ -46,9 +46,9 @@ bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_
 
 /** Make coordinates and legs where there are none yet, in place of jlt_given_read_legs, from guesses: x, shape (legs, states),
  *  points on the section, T, shape (legs,), the times from each to the next, and turns, shape (legs, states), the periods by which
- *  states have grown there; refined by Newton's method, with boxes of this
- *  radius around; 0: of 1e-10, or where parameters or levels are intervals as wide as orbits spread by them. Sets "coordinates"
- *  and "legs" of `given`.
+ *  states have grown there. They are refined by Newton's method, and boxes of this radius, in the units of the states, are put
+ *  around them; radius 0: 1e-10, or, where parameters or levels are intervals, as far as orbits spread by these. Sets
+ *  "coordinates" and "legs" of `given`.
  *  Errors: as jlt_cycle_create, jlt_cycle_choose, jlt_cycle_refine, jlt_cycle_reach; ARG, not 1 to JLT_CYCLE_LEGS_MAX legs;
  *  UNSUPPORTED, turns that the table does not prove, and problem says why; NOMEM. */
 JLT_CHECKED jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,

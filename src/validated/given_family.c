@@ -5,23 +5,9 @@
 #include "validated/shown.h"
 
 #include <flint/fmpq_vec.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static bool refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(problem, JLT_GIVEN_PROBLEM_MAX, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 /* ---- reading ---- */
 
@@ -40,8 +26,8 @@ static bool read_family(jlt_given_family *self, const char *name, char *problem)
     if (claim != NULL) self->question.family = claim_of(self->model, TTC_CLAIM_EQUILIBRIA, name);
     if (trace != NULL && trace->verdict == JLT_PROVED) self->question.trace = claim_of(self->model, TTC_CLAIM_TRACE, name);
     if (self->question.family == NULL)
-        return refuse(problem, "%s has no family of equilibria '%s'", self->descriptor->model, name == NULL ? "" : name);
-    if (claim->verdict != JLT_PROVED) return refuse(problem, "it is not proved that the points of '%s' are equilibria", name);
+        return jlt_refuse(problem, "%s has no family of equilibria '%s'", self->descriptor->model, name == NULL ? "" : name);
+    if (claim->verdict != JLT_PROVED) return jlt_refuse(problem, "it is not proved that the points of '%s' are equilibria", name);
     for (size_t i = 0; i < self->question.family->when.count; i++) self->is_given[self->question.family->when.items[i].symbol] = 1;
     for (size_t i = 0; i < self->question.family->bindings.count; i++)
         self->is_given[self->question.family->bindings.items[i].symbol] = 1;
@@ -75,16 +61,18 @@ static bool read_side(jlt_given_family *self, uint32_t number, const json_t *box
     fmpq *low = &self->low[self->question.dim], *high = &self->high[self->question.dim];
 
     if (self->is_given[number])
-        return value == NULL || refuse(problem, "box: the family '%s' gives %s itself", self->question.family->name, symbol->name);
-    if (value == NULL) return refuse(problem, "box: %s %s has no value: give one, or a range", what, symbol->name);
+        return value == NULL || jlt_refuse(problem, "box: the family '%s' gives %s itself", self->question.family->name,
+                                           symbol->name);
+    if (value == NULL) return jlt_refuse(problem, "box: %s %s has no value: give one, or a range", what, symbol->name);
     if ((is_range && json_object_size(value) != 2)
         || !jlt_numerals_fraction(low, json_string_value(is_range ? json_object_get(value, "low") : value))
         || !jlt_numerals_fraction(high, json_string_value(is_range ? json_object_get(value, "high") : value)))
-        return refuse(problem, "box: %s %s: no number", what, symbol->name);
+        return jlt_refuse(problem, "box: %s %s: no number", what, symbol->name);
     if (is_range && fmpq_cmp(low, high) >= 0)
-        return refuse(problem, "box: the range of %s is empty: low is below high", symbol->name);
+        return jlt_refuse(problem, "box: the range of %s is empty: low is below high", symbol->name);
     if (!allows(self, symbol, low, high))
-        return refuse(problem, "box: %s %s: %s does not allow all of these values", what, symbol->name, self->descriptor->model);
+        return jlt_refuse(problem, "box: %s %s: %s does not allow all of these values", what, symbol->name,
+                          self->descriptor->model);
     self->symbols[self->question.dim++] = number;
     return true;
 }
@@ -99,7 +87,7 @@ static bool read_box(jlt_given_family *self, const json_t *box, char *problem)
     json_object_foreach((json_t *)(uintptr_t)box, name, value) {
         size_t index;
         if (!jlt_descriptor_param(self->descriptor, name, &index) && !jlt_descriptor_state(self->descriptor, name, &index))
-            return refuse(problem, "box: %s has neither a parameter nor a state '%s'", self->descriptor->model, name);
+            return jlt_refuse(problem, "box: %s has neither a parameter nor a state '%s'", self->descriptor->model, name);
     }
     for (size_t i = 0; good && i < m->param_count; i++) good = read_side(self, m->params[i], box, problem);
     for (size_t i = 0; good && i < m->state_count; i++) good = read_side(self, m->states[i], box, problem);
@@ -111,20 +99,18 @@ bool jlt_given_family_read(jlt_given_family *self, const json_t *given, const jl
 {
     const json_int_t digits = json_integer_value(json_object_get(given, "digits"));
     const json_int_t limit = json_integer_value(json_object_get(given, "limit"));
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     const slong count = (slong)d->param_count + (slong)d->state_count;
 
     *self = (jlt_given_family){ .descriptor = d };
     self->low = _fmpq_vec_init(count);
     self->high = _fmpq_vec_init(count);
     self->symbols = calloc((size_t)count, sizeof *self->symbols);
-    if (diagnostics != NULL) self->model = ttc_model_parse(d->table, strlen(d->table), d->model, diagnostics);
+    self->model = ttc_model_again(d->table, d->model);
     if (self->model != NULL) self->is_given = calloc(self->model->symbol_count + 1, 1);
-    ttc_diagnostics_destroy(diagnostics);
-    if (self->is_given == NULL || self->symbols == NULL) return refuse(problem, "the table %s cannot be read", d->model);
-    if (digits < 5 || digits > JLT_GIVEN_DIGITS_MAX) return refuse(problem, "digits: between 5 and %d", JLT_GIVEN_DIGITS_MAX);
+    if (self->is_given == NULL || self->symbols == NULL) return jlt_refuse(problem, "the table %s cannot be read", d->model);
+    if (digits < 5 || digits > JLT_GIVEN_DIGITS_MAX) return jlt_refuse(problem, "digits: between 5 and %d", JLT_GIVEN_DIGITS_MAX);
     if (limit < 1 || limit > JLT_GIVEN_FAMILY_LIMIT_MAX)
-        return refuse(problem, "limit: between 1 and %d", JLT_GIVEN_FAMILY_LIMIT_MAX);
+        return jlt_refuse(problem, "limit: between 1 and %d", JLT_GIVEN_FAMILY_LIMIT_MAX);
     self->question.model = self->model;
     self->question.symbols = self->symbols;
     self->question.low = self->low;

@@ -3,14 +3,6 @@
 #include "validated/numerals.h"
 #include "validated/theorem.h"
 
-#include <stdio.h>
-
-static bool refuse(char *problem, const char *text)
-{
-    snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "%s", text);
-    return false;
-}
-
 /* All but the legs. */
 static void begin(jlt_given_homoclinic *self, const jlt_given *of, const jlt_reversor *reversor, int landing)
 {
@@ -60,21 +52,21 @@ bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, 
 
     begin(self, of, reversor, (int)landing);
     if (flipped != NULL && reversor == NULL)
-        return refuse(problem, "homoclinic: no proved reversor of the table flips the states that are named");
-    if (part == NULL || of->legs.count != 1) return refuse(problem, "homoclinic: it needs a saddle of one leg, and an orbit");
-    if (of->kept_count != 2) return refuse(problem, "homoclinic: two coordinates on the levels are served");
-    if (of->question.free_count > 0) return refuse(problem, "homoclinic: parameters are numbers, not intervals");
-    if (landing != 1 && landing != -1) return refuse(problem, "homoclinic: landing is 1 or -1");
+        return jlt_refuse(problem, "homoclinic: no proved reversor of the table flips the states that are named");
+    if (part == NULL || of->legs.count != 1) return jlt_refuse(problem, "homoclinic: it needs a saddle of one leg, and an orbit");
+    if (of->kept_count != 2) return jlt_refuse(problem, "homoclinic: two coordinates on the levels are served");
+    if (of->question.free_count > 0) return jlt_refuse(problem, "homoclinic: parameters are numbers, not intervals");
+    if (landing != 1 && landing != -1) return jlt_refuse(problem, "homoclinic: landing is 1 or -1");
     for (unsigned i = 0; i < 4; i++)
         good = good
                && jlt_numerals_read(self->frame + i, json_string_value(json_array_get(json_array_get(frame, i / 2), i % 2)),
                                         bits);
-    if (!good) return refuse(problem, "homoclinic: the frame is two rows of two numbers");
+    if (!good) return jlt_refuse(problem, "homoclinic: the frame is two rows of two numbers");
     good = jlt_numerals_read(self->reach, json_string_value(json_object_get(part, "reach")), bits)
            && jlt_numerals_read(self->slope, json_string_value(json_object_get(part, "slope")), bits)
            && arb_is_positive(self->reach) && arb_is_positive(self->slope);
-    if (!good) return refuse(problem, "homoclinic: reach and slope are numbers > 0");
-    if (has_turns(legs)) return refuse(problem, "homoclinic: its legs have no turns");
+    if (!good) return jlt_refuse(problem, "homoclinic: reach and slope are numbers > 0");
+    if (has_turns(legs)) return jlt_refuse(problem, "homoclinic: its legs have no turns");
     good = jlt_given_legs_read(&self->legs, &of->question, legs, problem);
     take_legs(self);
     return good;

@@ -3,7 +3,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static void make_room(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count)
 {
@@ -18,21 +17,17 @@ static bool read_leg(arb_ptr box, arb_ptr instant, const jlt_cycle_question *que
     const slong bits = jlt_step_accuracy_for(question->digits).bits;
     const json_t *balls = json_object_get(leg, "box");
 
-    if (json_object_size(balls) > d->state_count - 1) {
-        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "box: it names more than the %u states but the section's", d->state_count - 1);
-        return false;
-    }
+    if (json_object_size(balls) > d->state_count - 1)
+        return jlt_refuse(problem, "box: it names more than the %u states but the section's", d->state_count - 1);
     for (unsigned s = 0; s < d->state_count; s++) {
         if (s == question->column || jlt_numerals_ball(box++, json_object_get(balls, d->states[s].name), bits)) continue;
-        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "box: %s has no middle and radius", d->states[s].name);
-        return false;
+        return jlt_refuse(problem, "box: %s has no middle and radius", d->states[s].name);
     }
     if (jlt_numerals_read(instant, json_string_value(json_object_get(leg, "instant")), bits)) {
         arb_get_mid_arb(instant, instant);
         if (arb_is_positive(instant)) return true;
     }
-    snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "instant: a time > 0");
-    return false;
+    return jlt_refuse(problem, "instant: a time > 0");
 }
 
 bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *question, const json_t *legs,
@@ -41,10 +36,7 @@ bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *questio
     const size_t count = json_array_size(legs);
     bool good = true;
 
-    if (count < 1 || count > JLT_CYCLE_LEGS_MAX) {
-        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "legs: 1 to %d", JLT_CYCLE_LEGS_MAX);
-        return false;
-    }
+    if (count < 1 || count > JLT_CYCLE_LEGS_MAX) return jlt_refuse(problem, "legs: 1 to %d", JLT_CYCLE_LEGS_MAX);
     make_room(self, question, (unsigned)count);
     for (size_t i = 0; good && i < count; i++)
         good = read_leg(self->box + i * (question->descriptor->state_count - 1), self->instants + i, question,

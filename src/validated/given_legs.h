@@ -3,10 +3,9 @@
 #define JLT_VALIDATED_GIVEN_LEGS_H
 
 #include "validated/cycle.h"
+#include "validated/refuse.h"
 
 #include <jansson.h>
-
-enum { JLT_GIVEN_PROBLEM_MAX = 1024 };
 
 typedef struct {
     unsigned count;        /* 0 before they are read or made */

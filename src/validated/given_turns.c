@@ -66,7 +66,6 @@ bool jlt_given_turns_set(jlt_given_legs *self, const jlt_cycle_question *questio
 {
     const jlt_descriptor *d = question->descriptor;
     const size_t all = (size_t)self->count * d->state_count;
-    ttc_diagnostics *diagnostics = NULL;
     ttc_model *model = NULL;
     bool any = false, good = false;
 
@@ -74,16 +73,13 @@ bool jlt_given_turns_set(jlt_given_legs *self, const jlt_cycle_question *questio
     if (!any) return true;
     self->turns = calloc(all, sizeof *self->turns);
     self->grown = _arb_vec_init((slong)all);
-    diagnostics = ttc_diagnostics_create();
-    if (self->turns != NULL && diagnostics != NULL)
-        model = ttc_model_parse(d->table, strlen(d->table), d->model, diagnostics);
+    if (self->turns != NULL) model = ttc_model_again(d->table, d->model);
     if (model == NULL) snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s", jlt_status_text(JLT_ERR_NOMEM));
     else {
         memcpy(self->turns, counts, all * sizeof *counts);
         good = measure(self, question, model, problem) && all_turn(model, question, problem);
     }
     ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
     return good;
 }
 
@@ -93,10 +89,7 @@ static bool read_leg(int *counts, const jlt_descriptor *d, const json_t *turns, 
     json_t *value;
 
     if (turns == NULL) return true;
-    if (json_object_size(turns) == 0) {
-        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: no states with their numbers of periods");
-        return false;
-    }
+    if (json_object_size(turns) == 0) return jlt_refuse(problem, "turns: no states with their numbers of periods");
     json_object_foreach((json_t *)(uintptr_t)turns, name, value) {
         const json_int_t count = json_integer_value(value);
         size_t state;
@@ -105,9 +98,8 @@ static bool read_leg(int *counts, const jlt_descriptor *d, const json_t *turns, 
             counts[state] = (int)count;
             continue;
         }
-        snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s is no state with a whole number from -%d to %d other than 0", name,
-                 TURNS_MAX, TURNS_MAX);
-        return false;
+        return jlt_refuse(problem, "turns: %s is no state with a whole number from -%d to %d other than 0", name,
+                          TURNS_MAX, TURNS_MAX);
     }
     return true;
 }

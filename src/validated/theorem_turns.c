@@ -38,15 +38,6 @@ bool jlt_theorem_turns_any(const json_t *legs, const jlt_descriptor *descriptor)
     return count_turning(legs, descriptor) > 0;
 }
 
-static ttc_model *read_table(const jlt_descriptor *d)
-{
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = diagnostics == NULL ? NULL : ttc_model_parse(d->table, strlen(d->table), d->model, diagnostics);
-
-    ttc_diagnostics_destroy(diagnostics);
-    return model;
-}
-
 /* As the table has it: "2*pi". */
 static void write_period(FILE *out, const ttc_model *model, unsigned state)
 {
@@ -71,7 +62,7 @@ static const char *before(unsigned part, unsigned count)
 
 void jlt_theorem_turns_write_all(FILE *out, const json_t *legs, const jlt_descriptor *d)
 {
-    ttc_model *model = read_table(d);
+    ttc_model *model = ttc_model_again(d->table, d->model);
     unsigned count = 0, part = 0;
 
     for (unsigned s = 0; s < d->state_count; s++) count += sum_of(legs, d->states[s].name) != 0;
@@ -132,7 +123,7 @@ void jlt_theorem_turns_write_sense(FILE *out, const json_t *legs, const jlt_desc
 void jlt_theorem_turns_write_density(FILE *out, const char *first, const json_t *legs, const jlt_descriptor *d, const char *last)
 {
     const unsigned count = count_turning(legs, d);
-    ttc_model *model = count > 0 ? read_table(d) : NULL;
+    ttc_model *model = count > 0 ? ttc_model_again(d->table, d->model) : NULL;
     unsigned part = 0;
 
     if (count > 0) fprintf(out, "%swith the period%s ", first, count > 1 ? "s" : "");

@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # No file serves two purposes: options and scenes that name one twice, or a file that they read, are refused before anything is
 # written, by whatever name it goes. A file that is written is reached through its links, and keeps its permissions.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 at=gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9
 section="section --start eta=0.1,gamma3=-0.6 --returns 5"

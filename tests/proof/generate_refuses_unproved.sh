@@ -2,12 +2,7 @@
 # Kernels that rest on a claim which is refuted, or not settled, are not written: `ttc generate` ends with status 1 and names
 # the claim, its place and the kernels. With --unproved it writes them, and every file of the model and every descriptor that
 # rests on such a claim says so; the others do not. Claims that no kernel rests on are no matter of `generate`.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 table() { # NAME LINE...: an oscillator, and more records
     local name=$1

@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # Which record of another table leads back: of several the one that names this table's file, else the first that gives all states.
 # And what a reader is told: of a parameter that the other table has not, its name and a value.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 verdict() { # VERDICT KIND NAME TABLE
     ttc prove "$4" > out 2> /dev/null

@@ -2,20 +2,7 @@
 # A certificate is one of what was asked, exactly: of a section's value as its table has it, of turns in the periods of the table,
 # of a sink with any number of multipliers, of a level whatever its name, of parameters that are computed from those asked for, of a
 # homoclinic orbit by whichever reversor serves, of an orbit as near the edge of its domain as can be told.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS TEXT COMMAND...
-    local code=$1 text=$2 got=0
-    shift 2
-    "$@" > out 2> err || got=$?
-    [ $got -eq "$code" ] && { [ -z "$text" ] || cat out err | grep -qF -- "$text"; } ||
-        fail "$*: $got, not $code with '$text': $(head -3 out err)"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # A section at x = 1/30, which no double is.
 cat > thirtieth.tt << 'T'
@@ -44,8 +31,8 @@ lift into thirtieth.tt with x = 1/30, y = y, px = px, py = py
 start regular : y = 0.1, py = 0
 T
 for section in "--section cut" "--section x=1/30 --solve px=0.3"; do
-    expect 0 "" jellett certify cycle ./thirtieth.tt $section --level H=1/12 --start y=0.2548,py=0 -o cut.json
-    expect 0 "Section: x = 1/30, crossed upwards" jellett check -m ./thirtieth.tt cut.json
+    expect_text 0 "" jellett certify cycle ./thirtieth.tt $section --level H=1/12 --start y=0.2548,py=0 -o cut.json
+    expect_text 0 "Section: x = 1/30, crossed upwards" jellett check -m ./thirtieth.tt cut.json
 done
 
 # Turns are counted in the table's periods.
@@ -65,14 +52,14 @@ eq phi = 1
 periodic phi = 2*pi
 T
 damped=(./damped.tt --section phi=0 --start x=-2,y=-0.5,z=-2)
-expect 3 "in the period of damped, which is 6.28" jellett certify cycle "${damped[@]}" --modulo phi=4*pi
-expect 0 "" jellett certify cycle "${damped[@]}" --modulo phi=2*pi
+expect_text 3 "in the period of damped, which is 6.28" jellett certify cycle "${damped[@]}" --modulo phi=4*pi
+expect_text 0 "" jellett certify cycle "${damped[@]}" --modulo phi=2*pi
 
 # Three multipliers, exp(-2*pi*rate) twice and exp(-pi), of a matrix that is far from diagonal: at first it makes some vectors
 # longer.
-expect 0 "" jellett certify sink "${damped[@]}" -o damped.json
-expect 0 "All multipliers lie inside the unit circle" jellett check -m ./damped.tt damped.json
-expect 0 "" jellett certify sink "${damped[@]}" --set rate=1/20 -o damped.json
+expect_text 0 "" jellett certify sink "${damped[@]}" -o damped.json
+expect_text 0 "All multipliers lie inside the unit circle" jellett check -m ./damped.tt damped.json
+expect_text 0 "" jellett certify sink "${damped[@]}" --set rate=1/20 -o damped.json
 python3 - << 'P' || fail "not the trace and the determinant of damped"
 import json, math
 c = json.load(open("damped.json"))
@@ -80,7 +67,7 @@ def holds(ball, value): return abs(float(ball["middle"]) - value) <= float(ball[
 assert holds(c["shown"]["trace"], 2*math.exp(-math.pi/10) + math.exp(-math.pi))
 assert holds(c["shown"]["determinant"], math.exp(-math.pi/5 - math.pi)) and c["shown"]["multipliers"] == []
 P
-expect 1 "not shown to attract" jellett certify sink "${damped[@]}" --set rate=-1/20
+expect_text 1 "not shown to attract" jellett certify sink "${damped[@]}" --set rate=-1/20
 
 # A level may have the name that a symmetry goes by which has none of its own.
 cat > named.tt << 'T'
@@ -94,8 +81,9 @@ eq z = -z
 symmetry x -> -x, y -> -y
 integral symmetry = x^2 + y^2
 T
-expect 0 "" jellett certify sink ./named.tt --section y=0 --direction down --level symmetry=1 --solve x=1 --start z=0 -o named.json
-expect 0 "Levels: symmetry = 1." jellett check -m ./named.tt named.json
+expect_text 0 "" jellett certify sink ./named.tt --section y=0 --direction down --level symmetry=1 --solve x=1 \
+    --start z=0 -o named.json
+expect_text 0 "Levels: symmetry = 1." jellett check -m ./named.tt named.json
 
 # Parameters of the section's table that are computed from those asked for have exact values too; what has none is said.
 cat > computed.tt << 'T'
@@ -124,19 +112,19 @@ embedding whole : into computed.tt with x = x, p = p, z = K, J = 2*c
 section turning : by heights.tt at p = 0 with x = x
 T
 printf 'model heights\nparam c > 0\nparam K > 0\ndefault K = 1, c = 5\nstate x\nlift into pol.tt with x = x, p = 0\n' > heights.tt
-expect 0 "" jellett certify sink ./computed.tt --set J=4/3 --start x=-2.0086198608748 -o pol.json
-expect 0 " with K = 1, c = 2/3. " jellett check -m ./pol.tt pol.json
-expect 0 "" jellett certify sink ./computed.tt --spread c=1e-12 --start x=-2.0086198608748 -o pol.json
-expect 0 " with K = 1, c = 1 +- 1/1000000000000. " jellett check -m ./pol.tt pol.json
+expect_text 0 "" jellett certify sink ./computed.tt --set J=4/3 --start x=-2.0086198608748 -o pol.json
+expect_text 0 " with K = 1, c = 2/3. " jellett check -m ./pol.tt pol.json
+expect_text 0 "" jellett certify sink ./computed.tt --spread c=1e-12 --start x=-2.0086198608748 -o pol.json
+expect_text 0 " with K = 1, c = 1 +- 1/1000000000000. " jellett check -m ./pol.tt pol.json
 sed -i 's/c = J.2$/c = sqrt(J)/; s/J.2.(1/j*(1/; s/^state x/root j = sqrt(J)\n&/' computed.tt
 sed -i 's/J = 2.c/J = c^2/' pol.tt
-expect 3 "ask pol itself, with --set c=VALUE" jellett certify sink ./computed.tt --start x=-2.0086198608748
+expect_text 3 "ask pol itself, with --set c=VALUE" jellett certify sink ./computed.tt --start x=-2.0086198608748
 
 # Of two reversors the second one takes the section to itself: it is named.
 sed '/^section /d; s/^reversor/reversor px -> -px, py -> -py\n&/' "$JLT_SOURCE_DIR/tools/docs/henon.tt" > two.tt
 homoclinic=(./two.tt --section x=0 --level H=1/8 --solve px=0.4 --start y=-0.2,py=0)
-expect 0 "" jellett certify homoclinic "${homoclinic[@]}" --digits 16 -o two.json
-expect 0 "Its image under the reversor x -> -x, py -> -py passes" jellett check -m ./two.tt two.json
+expect_text 0 "" jellett certify homoclinic "${homoclinic[@]}" --digits 16 -o two.json
+expect_text 0 "Its image under the reversor x -> -x, py -> -py passes" jellett check -m ./two.tt two.json
 for flipped in '["px", "py"]' '["x"]' '[]' '"x"' None absent; do
     python3 - "$flipped" << 'P'
 import hashlib, json, sys
@@ -149,12 +137,12 @@ c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")
 json.dump(c, open("other.json", "w"))
 P
     case $flipped in # the other one, which is also meant where none is named
-        *px* | absent) expect 1 "is not shown to be its own mirror image" jellett check -m ./two.tt other.json ;;
-        *) expect 3 "no proved reversor of the table flips the states" jellett check -m ./two.tt other.json ;;
+        *px* | absent) expect_text 1 "is not shown to be its own mirror image" jellett check -m ./two.tt other.json ;;
+        *) expect_text 3 "no proved reversor of the table flips the states" jellett check -m ./two.tt other.json ;;
     esac
 done
 sed -i '/^reversor x/d' two.tt
-expect 4 "no proved reversor of henon flips the section's state" jellett certify homoclinic "${homoclinic[@]}"
+expect_text 4 "no proved reversor of henon flips the section's state" jellett certify homoclinic "${homoclinic[@]}"
 
 # A wall 1e-9 beside the orbit, which comes as far as y = 2.67844147915...; and one among whose places some are too near. None is
 # said to be passed.
@@ -169,7 +157,7 @@ eq y = (1 - x^2)*y - x
 domain inside : edge - y > 0
 T
 orbit=(./wall.tt --section y=0 --direction down --start x=2.0086198608748)
-expect 0 "" jellett certify sink "${orbit[@]}" -o wall.json
-expect 0 proved jellett check -m ./wall.tt wall.json
-expect 1 "is not shown, with 20 digits, to stay in the domain" jellett certify sink "${orbit[@]}" --spread edge=1e-8
+expect_text 0 "" jellett certify sink "${orbit[@]}" -o wall.json
+expect_text 0 proved jellett check -m ./wall.tt wall.json
+expect_text 1 "is not shown, with 20 digits, to stay in the domain" jellett certify sink "${orbit[@]}" --spread edge=1e-8
 exit $status

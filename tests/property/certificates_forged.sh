@@ -1,20 +1,7 @@
 #!/usr/bin/env bash
 # Certificates that were forged, with digests made good, are refused in words, whatever stands in place of a member; none ends the
 # program. Nor does a certificate say more than its proof: of orbits around angles, what is unique is unique for their turns.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS TEXT COMMAND...
-    local code=$1 text=$2 got=0
-    shift 2
-    "$@" > out 2> err || got=$?
-    [ $got -eq "$code" ] && { [ -z "$text" ] || cat out err | grep -qF -- "$text"; } ||
-        fail "$*: $got, not $code with '$text': $(head -3 out err)"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 # FILE STATUS TEXT STATEMENT...: a copy of FILE.json, of the table FILE.tt, by each statement of Python on c is refused with this
 # text.
 forged() {
@@ -50,8 +37,8 @@ eq x = y
 eq y = mu*(1 - x^2)*y - x
 valid fast : 10 - y > 0 "speed"
 T
-expect 0 "" jellett certify cycle ./fast.tt --section y=0 --direction down --start x=2.0086198608748 -o fast.json
-expect 0 proved jellett check -m ./fast.tt fast.json
+expect_text 0 "" jellett certify cycle ./fast.tt --section y=0 --direction down --start x=2.0086198608748 -o fast.json
+expect_text 0 proved jellett check -m ./fast.tt fast.json
 
 # Words are made of what is shown, after that is compared.
 statements=()
@@ -86,7 +73,7 @@ for levels in None 7 True "'abc'" '[]'; do statements+=("c['given']['levels'] = 
 forged fast 3 "levels: no object of integrals" "${statements[@]}"
 sed '/^param/d; /^default/d; s/mu.(/(/' fast.tt > plain.tt
 sed -i 's/^model fast/model plain/' plain.tt
-expect 0 "" jellett certify cycle ./plain.tt --section y=0 --direction down --start x=2.0086198608748 -o plain.json
+expect_text 0 "" jellett certify cycle ./plain.tt --section y=0 --direction down --start x=2.0086198608748 -o plain.json
 statements=("del c['given']['parameters']")
 for parameters in None 7 "'abc'" '[]'; do statements+=("c['given']['parameters'] = $parameters"); done
 forged plain 3 "it must give all 0 parameters of plain" "${statements[@]}"
@@ -95,14 +82,14 @@ forged plain 3 "it must give all 0 parameters of plain" "${statements[@]}"
 for record in 'root r = sqrt(y + 5)' 'log r = log(y + 5)'; do
     { cat fast.tt; echo "$record"; } | sed 's/^model fast/model doubted/' > doubted.tt
     kind=${record%% *}
-    expect 3 "the $kind claim r of this table is not proved" jellett certify cycle ./doubted.tt --section y=0 --direction down \
-        --start x=2.0086198608748 -o doubted.json
+    expect_text 3 "the $kind claim r of this table is not proved" jellett certify cycle ./doubted.tt --section y=0 \
+        --direction down --start x=2.0086198608748 -o doubted.json
     sed 's/"name": "fast"/"name": "doubted"/; s/'"$(sha256sum < fast.tt | cut -c1-64)/$(sha256sum < doubted.tt | cut -c1-64)/" \
         fast.json > doubted.json
     forged doubted 1 "refused: the $kind claim r of this table is not proved" "c['theorem'] = []"
 done
 # What else is not proved is said, as where certificates are made.
 { cat fast.tt; echo 'integral E = x^2 + y^2'; } | sed 's/^model fast/model claimed/' > claimed.tt
-expect 0 "" jellett certify cycle ./claimed.tt --section y=0 --direction down --start x=2.0086198608748 -o claimed.json
-expect 0 "kernels of claimed rest on claims that are not proved: integral E" jellett check -m ./claimed.tt claimed.json
+expect_text 0 "" jellett certify cycle ./claimed.tt --section y=0 --direction down --start x=2.0086198608748 -o claimed.json
+expect_text 0 "kernels of claimed rest on claims that are not proved: integral E" jellett check -m ./claimed.tt claimed.json
 exit $status

@@ -2,20 +2,7 @@
 # What a certificate says, in numbers and in words made of them, follows from what its replay proves: forgeries whose digests and
 # words are made good are refused where a leg takes no time, where numbers are so wide that they do not bear out the words, where
 # what is no number stands for one, where names of the table are those of parts of a ball, and where there is more than is read.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS TEXT COMMAND...
-    local code=$1 text=$2 got=0
-    shift 2
-    "$@" > out 2> err || got=$?
-    [ $got -eq "$code" ] && { [ -z "$text" ] || cat out err | grep -qF -- "$text"; } ||
-        fail "$*: $got, not $code with '$text': $(head -3 out err)"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 # FILE STATUS TEXT STATEMENT...: a copy of FILE.json, of the table FILE.tt, by each statement of Python on c, with words and a
 # digest that fit its numbers, is refused with this text. An empty text: it is not refused.
 forged() {
@@ -83,7 +70,7 @@ valid radius : 20 - y > 0 "three"
 T
 orbit=(./pol.tt --section y=0 --direction down --start x=2.0086198608748)
 for kind in cycle sink obstruction; do
-    expect 0 "" jellett certify $kind "${orbit[@]}" -o pol.json
+    expect_text 0 "" jellett certify $kind "${orbit[@]}" -o pol.json
     cp pol.json $kind.json
     cp pol.tt $kind.tt
 done
@@ -105,7 +92,7 @@ forged cycle 1 "with much more room than its box has" 's["orbit"][0]["x"]["radiu
     's["orbit"][0]["x"]["radius"] = "1e-9"'
 
 # A box is meant as it is written: the orbit lies beside this one, and in what its radius is rounded to.
-expect 0 "" jellett certify cycle "${orbit[@]}" --digits 40 -o pol.json
+expect_text 0 "" jellett certify cycle "${orbit[@]}" --digits 40 -o pol.json
 forged pol 1 "not shown to lie in its boxes as they are written" 'r = F(1, 2**60)*(1 + F(1, 2**40)); widen(c)
 m = F(s["orbit"][0]["x"]["middle"]) + r*(1 + F(1, 2**32)); s["orbit"][0]["x"]["radius"] = "1e-18"
 leg["box"]["x"] = {"middle": f"{m.numerator}/{m.denominator}", "radius": f"{r.numerator}/{r.denominator}"}'
@@ -133,7 +120,7 @@ eq y = (1 - middle^2)*y - middle
 eq middle = y
 eq radius = -radius
 T
-expect 0 "" jellett certify cycle ./ball.tt --section y=0 --direction down --start middle=2.0086198608748,radius=0 -o ball.json
+expect_text 0 "" jellett certify cycle ./ball.tt --section y=0 --direction down --start middle=2.0086198608748,radius=0 -o ball.json
 cp ball.json kept.json
 python3 - << 'P'
 import hashlib, json
@@ -143,7 +130,7 @@ del c["digest"]
 c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 json.dump(c, open("ball.json", "w"))
 P
-expect 1 "does not follow" jellett check -m ./ball.tt ball.json
+expect_text 1 "does not follow" jellett check -m ./ball.tt ball.json
 
 # Nothing stands beside what is proved.
 forged cycle 3 "it has members that a certificate of its kind has not" 'c["note"] = "the only cycle"' 'g["note"] = "all"' \

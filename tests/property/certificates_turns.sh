@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # Certificates of orbits that close up to periods of states: of a forced oscillator, whose orbit is known in closed form, and of one
 # that goes around an angle, on a level that turns do not change. What is no period, or no such level, is refused.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 expect() { # STATUS TEXT COMMAND...
     local code=$1 text=$2
     shift 2

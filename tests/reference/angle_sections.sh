@@ -1,21 +1,7 @@
 #!/usr/bin/env bash
 # States that are angles: a section in a phase is met once a turn and sees a forced system once a period, and orbits that differ by
 # whole turns are one.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 cp "$JLT_SOURCE_DIR"/tests/reference/data/forced_pendulum.tt .
 strobe=(./forced_pendulum.tt --section phi=0 --modulo 'phi=2*pi,theta=2*pi')
 

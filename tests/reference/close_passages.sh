@@ -2,13 +2,7 @@
 # What is small where other states are not. A fall past the centre, in t and by every method, against Kepler's equation: a root
 # that is a state of its own beside what it is the root of loses it there, and is asked for by name alone. An equilibrium at which
 # a state is 0 beside irrational ones, and an orbit in a plane that it never leaves, are proved.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > kepler.tt << 'T'
 model kepler

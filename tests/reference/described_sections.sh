@@ -1,21 +1,7 @@
 #!/usr/bin/env bash
 # Sections that tables describe where the section's state or a coordinate is an angle, where the lift takes one root of two, where
 # orbits run through the end of an interval, and in units that make the section small: rows are those of the plain section, or none.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # f' = 2 + p, p' = -p: f = 2 t + p0 (1 - exp(-t)) comes to 2 pi k at the plain section's times.
 cat > turning.tt <<'T'

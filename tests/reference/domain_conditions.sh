@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # Conditions of a table's `domain`: starts and parameters outside are refused, and orbits end where a condition, or an interval,
 # does: at the time of the closed form, also where they would be back within one step; one at a time by every method, and in lanes.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 methods="gauss dop853 taylor rk8pd rkf45 msadams"
 refuses() { # TEXT COMMAND...: status 3, and this text
     local text=$1

@@ -1,13 +1,6 @@
 #!/usr/bin/env bash
 # Orbits of a table of one's own that leave the interval of a state: where they end, one at a time and in batches.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 section() { # FILE OPTION...: rows without comments
     local file=$1
     shift

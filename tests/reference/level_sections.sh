@@ -1,21 +1,7 @@
 #!/usr/bin/env bash
 # Sections on levels of a table's own integrals: Newton's method meets the levels, the rest is that of the plain section, and what
 # is no integral, no state or no branch is refused by name.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 cp "$JLT_SOURCE_DIR"/tests/reference/data/{henon_heiles,suslov}.tt .
 
 # At E = 1/12 and x = 0: px = sqrt(1/6 - y^2 - py^2 + 2 y^3/3). Rows are those of the plain section from there: ten returns err by

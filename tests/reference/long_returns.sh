@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # Exponents of returns that stretch or contract by more than numbers resolve: the sum of all is known from flux and divergence, and
 # what is not known is left out, and told.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 # u' = v, v' = u once a period of 20 pi: exponents 1 and -1, from vectors that are not the eigenvectors, whose growth is exp(t)/2.
 # After n returns the first is 1 - log(2)/(20 pi n) or a little more; z' = -z/2 makes a third.
 cat > saddle.tt <<'TABLE'

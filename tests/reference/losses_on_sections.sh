@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # A row of a section knows of the losses before it, and of no other: not of those on the rest of the step that leads over it. What
 # loses a condition for good is lost from that time on, where orbits go on and where they end.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # The section y = 0 is crossed upwards at pi, 3 pi, 5 pi = 15.708, ...; one condition is lost at z = a, the other between b - c and
 # b + c alone, which no end of a step meets.

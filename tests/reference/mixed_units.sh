@@ -1,14 +1,7 @@
 #!/usr/bin/env bash
 # The verdict of a condition is that of the table's units, whatever units a problem is counted in: a number beside a length is one
 # in metres.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 run() { # STATUS OPTION...
     local want=$1 code
     shift

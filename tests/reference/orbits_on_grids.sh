@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # A search over a grid: a degenerate orbit, to which Newton's method comes from all sides and no nearer than a root of its residual,
 # is listed once; a grid none of whose points is on the levels is refused, by every command that has one. And small multipliers.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > cusp.tt << 'T'
 model cusp

@@ -1,12 +1,6 @@
 #!/usr/bin/env bash
 # Densities of tables of one's own: a field that keeps volume by terms that cancel, and densities along angles.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 expect() { # STATUS WORDS COMMAND...
     local want=$1 words=$2 code
     shift 2

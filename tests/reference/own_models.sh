@@ -1,21 +1,7 @@
 #!/usr/bin/env bash
 # Models of one's own through the commands: three bodies on the figure of eight, Suslov's problem on levels, a sleigh with a rotor,
 # a rattleback, separatrices of a Henon-Heiles level.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 cp "$JLT_SOURCE_DIR"/tests/reference/data/{figure_eight,suslov,sleigh_rotor,rattleback,henon_heiles}.tt .
 
 # Oracle: A. Chenciner, R. Montgomery, Ann. Math. 152 (2000), with C. Simo's start to eight digits, and period 6.32591398. Body 3

@@ -1,20 +1,6 @@
 #!/usr/bin/env bash
 # Sections of tables of one's own: as many states as a table has, coordinates by their names, none of them guessed.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # A ring of uncoupled oscillators of frequencies 1 .. 6: after a turn of the first everything is back where it was.
 {

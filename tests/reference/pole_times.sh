@@ -2,13 +2,7 @@
 # When an orbit comes to a pole does not depend on the time that lifts its root, and is the instant at which the motion on the
 # sphere passes it: x = sin theta with theta'' = -k sin theta. Where the factor of that time is no multiple of the root the pole
 # is not proved, and the orbit goes in t up to the end of the interval.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # theta' = u: from theta = 0 at rate 2, u^2/2 - k cos theta = 2 - k, k = 1/2; t = integral of dtheta/sqrt(4 - 1 + cos theta) from
 # 0 to pi/2, by Gauss and Legendre with 40 points, whose error is below rounding for an integrand analytic up to cos theta = -3.

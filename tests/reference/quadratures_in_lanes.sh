@@ -2,13 +2,7 @@
 # States that are integrals over what is followed without error, or nearly so: stages of a step that stand at one instant agree
 # there, and tell nothing of what is left out. In lanes of every width and by both methods against closed forms, and against one
 # orbit alone.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 near() { # WHAT FILE COLUMN ROW VALUE ALLOWED: a row of the first orbit
     awk -F, -v n="$4" -v c="$3" -v v="$5" -v e="$6" '$1 == 0 && $2 == n { off = $c - v; ok = off*off <= e*e }
         END { exit !ok }' "$2" ||

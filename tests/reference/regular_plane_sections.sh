@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # Sections STATE=VALUE of a table whose poles are proved go in the time that lifts their root: orbits end at poles by name, and
 # returns and their derivatives are what closed forms say; one at a time by every method, and in lanes; with levels and without.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 rows() { # FILE COMMAND...
     local file=$1
     shift

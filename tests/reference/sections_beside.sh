@@ -2,21 +2,7 @@
 # A section that stands in a smaller table of the user's own: found, planned, in batches, and refused where the smaller table does
 # not know what the model's conditions are. Its parameters and levels are what the reduction says, by whatever names; what cannot be
 # followed so is refused, as is the section of a larger table, which may have other parameters.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 # A hard spring whose stiffness is a state that stays; the smaller table has it as a parameter, and sees the spring where it turns.
 cat > big.tt <<'TABLE'
 model big

@@ -1,13 +1,6 @@
 #!/usr/bin/env bash
 # Tables that serve in place of one: all ways to each are tried, and tiers of one name are told apart.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 run() { # STATUS OPTION...
     local want=$1 code
     shift

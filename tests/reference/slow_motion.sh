@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # Motion is no rest because it is slow. A table whose rates all have the factor e moves as at e = 1, at times 1/e as long: one orbit
 # at a time, in lanes, with derivatives, and by every method. What is on an equilibrium, or comes to one, is there at any e.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > pair.tt << 'T'
 model pair

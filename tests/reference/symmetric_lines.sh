@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # Orbits on the line that a reversor keeps are found over a grid that has no point near them, and no others are found there; a
 # branch that comes to the end of a parameter's domain has come to the end of its range.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # y = py = 0 is an orbit for every k. There y'' = -(1 + k x^2) y; at k = 1 that has the solution y = x, so that the trace is 2
 # exactly, and above k = 1 it is larger.

@@ -1,21 +1,7 @@
 #!/usr/bin/env bash
 # jellett transfer: densities that are known come back, in a measured order; the attractor, its mirror image, and where the sink is;
 # what cannot be done is refused, and nothing is half-written.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 refuse() { # STATUS WORDS OPTION...
     local want=$1 words=$2
     shift 2

@@ -1,12 +1,6 @@
 #!/usr/bin/env bash
 # A condition of a model that has no value is told: it does not pass for one that holds, behind others that do.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 run() { jellett "$@" > out 2> err < /dev/null || fail "jellett $*: $(cat err)"; }
 said() { grep -q -- "$1" out err || fail "'$1' is not said: $(grep -v '^#' out; cat err)"; }
 

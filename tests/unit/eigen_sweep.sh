@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # Rows of a sweep of `jellett eigen` are the same bytes by one process and by several, also where one of these is killed; where the
 # command is interrupted nothing is saved, and that is said.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 at=v_nu=0.7,omega3=1.1
 sweep=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:37,v_nu=0:0.7:3)
 for how in "" --fast --json; do

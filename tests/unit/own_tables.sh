@@ -1,21 +1,7 @@
 #!/usr/bin/env bash
 # A table of one's own works as a model that is built in: it is compiled behind the command, kept in a private cache, and an edit of
 # its physics is followed, or refused with the claim that it broke.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
-expect() { # STATUS WORDS COMMAND...
-    local want=$1 words=$2 code
-    shift 2
-    "$@" > out 2> err < /dev/null
-    code=$?
-    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
-    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
-}
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 rows() { grep -v '^#' "$1"; }
 # Whether rows of numbers agree to the tolerance of the integration; their kernels may round in another order.
 agree() { # FILE FILE

@@ -126,6 +126,40 @@ for title in --style=grey "--title=$(printf 'long words %.0s' {1..40})"; do
         awk -v what="$title" 'length > 60 { print what ": a line of " length " letters: " $0; exit 1 }' || status=1
 done
 
+# Nor is it cut off at an edge where long numbers beside the axis push the axes, and the title above them, aside.
+jellett continue --along E=2.14:2.15 --decreasing --size 8x6 --plot p.png -o rows.csv 2> log || fail "continue: $(cat log)"
+python3 - p.png << 'END' || status=1
+import struct, sys, zlib
+data, place, packed = open(sys.argv[1], "rb").read(), 8, b""
+while place < len(data):
+    length, kind = struct.unpack(">I4s", data[place:place + 8])
+    if kind == b"IHDR": width, height, depth, colour = struct.unpack(">IIBB", data[place + 8:place + 18])
+    if kind == b"IDAT": packed += data[place + 8:place + 8 + length]
+    place += 12 + length
+assert (depth, colour) == (8, 2), "no picture of red, green and blue"
+rows, above, size = zlib.decompress(packed), bytes(3 * width), 3 * width
+for y in range(height):
+    row, how = bytearray(rows[y * (size + 1) + 1:(y + 1) * (size + 1)]), rows[y * (size + 1)]
+    for i in range(size):
+        left, up, corner = (row[i - 3], above[i], above[i - 3]) if i > 2 else (0, above[i], 0)
+        guess = left + up - corner
+        nearest = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
+        row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest)[how]) % 256
+    if row[:9] + row[-9:] != b"\xff" * 18: sys.exit(f"continue: in row {y} something is drawn at the picture's edge")
+    above = row
+END
+jellett continue --along a3=0.509:0.51 --decreasing --count 3 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q "^set xlabel 'a_{3} \[m\]'" p.gp || fail "continue: the parameter that runs has no unit: $(grep xlabel p.gp)"
+
+# Columns of a key do not run into each other: msadams is 4.334 sizes of letters wide in Helvetica, by its metrics.
+jellett drift --returns 2 --plot p.svg -o rows.csv 2> log || fail "drift: $(cat log)"
+python3 - << 'END' || status=1
+import re, sys
+start, size, line = re.search(r"translate\(([0-9.]+),[^>]*font-size=\"([0-9.]+)\"[^>]*>\s*<text><tspan[^>]*>(msadams)</tspan>.*?"
+                             r"<title>E</title>.*?d='M([0-9.]+),", open("p.svg").read(), re.S).group(1, 2, 4)
+if float(start) + 4.334 * float(size) > float(line): sys.exit("drift: in the key msadams runs into the line of E")
+END
+
 refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     local words=$1 code
     shift

@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # What generate, cost and prove --kernels cannot do they say with FILE:LINE:COLUMN and the true cause; in JSON a table that is
 # wrong is an object with its problems, in every command that speaks JSON.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 expect() { # STATUS WORDS COMMAND...
     local want=$1 words=$2 code

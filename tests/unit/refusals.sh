@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # What a command cannot use it refuses before it writes anything: nothing on standard output, no file, and a message that
 # names the option and says what to write. No option is accepted and then ignored.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 refuse() { # STATUS WORDS COMMAND...: WORDS is a pattern for the message
     local want=$1 words=$2 code

@@ -2,13 +2,7 @@
 # Tables of a family are those that lie beside each other: where one is edited, broken or gone, what the others claim of it is
 # proved anew, or the claim is named; also of tables that are to the letter what is built in. Levels, conditions and poles are those
 # of the table that is asked.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache LC_ALL=C
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 expect() { # STATUS TEXT COMMAND...: the text is in what it says
     local want=$1 text=$2 got=0
     shift 2

@@ -1,0 +1,14 @@
+/** What is wrong with a certificate, or with what one is asked of, in words. */
+#ifndef JLT_VALIDATED_REFUSE_H
+#define JLT_VALIDATED_REFUSE_H
+
+#include "core/status.h"
+
+#include <stdbool.h>
+
+enum { JLT_GIVEN_PROBLEM_MAX = 1024 };
+
+/** Write the words, formatted as by printf. Returns false. */
+JLT_PRINTF(2, 3) bool jlt_refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...);
+
+#endif
