@@ -1,7 +1,6 @@
 #include "analysis/transfer_section.h"
 
 #include "core/memory.h"
-#include "dynamics/chart_level.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
 
@@ -123,7 +122,7 @@ static jlt_status images(void *context, double *image, unsigned *loss, double *t
         jlt_failures_add(&self->failures, row.fate, row.unbounded, row.t);
         time[i] = fabs(row.t);
         memcpy(image + i * chart->dim, row.q, chart->dim * sizeof *row.q);
-        if (row.fate == JLT_FATE_ALIVE && self->system->surface == NULL && !jlt_chart_level_follows(chart, row.x))
+        if (row.fate == JLT_FATE_ALIVE && self->system->surface == NULL && !jlt_chart_follows(chart, row.x))
             loss[i] = JLT_TRANSFER_SECTION_BRANCH;
     }
     return st;

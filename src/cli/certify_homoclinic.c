@@ -63,7 +63,7 @@ static jlt_status follow(double *value, double *x, double *T, const chase *self,
     for (unsigned i = 0; i <= returns; i++) {
         if (x != NULL) {
             JLT_TRY(self->chart->lift(self->chart, lifted, NULL, q));
-            memcpy(x + i * states, lifted, states * sizeof *x);
+            for (unsigned s = 0; s < states; s++) x[i * states + s] = ldexp(lifted[s], jlt_map_flow(self->whole)->units.state[s]);
         }
         if (i == returns) break;
         JLT_TRY(jlt_map_point(self->whole, &image, q, 1, 1));

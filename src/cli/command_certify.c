@@ -191,9 +191,9 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
     jlt_status st = x == NULL ? JLT_ERR_NOMEM : JLT_ERR_UNSUPPORTED;
 
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        saddle[i] = i == question->question.column ? system->flow.chart->level
+        saddle[i] = i == question->question.column ? system->chart.plane.level
                                                    : arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR);
-    system->flow.chart->lower(system->flow.chart, q, NULL, saddle);
+    system->chart.plane.lower(&system->chart.plane, q, NULL, saddle);
     for (unsigned i = 0; x != NULL && st != JLT_OK && i < d->reversor_count; i++) {
         const jlt_status found = jlt_theorem_is_proved(d, &d->reversors[i])
                                      ? find_homoclinic(given, x, question, &d->reversors[i], system, &search)

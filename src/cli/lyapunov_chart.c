@@ -6,7 +6,6 @@
 
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "dynamics/chart_level.h"
 #include "dynamics/lyapunov.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -22,7 +21,7 @@ jlt_status jlt_lyapunov_chart_skip(jlt_map *map, double *q, size_t skip)
     const jlt_status st = skip > 0 ? jlt_map_point(map, &image, q, skip, 1) : JLT_OK;
 
     if (skip == 0 || st != JLT_OK) return st;
-    if (!jlt_chart_level_follows(chart, image.x)) return JLT_ERR_NO_CONVERGENCE;
+    if (!jlt_chart_follows(chart, image.x)) return JLT_ERR_NO_CONVERGENCE;
     memcpy(q, image.q, chart->dim * sizeof *q);
     return JLT_OK;
 }

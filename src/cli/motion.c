@@ -216,8 +216,8 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 /* A point that a plane section has, outside the domain, is named by the condition that fails there. */
 static jlt_exit refuse_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
 {
-    const jlt_chart *chart = system->flow.chart;
     const jlt_region *region = NULL;
+    const jlt_chart *chart = &system->chart.plane; /* of the table's units */
     double x[JLT_CHART_STATES_MAX], value;
 
     if (status == JLT_ERR_DOMAIN && system->surface == NULL && chart->lift(chart, x, NULL, q) == status &&

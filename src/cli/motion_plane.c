@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/digits.h"
+#include "ext/number.h"
 #include "kernel/descriptor.h"
 
 static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
@@ -178,6 +179,38 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     return JLT_EXIT_DONE;
 }
 
+static void note_size(jlt_motion_plane *out, size_t state, double value)
+{
+    if (state < JLT_CHART_STATES_MAX) out->sizes[state] = fmax(out->sizes[state], fabs(value));
+}
+
+/* NAME=VALUE or NAME=LOW:HIGH:COUNT, and more of them; what is no number is told where orbits begin. */
+static void note_values(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
+{
+    for (size_t state; *text != '\0'; text += strcspn(text, ","), text += *text == ',') {
+        const size_t name = strcspn(text, "=,"), low = strcspn(text + name, ":,@"), high = strcspn(text + name + low, ",@");
+        char named[64];
+        double value;
+        snprintf(named, sizeof named, "%.*s", (int)name, text);
+        if (low == 0 || !jlt_descriptor_state(d, named, &state)) continue;
+        if (jlt_number_parse(&value, text + name + 1, low - 1) == JLT_OK) note_size(out, state, value);
+        if (high == 0) continue;
+        if (jlt_number_parse(&value, text + name + low + 1, strcspn(text + name + low + 1, ":,@")) == JLT_OK)
+            note_size(out, state, value);
+    }
+}
+
+/* Where orbits begin. */
+static void note_sizes(jlt_motion_plane *out, const jlt_motion_options *options)
+{
+    const jlt_descriptor *d = out->descriptor;
+
+    note_size(out, out->column, out->section.low);
+    for (unsigned i = 0; i < out->level_count; i++) note_size(out, out->levels[i].state, out->levels[i].guess);
+    for (size_t i = 0; options->starts[i] != NULL; i++) note_values(out, options->starts[i], d);
+    if (options->grid != NULL) note_values(out, options->grid, d);
+}
+
 /* The most special field for these parameters, whatever those that run come to. */
 static jlt_exit choose(jlt_motion_plane *out, const jlt_descriptor *d, const jlt_grid_axis *running, size_t count)
 {
@@ -213,6 +246,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     if (code == JLT_EXIT_DONE) code = read_mirror(out, options->mirror, out->descriptor);
     if (code == JLT_EXIT_DONE) code = read_levels(out, options, out->descriptor);
     if (code == JLT_EXIT_DONE) code = read_modulo(out, options->modulo, out->descriptor);
+    if (code == JLT_EXIT_DONE) note_sizes(out, options);
     return code;
 }
 
@@ -246,6 +280,7 @@ jlt_status jlt_motion_plane_make(const jlt_motion_plane *plane, jlt_system **sys
         if (st == JLT_ERR_DOMAIN) *no_angle = state;
     }
     if (st == JLT_OK && plane->level_count > 0) st = jlt_system_levels(*system, plane->levels, plane->level_count);
+    if (st == JLT_OK) st = jlt_system_count(*system, plane->sizes);
 done:
     if (st != JLT_OK) {
         jlt_system_destroy(*system);

@@ -16,6 +16,7 @@ typedef struct {
     double periods[JLT_CHART_STATES_MAX]; /* by state; 0: it is no angle */
     jlt_level levels[JLT_INVARIANTS_MAX];
     unsigned level_count;
+    double sizes[JLT_CHART_STATES_MAX]; /* the largest value of each state where orbits begin, as far as it is typed */
 } jlt_motion_plane;
 
 /** Read the options. running: parameters and levels whose values will change later, shape (count,), of which only names are read.

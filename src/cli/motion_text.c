@@ -75,8 +75,8 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
         fputc('\n', stream);
     }
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g",
-            system->instance->descriptor->states[chart->column].name, chart->level, directions[options->flow.direction + 1], method,
-            options->flow.tolerance);
+            system->instance->descriptor->states[chart->column].name, ldexp(chart->level, system->flow.units.state[chart->column]),
+            directions[options->flow.direction + 1], method, options->flow.tolerance);
     if (jlt_observed_conditions(system->observed) > 0)
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
     if (options->is_random) fprintf(stream, "; seed %zu\n", options->seed);

@@ -122,7 +122,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     free(params);
     if (code != JLT_EXIT_PLANNED) return code;
     printf("  section %s=", system->instance->descriptor->states[chart->column].name);
-    jlt_csv_value(stdout, chart->level);
+    jlt_csv_value(stdout, ldexp(chart->level, system->flow.units.state[chart->column]));
     printf(" crossed %s", directions[options->flow.direction + 1]);
     for (unsigned k = 0; k < count; k++) {
         printf("%s %s=", k == 0 ? ", on levels" : ",", names[k]);

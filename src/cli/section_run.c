@@ -5,7 +5,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "dynamics/chart_level.h"
 
 /* Of many orbits, for each thread: those that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. For all threads together: the most of these rows. */
@@ -58,7 +57,7 @@ static bool stopped(const jlt_section_run *f)
 static void point_before(double *before, const jlt_section_run *f, const jlt_return *at)
 {
     const jlt_chart *chart = f->system->flow.chart;
-    const bool is_lifted = f->table.check && jlt_chart_level_follows(chart, at->x);
+    const bool is_lifted = f->table.check && jlt_chart_follows(chart, at->x);
 
     for (unsigned k = 0; k < chart->dim; k++) before[k] = is_lifted ? at->q[k] : NAN;
 }

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/chart_level.h"
 #include "dynamics/linear.h"
 
 jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point, bool stable,
@@ -77,7 +76,7 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent
     if (tangent == NULL) st = jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction);
     else st = jlt_map_apply(self->map, &image, start, n * self->returns, self->time_direction);
     if (st != JLT_OK) return st;
-    if (!jlt_chart_level_follows(jlt_map_flow(self->map)->chart, image.x)) return JLT_ERR_DOMAIN;
+    if (!jlt_chart_follows(jlt_map_flow(self->map)->chart, image.x)) return JLT_ERR_DOMAIN;
     memcpy(q, image.q, sizeof start);
     if (tangent != NULL) turn(tangent, self, rate, image.slope);
     return JLT_OK;

@@ -129,21 +129,21 @@ void jlt_chart_turn_back(const jlt_chart *self, double *x)
     if (self->turn != 0) x[self->column] = self->level + reduce(x[self->column] - self->level, self->turn);
 }
 
-static bool is_solved(const jlt_chart *self, unsigned state)
+bool jlt_chart_is_coordinate(const jlt_chart *self, unsigned state)
 {
     for (unsigned i = 0; i < self->solved_count; i++)
-        if (self->solved[i] == state) return true;
-    return state >= self->states - self->roots;
+        if (self->solved[i] == state) return false;
+    return state != self->column && state < self->states - self->roots;
 }
 
 void jlt_chart_wrap_state(const jlt_chart *self, double *x)
 {
     jlt_chart_turn_back(self, x);
-    for (unsigned i = 0, k = 0; i < self->states; i++) {
-        if (i == self->column || is_solved(self, i)) continue;
-        x[i] = reduce(x[i], self->period[k++]);
-    }
+    for (unsigned i = 0, k = 0; i < self->states; i++)
+        if (jlt_chart_is_coordinate(self, i)) x[i] = reduce(x[i], self->period[k++]);
 }
+
+bool jlt_chart_follows(const jlt_chart *self, const double *x) { return self->follows == NULL || self->follows(self, x); }
 
 bool jlt_chart_holds(const jlt_chart *self, const double *x)
 {

@@ -36,6 +36,7 @@ struct jlt_chart {
     int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
     int scale[JLT_CHART_DIM_MAX],        /* binary exponents of the typical sizes of coordinates, */
         column_scale;                    /* and of x[column]: lengths are counted in these; 0: as it stands (dynamics/scale.h) */
+    int unit[JLT_CHART_DIM_MAX];         /* tangent vectors are along coordinates in units of 2^unit[k] */
 
     /* x (states,), and when tangent is not NULL dx/dq (states, dim), row-major. Errors: EMPTY, the levels have no state
      * there; DOMAIN, q is at or beyond a pole or a bound; NONFINITE. */
@@ -51,6 +52,9 @@ struct jlt_chart {
     /* Side (+1, -1) of the pole at which an orbit has ended in the state x, in the table's units; x is changed as by
      * jlt_chart_pole_side. NULL: the section has no poles. */
     int (*side)(const jlt_chart *self, double *x);
+
+    /* Whether x, a point of the section in the table's units, is on the branch of states that lift gives. NULL: there is one. */
+    bool (*follows)(const jlt_chart *self, const double *x);
 };
 
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
@@ -87,8 +91,16 @@ void jlt_chart_turn_back(const jlt_chart *self, double *x);
 /** The same for every state that is an angle, but those that levels determine; on plane sections and on levels. */
 void jlt_chart_wrap_state(const jlt_chart *self, double *x);
 
+/** Whether a state is a coordinate of a plane section, or of its levels: neither the section's own, nor solved for, nor a root. */
+bool jlt_chart_is_coordinate(const jlt_chart *self, unsigned state);
+
 /** Whether a state lies within the bounds, and conditions of the domain hold. */
 bool jlt_chart_holds(const jlt_chart *self, const double *x);
+
+/** Whether x, shape (states,), a point of the section in the table's units, is on the branch of the state that lift gives for the
+ *  coordinates of x: it is on the levels, within 1e-6 of their terms, and Newton's method from its solved states comes to the same
+ *  ones, but for rounding. True for charts without solved states. Cost: two lifts. */
+bool jlt_chart_follows(const jlt_chart *self, const double *x);
 
 /** out = q - p, with differences of angles brought into (-period/2, period/2]. All of shape (dim,); out may be q or p. */
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);

@@ -146,6 +146,41 @@ static int side(const jlt_chart *base, double *x)
     return jlt_chart_pole_side(base, self->descriptor, base->states - base->roots, x);
 }
 
+/* Two solutions for the same coordinates are one when they differ by what rounding leaves open: it moves the levels by `met` of the
+ * size of their terms, and so the solved states, to first order. */
+static bool are_one(const jlt_chart_level *self, const double *a, const double *b)
+{
+    static const double generous = 16;
+    const unsigned count = unknowns(&self->base);
+    double off[M], sizes[M], matrix[M * M], error[M], open[M] = { 0 };
+
+    (void)look(self, off, sizes, matrix, NULL, a);
+    for (unsigned j = 0; j < count; j++) {
+        for (unsigned i = 0; i < count; i++) off[i] = i == j ? generous * met * sizes[j] : 0;
+        if (jlt_eigen_least_squares(error, matrix, off, count, count, singular) != JLT_OK) return false;
+        for (unsigned i = 0; i < count; i++) open[i] += fabs(error[i]);
+    }
+    for (unsigned i = 0; i < count; i++) {
+        const double left = a[self->base.solved[i]], right = b[self->base.solved[i]];
+        if (!(fabs(left - right) <= open[i] + 1e-15 * fabs(left))) return false;
+    }
+    return true;
+}
+
+static bool follows(const jlt_chart *base, const double *x)
+{
+    static const double on_levels = 1e-6; /* far above what errors of methods leave of them */
+    const jlt_chart_level *self = (const jlt_chart_level *)base;
+    double q[JLT_CHART_DIM_MAX], lifted[JLT_CHART_STATES_MAX], own[JLT_CHART_STATES_MAX], off[M], sizes[M], matrix[M * M];
+
+    if (!(look(self, off, sizes, matrix, NULL, x) <= on_levels)) return false;
+    lower(base, q, NULL, x);
+    if (lift(base, lifted, NULL, q) != JLT_OK) return false;
+    memcpy(own, lifted, base->states * sizeof *x);
+    for (unsigned i = 0; i < unknowns(base); i++) own[base->solved[i]] = x[base->solved[i]];
+    return solve(self, own) == JLT_OK && are_one(self, lifted, own);
+}
+
 jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
                                 const jlt_level *levels, unsigned count, const jlt_descriptor *descriptor, const double *params)
 {
@@ -188,41 +223,6 @@ jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, co
     out->base.lower = lower;
     out->base.flux = flux;
     out->base.side = roots > 0 ? side : NULL;
+    out->base.follows = count > 0 ? follows : NULL;
     return JLT_OK;
-}
-
-/* Two solutions for the same coordinates are one when they differ by what rounding leaves open: it moves the levels by `met` of the
- * size of their terms, and so the solved states, to first order. */
-static bool are_one(const jlt_chart_level *self, const double *a, const double *b)
-{
-    static const double generous = 16;
-    const unsigned count = unknowns(&self->base);
-    double off[M], sizes[M], matrix[M * M], error[M], open[M] = { 0 };
-
-    (void)look(self, off, sizes, matrix, NULL, a);
-    for (unsigned j = 0; j < count; j++) {
-        for (unsigned i = 0; i < count; i++) off[i] = i == j ? generous * met * sizes[j] : 0;
-        if (jlt_eigen_least_squares(error, matrix, off, count, count, singular) != JLT_OK) return false;
-        for (unsigned i = 0; i < count; i++) open[i] += fabs(error[i]);
-    }
-    for (unsigned i = 0; i < count; i++) {
-        const double left = a[self->base.solved[i]], right = b[self->base.solved[i]];
-        if (!(fabs(left - right) <= open[i] + 1e-15 * fabs(left))) return false;
-    }
-    return true;
-}
-
-bool jlt_chart_level_follows(const jlt_chart *base, const double *x)
-{
-    static const double on_levels = 1e-6; /* far above what errors of methods leave of them */
-    const jlt_chart_level *self = (const jlt_chart_level *)base;
-    double q[JLT_CHART_DIM_MAX], lifted[JLT_CHART_STATES_MAX], own[JLT_CHART_STATES_MAX], off[M], sizes[M], matrix[M * M];
-
-    if (base->solved_count == 0) return true;
-    if (!(look(self, off, sizes, matrix, NULL, x) <= on_levels)) return false;
-    lower(base, q, NULL, x);
-    if (lift(base, lifted, NULL, q) != JLT_OK) return false;
-    memcpy(own, lifted, base->states * sizeof *x);
-    for (unsigned i = 0; i < unknowns(base); i++) own[base->solved[i]] = x[base->solved[i]];
-    return solve(self, own) == JLT_OK && are_one(self, lifted, own);
 }

@@ -3,7 +3,7 @@
  *  As many states as there are levels are solved for by Newton's method, always from one guess; the section's coordinates
  *  are the other states, in order. On the section and its levels the solved states are functions of the coordinates, with
  *  the derivative -(dF/dy)^-1 dF/dq, y the solved states: a branch of them, which ends where that matrix is singular. A
- *  return on another branch is told apart by jlt_chart_level_follows. */
+ *  return on another branch is told apart by jlt_chart_follows. */
 #ifndef JLT_DYNAMICS_CHART_LEVEL_H
 #define JLT_DYNAMICS_CHART_LEVEL_H
 
@@ -36,10 +36,5 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
                                             const jlt_level *levels, unsigned count, const jlt_descriptor *descriptor,
                                             const double *params);
-
-/** Whether x, shape (states,), a point of the section, is on the branch of the state that lift gives for the coordinates of x: it
- *  is on the levels, within 1e-6 of their terms, and Newton's method from its solved states comes to the same ones, but for
- *  rounding. True for charts without solved states. Cost: two lifts. */
-bool jlt_chart_level_follows(const jlt_chart *base, const double *x);
 
 #endif

@@ -90,7 +90,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
 {
     const jlt_descriptor *d = self->system->instance->descriptor;
     const jlt_kernel_function integrals = d->integral_values.call;
-    const double *prepared = self->system->field.p;
+    const double *prepared = self->system->told->prepared;
     double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now), *gradients = now + d->integral_count;
     jlt_flow flow = self->system->flow;
     jlt_section *section = NULL;

@@ -61,8 +61,10 @@ static void count_return(jlt_lyapunov_state *state, double *frame, double *growt
                          const jlt_flow *flow)
 {
     const unsigned d = flow->chart->dim;
+    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
 
-    if (step_frame(frame, growth, p->slope, p->flux_determinant, noise_of(flow), d)) state->blurred++;
+    jlt_chart_scaled_slope(flow->chart, slope, p->slope);
+    if (step_frame(frame, growth, slope, p->flux_determinant, noise_of(flow), d)) state->blurred++;
     memcpy(state->q, p->q, d * sizeof *p->q);
     state->t += p->T;
     state->returns++;
@@ -173,8 +175,10 @@ static double growth_of(const double *slope, unsigned d)
 
 double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t returns, const jlt_flow *flow)
 {
-    const double growth = growth_of(slope, flow->chart->dim);
+    double scaled[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
 
+    jlt_chart_scaled_slope(flow->chart, scaled, slope);
+    const double growth = growth_of(scaled, flow->chart->dim);
     return growth > (double)returns * log(noise_of(flow)) ? growth / t : NAN;
 }
 

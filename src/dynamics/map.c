@@ -138,6 +138,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
         double largest = 0;
         if (!(jlt_linear_length(slope + i * d, d) > 0)) return INFINITY;
         for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
+        largest = ldexp(largest, -chart->unit[i]);
         all *= 1 + largest * tangent / jlt_linear_length(slope + i * d, d);
     }
     return (all - 1) + part * (error * self->swing + rate);
@@ -164,6 +165,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
         image->defect = defect;
         image->bound = bound;
     }
+    jlt_map_return_restore(slope, self->flow.chart);
     jlt_linear_multiply(image->slope, slope, image->slope, d);
     image->T += ldexp(outcome.t, self->flow.units.time);
     image->expansion += outcome.x[n * (1 + d)];

@@ -190,6 +190,7 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
 
     out->status[point] = jlt_map_return_end(&arrival, out->q + point * d, slope, flow, varied, self->flux[lane]);
     if (out->status[point] != JLT_OK) return;
+    jlt_map_return_restore(slope, flow->chart);
     add(self, point,
         &(jlt_map_batch_return){ out->q + point * d, slope, arrival.flux_determinant, ldexp(t, flow->units.time),
                                  varied[n * (1 + d)] },

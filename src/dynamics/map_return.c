@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "dynamics/chart_level.h"
 #include "dynamics/linear.h"
 #include "integrate/rest.h"
 
@@ -15,7 +14,7 @@ jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *fl
 
     JLT_TRY(chart->lift(chart, varied, tangent, q));
     for (unsigned k = 0; k < d; k++)
-        for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = tangent[i * d + k];
+        for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = ldexp(tangent[i * d + k], chart->unit[k]);
     varied[n * (1 + d)] = 0;
     if (jlt_rest_is_still(flow->field, varied)) return JLT_ERR_DOMAIN;
     flow->field->call(varied, flow->field->p, f);
@@ -37,7 +36,7 @@ static void project(const jlt_chart *chart, double *slope, double *q, const doub
             double sum = 0;
             for (j = 0; j < n; j++)
                 if (j != c) sum += lowering[i * n + j] * (y[j] - f[j] / f[c] * y[c]);
-            slope[i * d + k] = sum;
+            slope[i * d + k] = ldexp(sum, -chart->unit[i]);
         }
     }
 }
@@ -55,16 +54,25 @@ jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, con
 {
     const jlt_chart *chart = flow->chart;
     const unsigned n = chart->states, d = chart->dim;
+    double told[JLT_CHART_STATES_MAX];
 
     flow->field->call(varied, flow->field->p, out->f);
     const double after = chart->flux(chart, varied, out->f);
     project(chart, slope, q, varied, out->f);
     for (unsigned i = 0; i < d * d; i++)
         if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
-    if (!jlt_chart_level_follows(chart, varied)) return JLT_ERR_NO_CONVERGENCE;
+    for (unsigned i = 0; i < n; i++) told[i] = ldexp(varied[i], flow->units.state[i]);
+    if (!jlt_chart_follows(chart, told)) return JLT_ERR_NO_CONVERGENCE;
     out->determinant = jlt_linear_determinant(slope, d);
     out->size = hadamard(slope, d);
     /* A crossing in the other direction turns the flux round; volume is counted positive. */
     out->flux_determinant = fabs(flux / after) * exp(varied[n * (1 + d)]);
     return isfinite(out->flux_determinant) ? JLT_OK : JLT_ERR_NONFINITE; /* infinite where the coordinates fold */
+}
+
+void jlt_map_return_restore(double *slope, const jlt_chart *chart)
+{
+    for (unsigned i = 0; i < chart->dim; i++)
+        for (unsigned k = 0; k < chart->dim; k++)
+            slope[i * chart->dim + k] = ldexp(slope[i * chart->dim + k], chart->unit[i] - chart->unit[k]);
 }

@@ -16,9 +16,13 @@ typedef struct {
     double size;                    /* the product of DP's row lengths, which rounding errors of both are relative to */
 } jlt_map_return;
 
-/** The image q, shape (dim,), and DP, shape (dim, dim), of the return whose varied orbit ends in `varied` and had the flux at its
- *  start. Errors: NONFINITE, also of the flux; NO_CONVERGENCE, it is on another branch of a chart that solves for states. */
+/** The image q, shape (dim,), and DP, shape (dim, dim), by coordinates in the chart's units of tangent vectors, of the return whose
+ *  varied orbit ends in `varied` and had the flux at its start. Errors: NONFINITE, also of the flux; NO_CONVERGENCE, it is on
+ *  another branch of a chart that solves for states. */
 JLT_CHECKED jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
                                           double flux);
+
+/** Turn such a DP, in place, into one of coordinates as they stand. */
+void jlt_map_return_restore(double *slope, const jlt_chart *chart);
 
 #endif

@@ -84,7 +84,9 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
     for (unsigned k = 0; st == JLT_OK && k <= dim; k++) {
         const double period = k < dim ? chart->period[k] : chart->turn, moved = median(column, rows, known, width, k, noise);
         const double size = period != 0 ? period / (2 * pi) : extents != NULL && k < dim ? fmax(moved, extents[k]) : moved;
-        const int exponent = extents != NULL || period != 0 || size > 1 ? exponent_of(size) : 0;
+        const int unit = k < dim ? chart->unit[k] : 0;
+        const double counted = ldexp(size, -unit);
+        const int exponent = extents != NULL || period != 0 || counted > 1 ? unit + exponent_of(counted) : unit;
         if (k < dim) chart->scale[k] = exponent;
         else chart->column_scale = exponent;
     }

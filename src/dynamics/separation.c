@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/chart_level.h"
 #include "dynamics/section_batch.h"
 
 enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
@@ -69,7 +68,7 @@ static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t inde
         st = jlt_section_batch_next(batch, &row);
         if (st != JLT_OK || row.fate != JLT_FATE_ALIVE) break;
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
-        if (!jlt_chart_level_follows(self->chart, row.x)) {
+        if (!jlt_chart_follows(self->chart, row.x)) {
             self->strayed += 1 + mirrored;
             return JLT_OK; /* its cells would be those of other states */
         }

@@ -4,8 +4,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_counted.h"
 #include "integrate/conserved.h"
 #include "kernel/descriptor.h"
+
+static void set_units(jlt_system *self, const jlt_units *units)
+{
+    const jlt_descriptor *d = self->instance->descriptor;
+
+    for (unsigned i = 0; i < d->state_count; i++) self->flow.units.state[i] = jlt_units_exponent(units, d->states[i].unit);
+    self->flow.units.time = units->time;
+    self->units = *units;
+}
 
 jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
                            const jlt_flow *options)
@@ -14,15 +24,13 @@ jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, c
 
     if (descriptor == NULL || descriptor->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
     JLT_TRY(jlt_instance_create_in(&self->instance, descriptor, params, units));
+    self->told = self->instance;
     JLT_TRY(jlt_field_of(&self->field, self->instance));
     if (options != NULL) self->flow = *options;
     else self->flow.direction = JLT_RISING;
     self->flow.field = &self->field;
     self->flow.rhs_jacobian = descriptor->rhs_jacobian.call;
-    for (unsigned i = 0; i < descriptor->state_count; i++)
-        self->flow.units.state[i] = jlt_units_exponent(units, descriptor->states[i].unit);
-    self->flow.units.time = units->time;
-    self->units = *units;
+    set_units(self, units);
     JLT_TRY(jlt_observed_create(&self->observed, descriptor, params, units));
     self->flow.observed = self->observed;
 done:
@@ -44,30 +52,54 @@ const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor)
 /* The base comes first, so that jlt_system_destroy frees it all. */
 typedef struct {
     jlt_system base;
-    jlt_conserved conserved; /* with lifted roots */
+    jlt_field told; /* in the table's units, in which coordinates are */
+    jlt_conserved conserved, told_conserved; /* with lifted roots */
+    jlt_chart_counted counted; /* the flow's chart, where it counts in other units */
 } plane_system;
+
+static plane_system *plane_of(jlt_system *system) { return (plane_system *)(void *)system; }
+
+static jlt_status invariants_of(jlt_invariants *out, jlt_conserved *keep, const jlt_instance *instance)
+{
+    const jlt_descriptor *d = instance->descriptor;
+
+    *out = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, instance->prepared };
+    return d->lifted_count == 0 ? JLT_OK : jlt_conserved_of(out, keep, instance);
+}
 
 jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self)
 {
-    const jlt_instance *instance = self->instance;
-    const jlt_descriptor *d = instance->descriptor;
+    const jlt_descriptor *d = self->instance->descriptor;
 
+    if (self->surface == NULL) return invariants_of(out, &plane_of(self)->conserved, self->instance);
     *out = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call, self->field.p };
-    if (self->surface != NULL || d->lifted_count == 0) return JLT_OK;
-    return jlt_conserved_of(out, &((plane_system *)(void *)self)->conserved, instance);
+    return JLT_OK;
+}
+
+/* The flow's chart: that of the table's units, or over it. */
+static void set_chart(jlt_system *self)
+{
+    plane_system *plane = plane_of(self);
+
+    self->chart_base = &self->chart.plane;
+    if (self->told != self->instance) {
+        jlt_chart_counted_init(&plane->counted, &self->chart.plane, self->flow.units.state);
+        self->chart_base = &plane->counted.base;
+    }
+    self->flow.chart = self->chart_base;
 }
 
 /* The plane of all states becomes one of those before lifted roots. */
 static jlt_status add_roots(jlt_system *self)
 {
-    const jlt_instance *instance = self->instance;
+    const jlt_instance *told = self->told;
     jlt_chart plane = self->chart.plane;
     jlt_invariants invariants;
     jlt_status st = JLT_OK;
 
-    plane.roots = instance->descriptor->lifted_count;
-    JLT_TRY(jlt_system_invariants(&invariants, self));
-    st = jlt_chart_level_init(&self->chart.level, &plane, &invariants, NULL, 0, instance->descriptor, instance->params);
+    plane.roots = told->descriptor->lifted_count;
+    JLT_TRY(invariants_of(&invariants, &plane_of(self)->told_conserved, told));
+    st = jlt_chart_level_init(&self->chart.level, &plane, &invariants, NULL, 0, told->descriptor, told->params);
 done:
     return st;
 }
@@ -90,12 +122,13 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
         all_signs[i] = signs != NULL && i < descriptor->state_count - descriptor->lifted_count ? signs[i] : 1;
     }
     JLT_TRY(jlt_system_bind(self, descriptor, params, &(jlt_units){ 0 }, options));
+    JLT_TRY(jlt_field_of(&plane_of(self)->told, self->told));
     JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names,
                             signs != NULL ? all_signs : NULL));
     self->chart.plane.bounds = descriptor->states;
-    self->chart.plane.domain = &self->field.domain;
+    self->chart.plane.domain = &plane_of(self)->told.domain;
     if (descriptor->lifted_count > 0) JLT_TRY(add_roots(self));
-    self->flow.chart = self->chart_base = &self->chart.plane;
+    set_chart(self);
     *out = self;
     self = NULL;
 done:
@@ -105,12 +138,12 @@ done:
 
 enum { POINTS = 5, PARTS = 16 };
 
-/* The field at x; false: it is not finite. */
+/* The field at x, in the table's units; false: it is not finite. */
 static bool field_at(const jlt_system *self, const double *x, double *f)
 {
     bool finite = true;
 
-    self->field.call(x, self->field.p, f);
+    self->field.call(x, self->told->prepared, f);
     for (unsigned i = 0; i < self->field.dim; i++) finite &= isfinite(f[i]);
     return finite;
 }
@@ -203,24 +236,66 @@ static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const j
 
 jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count)
 {
-    const jlt_instance *instance = self->instance;
+    const jlt_instance *told = self->told;
     const jlt_chart before = self->chart.plane;
     jlt_chart plane = before;
     jlt_invariants integrals;
     jlt_status st = JLT_OK;
 
     plane.dim += plane.roots; /* as before they were added */
-    JLT_TRY(jlt_system_invariants(&integrals, self));
-    JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, instance->descriptor, instance->params));
+    JLT_TRY(invariants_of(&integrals, &plane_of(self)->told_conserved, told));
+    JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, told->descriptor, told->params));
     if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
 done:
     if (st != JLT_OK) self->chart.plane = before;
     return st;
 }
 
+/* Whether the table's units may be changed for others: they are the dimensions of its terms, and angles are numbers. */
+static bool scales(const jlt_system *self)
+{
+    static const jlt_units each = { 1, 1 << 8, 1 << 16 };
+    const jlt_descriptor *d = self->told->descriptor;
+    const jlt_chart *chart = &self->chart.plane;
+    bool scales = d->scales;
+
+    for (unsigned i = 0, k = 0; i < d->state_count; i++) {
+        const double period = i == chart->column ? chart->turn : jlt_chart_is_coordinate(chart, i) ? chart->period[k++] : 0;
+        scales = scales && (period == 0 || jlt_units_exponent(&each, d->states[i].unit) == 0);
+    }
+    return scales;
+}
+
+jlt_status jlt_system_count(jlt_system *self, const double *sizes)
+{
+    const jlt_descriptor *d = self->told->descriptor;
+    const double *params = self->told->params;
+    jlt_instance *instance = NULL;
+    jlt_observed *observed = NULL;
+    jlt_units units;
+    jlt_status st = JLT_OK;
+
+    if (!scales(self)) return st;
+    JLT_TRY(jlt_instance_units(&units, d->family[0], params, sizes));
+    JLT_TRY(jlt_instance_create_in(&instance, d, params, &units));
+    JLT_TRY(jlt_observed_create(&observed, d, params, &units));
+    if (self->instance != self->told) jlt_instance_destroy(self->instance);
+    jlt_observed_destroy(self->observed);
+    self->instance = instance;
+    self->flow.observed = self->observed = observed;
+    instance = NULL; /* ownership moved to the system */
+    set_units(self, &units);
+    JLT_TRY(jlt_field_of(&self->field, self->instance));
+    set_chart(self);
+done:
+    jlt_instance_destroy(instance);
+    return st;
+}
+
 void jlt_system_destroy(jlt_system *self)
 {
     if (self == NULL) return;
+    if (self->told != self->instance) jlt_instance_destroy(self->told);
     jlt_instance_destroy(self->instance);
     jlt_observed_destroy(self->observed);
     free(self);

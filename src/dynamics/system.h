@@ -8,6 +8,7 @@
 
 typedef struct {
     jlt_instance *instance; /* its prepared values in the flow's units */
+    jlt_instance *told;     /* of a plane section in the table's: the same where the flow counts in these */
     jlt_observed *observed;
     jlt_units units;
     const struct jlt_surface *surface; /* of a section that tables describe (dynamics/surface.h); NULL: a plane */
@@ -17,7 +18,7 @@ typedef struct {
         jlt_chart_level level;
     } chart;
     jlt_field field;
-    jlt_chart *chart_base; /* flow.chart: what dynamics/scale.h sets is in it */
+    jlt_chart *chart_base; /* flow.chart: what dynamics/scale.h sets is in it; may be another chart over `chart` */
     jlt_flow flow; /* points into this object */
 } jlt_system;
 
@@ -47,6 +48,11 @@ JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods
 /** Restrict a plane section to levels (count,) of its table's integrals; on failure it stays as it was. Errors: ARG, as
  *  jlt_chart_level_init; UNSUPPORTED, as jlt_system_invariants. */
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
+
+/** Let the flow of a plane section, whose angles and levels are set, count in units of the problem (jlt_instance_units) where
+ *  states are of these sizes, shape (states of the general field,). It stays as it is where the table's units are no dimensions of
+ *  its terms, or an angle has a unit. Maps and sections made from the flow before are void. Errors: as jlt_instance_create. */
+JLT_CHECKED jlt_status jlt_system_count(jlt_system *self, const double *sizes);
 
 /** What the system's field keeps: integrals, in the flow's units; on a plane section also the relations of lifted roots. *out
  *  points into the system. Errors: UNSUPPORTED, more than JLT_INVARIANTS_MAX with relations. */

@@ -15,6 +15,7 @@
 #include "integrate/field.h"
 #include "kernel/instance.h"
 
+enum { JLT_BATCH_SPREAD = 64 };
 enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
 /** Where a lane's orbit ended. */
@@ -67,7 +68,8 @@ typedef struct {
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): root mean square over states and clock, each relative to
                                         max(size, largest |x_j| but for the root), where the size is jlt_field_size of the orbit's
-                                        start, and the clock's to that over the size; the root relative to itself */
+                                        start, but to JLT_BATCH_SPREAD times max(size, |x_i|) at most; the clock's to that over
+                                        the size; the root relative to itself */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_descriptor *project;   /* descriptor whose integrals are restored: after every step that crosses the section, unless

@@ -30,6 +30,11 @@ JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_de
  *  here and in the instance, is in the table's units. */
 JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
                                               const jlt_units *units);
+
+/** The units in which a motion of the model is counted: of mass and length by parameters and states, of time by the rates that
+ *  states have, or take on from rest. In: params, shape (param_count,), and x, shape (state_count,), in the table's units, where it
+ *  starts, or sizes that states have. Errors: as jlt_instance_create. */
+JLT_CHECKED jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 
 /** The field and what is derived from it at one state, checked before and after as jlt_kernel_eval does. In: x, shape

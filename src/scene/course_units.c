@@ -50,26 +50,15 @@ done:
 
 jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_question *question)
 {
-    const jlt_descriptor *model = question->model;
-    double still[JLT_PLAN_STATES_MAX], f[JLT_PLAN_STATES_MAX];
-    jlt_instance *instance = NULL;
-    jlt_units units = { 0 };
+    const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
+    bool scales = question->model->scales;
+    jlt_units units;
     jlt_status st = JLT_OK;
 
     *out = (jlt_units){ 0 };
-    jlt_units_of_params(&units, question->params, model->params, model->param_count);
-    jlt_units_of_states(&units, question->start, model->states, model->state_count);
-    JLT_TRY(jlt_instance_create(&instance, model, question->params));
-    for (unsigned i = 0; i < model->state_count; i++)
-        still[i] = jlt_units_exponent(&(jlt_units){ .time = 1 }, model->states[i].unit) == 0 ? question->start[i] : 0;
-    model->rhs.call(still, instance->prepared, f);
-    jlt_units_of_rate(&units, fmax(jlt_units_rate(&units, question->start, model->states, model->state_count, 0),
-                                   jlt_units_rate(&units, f, model->states, model->state_count, 1)));
-    bool scales = model->scales;
-    const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
+    JLT_TRY(jlt_instance_units(&units, question->model, question->params, question->start));
     if (scales && tier->way_count > 0) JLT_TRY(jlt_course_units_serve(&scales, tier, question->params, question->start, &units));
     if (scales) *out = units;
 done:
-    jlt_instance_destroy(instance);
     return st;
 }

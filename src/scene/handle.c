@@ -174,11 +174,33 @@ const char *jlt_handle_section_column(const jlt_handle_section *self, unsigned i
     return index < jlt_handle_section_columns(self) ? self->system->surface->section->beside[index].name : NULL;
 }
 
+/* In units of the problem where it begins at q. */
+static jlt_status count(jlt_handle_section *self, const double *q)
+{
+    const jlt_chart *chart = self->system->flow.chart;
+    double sizes[JLT_CHART_STATES_MAX] = { 0 };
+    jlt_status st = JLT_OK;
+
+    for (unsigned i = 0; i < chart->states; i++)
+        if (jlt_chart_is_coordinate(chart, i)) sizes[i] = fabs(*q++);
+    sizes[chart->column] = fabs(self->system->chart.plane.level);
+    jlt_section_destroy(self->section);
+    self->section = NULL;
+    JLT_TRY(jlt_system_count(self->system, sizes));
+    st = jlt_section_create(&self->section, &self->system->flow);
+done:
+    return st;
+}
+
 jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, int time_direction)
 {
-    const jlt_status st = jlt_section_start(self->section, &self->at, q, time_direction);
+    jlt_status st = JLT_OK;
 
+    self->started = false;
+    if (self->system->surface == NULL) JLT_TRY(count(self, q));
+    st = jlt_section_start(self->section, &self->at, q, time_direction);
     self->started = st == JLT_OK;
+done:
     return st;
 }
 

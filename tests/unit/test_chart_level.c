@@ -64,10 +64,10 @@ static void solved_states_are_found_from_afar_and_follow_the_coordinates(void **
         for (unsigned i = 0; i < N; i++) assert_near(slope[k * N + i], i == 2 + k, 0);
     }
     x[3] = 0.75;
-    assert_true(jlt_chart_level_follows(&chart.base, x));
-    assert_true(jlt_chart_level_follows(&plane, x));
+    assert_true(jlt_chart_follows(&chart.base, x));
+    assert_true(jlt_chart_follows(&plane, x));
     x[4] = -w;
-    assert_false(jlt_chart_level_follows(&chart.base, x));
+    assert_false(jlt_chart_follows(&chart.base, x));
 }
 
 static void levels_without_a_state_are_empty_and_coordinates_finite(void **unused)
