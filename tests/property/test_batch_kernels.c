@@ -269,9 +269,9 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
     }
 }
 
-/* Columns of stages_varied after its last stage: sums, whose terms go through five roundings at most, here and there; slopes of states from the same program
- * as rhs_jacobian, bit for bit; of tangent vectors the Jacobian times them, a rounding a term and one for its product; of the
- * integrals the trace and dt/dtau. */
+/* Columns of stages_varied after its last stage: sums, each of whose terms goes through five roundings at most, there and here;
+ * slopes of states from the same program as rhs_jacobian, bit for bit; of tangent vectors the Jacobian times them, a rounding a
+ * term and one for its product; of the integrals the trace and dt/dtau. */
 static void check_varied(const jlt_kernel_batch *kernels, const jlt_descriptor *d, blocks *p, unsigned tangents, uint64_t *state)
 {
     enum { ROW = 16, COUNT = 3, COLUMNS_MAX = 4 * 32 + 2 };
