@@ -6,7 +6,7 @@ expect() { # STATUS TEXT COMMAND...
     local code=$1 text=$2
     shift 2
     "$@" > out 2> err
-    [ $? -eq "$code" ] && { [ -z "$text" ] || cat out err | grep -qF -- "$text"; } ||
+    [ $? -eq "$code" ] && { [ -z "$text" ] || grep -qF -- "$text" out err; } ||
         fail "$*: not $code with '$text': $(head -3 out err)"
 }
 within() { # FILE EXPRESSION: of c, the certificate, and of what is known

@@ -86,7 +86,7 @@ grep -q 'refuted  *observe  *q' proofs || fail "weaker: $(cat proofs)"
 # What follows from an interval has no kernel.
 ttc cost --json between.tt > cost.json 2> err
 grep -q domain_values cost.json && fail "a condition that follows from an interval has a kernel"
-ttc cost --json linear.tt | grep -q domain_gradients || fail "a condition has no kernel"
+ttc cost --json linear.tt | grep domain_gradients > /dev/null || fail "a condition has no kernel"
 
 named() { # MODEL: what ends its orbits
     case $1 in
@@ -134,7 +134,7 @@ done
 printf 'model lifted\nparam top\ndefault top = 0.5\nstate x in (-1, 1)\nstate u in (-2, top)\nstate z in (-3, 0.25)\n'\
 'root s = sqrt(1 - x^2)
 eq x = s^2/2\neq u = 1\neq z = - 1\ntime slow : s lifting s\npole x\n' > lifted.tt
-jellett plan simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1 | grep -qE '^  \* .*lifted in slow' ||
+jellett plan simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1 | grep -E '^  \* .*lifted in slow' > /dev/null ||
     fail "lifted is not computed in its time"
 for method in $methods; do
     jellett simulate ./lifted.tt --start x=0,u=-1,z=0 --times 1,2 --method $method > rows.csv 2> err

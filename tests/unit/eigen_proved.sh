@@ -11,7 +11,8 @@ fail() { echo "$*"; status=1; }
 says() { # TEXT ARGUMENT...: this line, blanks pressed together
     local text=$1
     shift
-    jellett eigen "$@" 2>&1 | tr -s ' ' | grep -qxF -- "$text" || fail "$*: not '$text', but: $(jellett eigen "$@" 2>&1 | tail -8)"
+    jellett eigen "$@" 2>&1 | tr -s ' ' | grep -xF -- "$text" > /dev/null ||
+        fail "$*: not '$text', but: $(jellett eigen "$@" 2>&1 | tail -8)"
 }
 
 # At q = 2^(1/2), p = 0: lambda^2 = -2 q. That the entry u + v is zero there, no ball tells; the reversor does.

@@ -7,7 +7,7 @@ expect() { # STATUS TEXT COMMAND...: the text is in what it says
     local want=$1 text=$2 got=0
     shift 2
     "$@" > out 2> err || got=$?
-    [ $got -eq "$want" ] && cat out err | grep -q -- "$text" ||
+    [ $got -eq "$want" ] && grep -q -- "$text" out err ||
         fail "$*: status $got, wanted $want and '$text' in '$(tail -3 out)' or '$(cat err)'"
 }
 anew() { cp "$JLT_SOURCE_DIR"/codegen/models/*.tt .; }

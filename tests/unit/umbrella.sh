@@ -55,7 +55,7 @@ check() { # COMPILER OPTION SOURCE
         fail "jellett.h: not by $1 $2"
         return
     fi
-    nm "$scratch/use.o" | grep -qE '^ +U jlt_status_text$' || fail "$1 $2: jlt_status_text is not a function of C"
+    nm "$scratch/use.o" | grep -E '^ +U jlt_status_text$' > /dev/null || fail "$1 $2: jlt_status_text is not a function of C"
     "$1" "$scratch/use.o" "$scratch/text.o" -o "$scratch/use"
     sizes=$("$scratch/use")
     : "${expected:=$sizes}"
