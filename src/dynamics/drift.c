@@ -91,7 +91,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
     const jlt_descriptor *d = self->system->instance->descriptor;
     const jlt_kernel_function integrals = d->integral_values.call;
     const double *prepared = self->system->told->prepared;
-    double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now), *gradients = now + d->integral_count;
+    double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now);
     jlt_flow flow = self->system->flow;
     jlt_section *section = NULL;
     jlt_return at;
@@ -100,6 +100,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
     jlt_drift_begin(self, end);
     flow.method = method;
     if (now == NULL) goto done;
+    double *const gradients = now + d->integral_count;
     JLT_TRY(jlt_section_create(&section, &flow));
     JLT_TRY(jlt_section_start(section, &at, self->q, 1));
     integrals(at.x, prepared, now);

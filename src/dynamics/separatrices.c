@@ -134,12 +134,13 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
 {
     const size_t room = 2 * (self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1]) + 1;
     swept *list = calloc(room, sizeof *list);
-    double *sigma = calloc(3 * room, sizeof *sigma), *q = sigma + room;
+    double *sigma = calloc(3 * room, sizeof *sigma); /* and from `room` on two coordinates each */
     jlt_branch_area *areas = calloc(room, sizeof *areas);
     jlt_status st = list != NULL && sigma != NULL && areas != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
     for (int k = 0; st == JLT_OK && k < JLT_SEPARATRICES; k++) {
         if (self->original[k] < JLT_SEPARATRICES) continue;
+        double *const q = sigma + room;
         const size_t n = gather(self, list, sigma, q, k);
         st = jlt_branch_area_to(areas, &self->branch[k], &self->curve[k], sigma, q, n, maps);
         for (size_t i = 0; st == JLT_OK && i < n; i++) {

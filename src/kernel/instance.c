@@ -61,7 +61,7 @@ done:
 jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x)
 {
     const unsigned n = model->state_count;
-    double *still = jlt_memory_array(2 * n, sizeof *still), *f = still + n;
+    double *still = jlt_memory_array(2 * n, sizeof *still);
     jlt_instance *instance = NULL;
     jlt_units units = { 0 };
     jlt_status st = JLT_ERR_NOMEM;
@@ -72,6 +72,7 @@ jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const
     jlt_units_of_states(&units, x, model->states, n);
     for (unsigned i = 0; i < n; i++)
         if (jlt_units_exponent(&(jlt_units){ .time = 1 }, model->states[i].unit) == 0) still[i] = x[i];
+    double *const f = still + n;
     model->rhs.call(still, instance->prepared, f);
     jlt_units_of_rate(&units,
                       fmax(jlt_units_rate(&units, x, model->states, n, 0), jlt_units_rate(&units, f, model->states, n, 1)));
