@@ -5,7 +5,6 @@
 #include <string.h>
 #include <time.h>
 
-
 /* Of many orbits, for each thread: those that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. For all threads together: the most of these rows. */
 enum { BLOCK = 256, ROWS = 1024, ROWS_MAX = 1 << 16 };

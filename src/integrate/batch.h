@@ -15,7 +15,9 @@
 #include "integrate/field.h"
 #include "kernel/instance.h"
 
+/** By how much the error of a state may be larger beside a larger state: by six bits, less than two digits. */
 enum { JLT_BATCH_SPREAD = 64 };
+
 enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
 /** Where a lane's orbit ended. */
