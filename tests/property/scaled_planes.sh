@@ -94,7 +94,8 @@ grid='y=@-0.4{0,1,0}:@0.4{0,1,0}:4,w=@-0.4{0,1,-1}:@0.4{0,1,-1}:4'
     each lyapunov "${level[@]}" --start "$start" --returns 20
     each lyapunov "${level[@]}" --grid "$grid" --returns 5
     each drift --start "$start,v=@0.9{0,1,-1}" --returns 20
-    each manifolds --level 'E=@8{1,2,-2}' --solve 'v=@4{0,1,-1}' --start 'y=@0{0,1,0},w=@0{0,1,-1}'
+    each manifolds --level 'E=@8{1,2,-2}' --solve 'v=@4{0,1,-1}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' \
+        --length 0.8
 } > wrong
 cat wrong
 [ ! -s wrong ]
