@@ -14,8 +14,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* -O1: on straight-line code -O2 gains nothing that is worth twice the time. The bits are the same by every one of them. */
+/* -O1: on straight-line code -O2 gains nothing that is worth twice the time. The bits are the same by every one of them. Balls
+ * call Arb for every operation: of those files -Og makes programs that take as long, in half of the compiler's time. */
 static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off" };
+static const char ball_flag[] = "-Og";
 static const char without_lanes[] = "-DJLT_WITHOUT_LANES";
 
 /* The file of one instruction set, what it is compiled with, and what tells the others that it is the only one. Its caller
@@ -67,6 +69,7 @@ void ttc_compiler_add_flags(ttc_text *text, unsigned lanes)
     const char *arb = arb_library();
     const lane_set *set = set_of(lanes);
     for (size_t i = 0; i < FLAG_COUNT; i++) ttc_text_format(text, "%s ", flags[i]);
+    ttc_text_format(text, "%s ", ball_flag);
     ttc_text_format(text, "%s ", set == NULL ? without_lanes : set->alone);
     for (size_t k = 0; set != NULL && k < SET_FLAGS && set->flags[k] != NULL; k++) ttc_text_format(text, "%s ", set->flags[k]);
     for (size_t i = 0; i < LINK_FLAG_COUNT; i++) ttc_text_format(text, "%s ", link_flags[i]);
@@ -126,12 +129,22 @@ static bool holds_lanes(const char *path)
     return strncmp(slash == NULL ? path : slash + 1, "batch_", 6) == 0;
 }
 
-/* The vectors' file first, which takes as long as all others together: those are compiled beside it. */
+static bool holds_balls(const char *path)
+{
+    static const char end[] = "_ball.c";
+    const size_t length = strlen(path);
+    return length >= sizeof end - 1 && strcmp(path + length - (sizeof end - 1), end) == 0;
+}
+
+/* The longest first, so that none is compiled alone at the end: the vectors' file, which includes what it holds, takes as long as
+ * all others together. */
 static int in_turn(const void *a, const void *b)
 {
     const char *left = *(char *const *)a, *right = *(char *const *)b;
+    struct stat here = { 0 }, there = { 0 };
     const int order = holds_lanes(right) - holds_lanes(left);
-    return order != 0 ? order : strcmp(left, right);
+    if (order != 0 || stat(left, &here) != 0 || stat(right, &there) != 0) return order;
+    return (here.st_size < there.st_size) - (here.st_size > there.st_size);
 }
 
 /* Every .c file but those that hold other lanes than those wanted, or need Arb where it is not there. set: NULL for no lanes. */
@@ -148,7 +161,7 @@ static bool list_folder(file_list *list, const char *folder, bool into, const la
         if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, set, balls);
         else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
                  && (!holds_lanes(path) || (set != NULL && strcmp(entry->d_name, set->file) == 0))
-                 && (balls || strstr(entry->d_name, "ball") == NULL)) {
+                 && (balls || !holds_balls(path))) {
             ok = add_file(list, path);
             path = NULL;
         }
@@ -179,12 +192,13 @@ static pid_t start(const char *compiler, char *const *arguments, bool in_silence
 
 static pid_t compile_one(const char *compiler, const char *include, const lane_set *set, bool balls, char *source, char *object)
 {
-    const char *arguments[FLAG_COUNT + SET_FLAGS + 9] = { compiler };
+    const char *arguments[FLAG_COUNT + SET_FLAGS + 10] = { compiler };
     size_t n = 1;
     for (size_t i = 0; i < FLAG_COUNT; i++) arguments[n++] = flags[i];
     arguments[n++] = set == NULL ? without_lanes : set->alone;
     for (size_t k = 0; set != NULL && holds_lanes(source) && k < SET_FLAGS && set->flags[k] != NULL; k++)
         arguments[n++] = set->flags[k];
+    if (holds_balls(source)) arguments[n++] = ball_flag;
     if (!balls) arguments[n++] = "-DJLT_WITHOUT_BALLS";
     arguments[n++] = include;
     arguments[n++] = "-c";

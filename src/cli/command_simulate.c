@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/grid.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
@@ -13,7 +12,6 @@
 #include "report/csv.h"
 
 enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK, PROJECT };
-enum { TIMES_MAX = 100000000 };
 
 static const struct argp_option option_table[] = {
     { "times", TIMES, "T,T,...", 0,
@@ -74,46 +72,6 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* ---- times ---- */
-
-static jlt_exit listed_times(jlt_simulate_request *r)
-{
-    size_t room = 1;
-
-    for (const char *c = r->times_text; *c != '\0'; c++) room += *c == ',';
-    r->times = calloc(room, sizeof *r->times);
-    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--times");
-    for (const char *at = r->times_text;; at++) {
-        const size_t length = strcspn(at, ",");
-        const jlt_exit code = jlt_grid_number(&r->times[r->time_count++], at, length, "--times");
-        if (code != JLT_EXIT_DONE) return code;
-        at += length;
-        if (*at == '\0') break;
-    }
-    for (size_t i = 1; i < r->time_count; i++) {
-        const bool forwards = r->times[i] >= r->times[i - 1] && r->times[0] >= 0;
-        const bool backwards = r->times[i] <= r->times[i - 1] && r->times[0] <= 0;
-        if (!(r->times[r->time_count - 1] >= 0 ? forwards : backwards))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--times: they must go from 0 in one direction, in order");
-    }
-    return JLT_EXIT_DONE;
-}
-
-static jlt_exit regular_times(jlt_simulate_request *r)
-{
-    const double every = !isnan(r->every) ? r->every : fabs(r->until) / 100;
-    const double steps = r->until == 0 ? 0 : floor(fabs(r->until) / every * (1 + 4e-16));
-
-    if (!(steps < TIMES_MAX)) return jlt_command_fail(JLT_EXIT_INPUT, "--every: more than %d rows", TIMES_MAX);
-    r->time_count = (size_t)steps + 1;
-    r->times = calloc(r->time_count + 1, sizeof *r->times);
-    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--until");
-    for (size_t i = 0; i < r->time_count; i++) r->times[i] = copysign((double)i * every, r->until);
-    r->times[0] = 0;
-    if (fabs(r->until) - fabs(r->times[r->time_count - 1]) > 1e-12 * every) r->times[r->time_count++] = r->until;
-    return JLT_EXIT_DONE;
-}
-
 /* ---- the courses: the orbit asked for, then those it is compared with ---- */
 
 static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
@@ -148,18 +106,47 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     return JLT_EXIT_DONE;
 }
 
+/* The next name of --compare, from *at on. False: there is none. */
+static bool next_compared(char name[64], const char **at)
+{
+    if (*at == NULL || **at == '\0') return false;
+    const size_t length = strcspn(*at, ",");
+    snprintf(name, 64, "%.*s", (int)length, *at);
+    *at += length + ((*at)[length] == ',');
+    return true;
+}
+
+/* Whether a tier of this name is that of the table or of a smaller one. */
+static bool is_smaller(const jlt_session *s, const char *name)
+{
+    jlt_tier tier;
+
+    if (!jlt_tier_find(&tier, s->descriptor, &s->others, name)) return false;
+    for (unsigned i = 0; i < tier.way_count; i++)
+        if (strcmp(tier.ways[i]->kind, "lift") == 0) return false;
+    return true;
+}
+
+static bool asks_larger(const jlt_simulate_request *r)
+{
+    const char *at = r->compare;
+    bool asks = r->track || r->session.common.plan || (r->tier != NULL && !is_smaller(&r->session, r->tier));
+    char name[64];
+
+    while (!asks && next_compared(name, &at)) asks = !is_smaller(&r->session, name);
+    return asks;
+}
+
 static jlt_exit open_courses(jlt_simulate_request *r)
 {
     jlt_exit code = open_course(r, r->tier);
+    const char *at = r->compare;
+    char name[64];
 
-    for (const char *at = r->compare; code == JLT_EXIT_DONE && at != NULL && *at != '\0';) {
-        const size_t length = strcspn(at, ",");
-        char name[64];
+    while (code == JLT_EXIT_DONE && next_compared(name, &at)) {
         if (r->course_count == JLT_SIMULATE_COURSES_MAX)
             return jlt_command_fail(JLT_EXIT_INPUT, "--compare: %d tiers at most", JLT_SIMULATE_COURSES_MAX - 1);
-        snprintf(name, sizeof name, "%.*s", (int)length, at);
         code = open_course(r, name);
-        at += length + (at[length] == ',');
     }
     return code;
 }
@@ -362,9 +349,10 @@ static jlt_exit run(int argc, char **argv)
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
-    code = jlt_session_open(&r.session, r.track || r.tier != NULL || r.compare != NULL || common->plan);
+    code = jlt_session_open(&r.session);
+    if (code == JLT_EXIT_DONE && asks_larger(&r)) code = jlt_session_look_at_larger(&r.session);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
-    if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
+    if (code == JLT_EXIT_DONE) code = jlt_simulate_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
     if (code == JLT_EXIT_DONE) code = jlt_simulate_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) {

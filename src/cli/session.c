@@ -51,12 +51,23 @@ bool jlt_session_interrupted(const jlt_session *self)
     return *self->interrupt != 0;
 }
 
-jlt_exit jlt_session_open(jlt_session *self, bool looks_at_larger)
+/* kind: of the ways to follow; NULL: all. */
+static jlt_exit look_at_others(jlt_session *self, const char *kind)
+{
+    if (self->common.model == NULL) return JLT_EXIT_DONE;
+    return jlt_table_others(&self->others, self->descriptor, self->common.model, kind, false);
+}
+
+jlt_exit jlt_session_open(jlt_session *self)
 {
     const jlt_exit code = jlt_common_open(&self->common, &self->descriptor, &self->params);
 
-    if (code != JLT_EXIT_DONE || self->common.model == NULL) return code;
-    return jlt_table_others(&self->others, self->descriptor, self->common.model, looks_at_larger ? NULL : "reduction", false);
+    return code == JLT_EXIT_DONE ? look_at_others(self, "reduction") : code;
+}
+
+jlt_exit jlt_session_look_at_larger(jlt_session *self)
+{
+    return look_at_others(self, NULL);
 }
 
 jlt_exit jlt_session_start(jlt_session *self)

@@ -28,9 +28,11 @@ extern const struct argp jlt_session_argp;
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
 void jlt_session_end(jlt_session *self);
 
-/** Open the model and check the parameters: sets descriptor, others, and params, shape (param_count,). looks_at_larger: others have
- *  the tables with more states as well, which take longer to compile than all else. */
-jlt_exit jlt_session_open(jlt_session *self, bool looks_at_larger);
+/** Open the model and check the parameters: sets descriptor, params, shape (param_count,), and others, those with fewer states. */
+jlt_exit jlt_session_open(jlt_session *self);
+
+/** Set others to the tables with more states as well, which take longer to compile than all else. */
+jlt_exit jlt_session_look_at_larger(jlt_session *self);
 
 /** Read --start into x, shape (state_count,), in the table's units: it must name every state and lie in the model's domain. */
 jlt_exit jlt_session_start(jlt_session *self);

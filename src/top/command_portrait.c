@@ -101,7 +101,7 @@ static jlt_exit open_top(jlt_portrait_request *r)
 {
     const jlt_claim *broken = NULL;
     size_t a3;
-    jlt_exit code = jlt_session_open(&r->session, false);
+    jlt_exit code = jlt_session_open(&r->session);
 
     if (code != JLT_EXIT_DONE) return code;
     if (jlt_descriptor_param(r->session.descriptor, "a3", &a3)) {

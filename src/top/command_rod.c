@@ -244,7 +244,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_session_begin(&r.session, argc, argv);
     r.session.tolerance = 1e-15;
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    code = jlt_session_open(&r.session, false);
+    code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE && jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
         const char *given = jlt_assign_fraction(&r.session.common.set, "I3");
         if (given != NULL && strcmp(given, "0") != 0)

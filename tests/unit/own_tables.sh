@@ -47,6 +47,7 @@ rows out | awk -F, '
         exit !(k == 64 && expected > 0.1 && difference < 1e-6 && difference > -1e-6)
     }' || fail "drift_G is not what friction makes it: $(tail -1 out)"
 expect 0 alive jellett simulate ./spherical_top.tt --start $start --times 0,1 --tier five
+[ "$(find cache -name '*.so' | wc -l)" -eq 2 ] || fail "larger tables are compiled though the tier asked for is no tier of theirs"
 rows out > without
 agree without built_in || fail "without friction the motion is another"
 expect 3 "a claim that it rests on is refuted .reduction level: dG/dt" \
