@@ -7,6 +7,12 @@ set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 
+# For awk: whether there is such a file.
+there_is='function there_is(path) {
+    if (!(path in looked)) looked[path] = system("test -f " path) == 0
+    return looked[path]
+}'
+
 # FILE:LINE INCLUDED, one a line; <NAME> for system headers, NAME otherwise.
 includes() {
     find "$@" -name '*.[ch]' -exec awk '
@@ -20,7 +26,7 @@ includes() {
 }
 
 failures=$({
-    includes src tools/bench/program | awk '
+    includes src tools/bench/program | awk "$there_is"'
         function fail(message) { print place ": includes " $2 ": " message }
         BEGIN {
             count = split("core kernel integrate dynamics analysis ext report top scene spectrum validated claims shards cli bench",
@@ -48,21 +54,21 @@ failures=$({
                 next
             }
             if ($2 == "jellett.h") { fail("it is for users of the library"); next }
-            if (system("test -f src/" $2) == 0) {
+            if (there_is("src/" $2)) {
                 split($2, target, "/")
                 there = $2 ~ /^top\/command_/ ? "cli" : target[1]
                 if (there == here) next
                 if (there == "ext" && here in calls_ext) next
                 if (here == "ext" && there != "core") fail("ext calls core alone")
                 else if (rank[there] > rank[here]) fail("src/" there " stands below src/" here)
-            } else if (system("test -f generated/" $2) == 0) {
+            } else if (there_is("generated/" $2)) {
                 if ($2 != "kernel_abi.h" && here != "kernel" && !($2 == "kernel_ball.h" && here == "ext"))
                     fail("only src/kernel knows single models, only src/ext kernels in balls")
-            } else if (system("test -f codegen/" $2) == 0) {
+            } else if (there_is("codegen/" $2)) {
                 if (rank[here] < rank["spectrum"]) fail("only src/spectrum and rooms below it may call the compiler")
             } else fail("no such header; name it from src/, as in \"core/status.h\"")
         }'
-    includes codegen | awk '
+    includes codegen | awk "$there_is"'
         BEGIN {
             count = split("base expression read show algebra ball prove challenge discover fields optimize " \
                           "kernels emit readback build command", order, " ")
@@ -72,11 +78,11 @@ failures=$({
         part[2] == "runtime" { next }
         !(part[2] in rank) { print $1 ": codegen/" part[2] " is no room"; next }
         $2 ~ /^</ { next }
-        system("test -f codegen/" $2) != 0 { print $1 ": includes " $2 ": name it from codegen/, which knows nothing outside itself"
+        !there_is("codegen/" $2) { print $1 ": includes " $2 ": name it from codegen/, which knows nothing outside itself"
             next }
         { split($2, target, "/") }
         rank[target[1]] > rank[part[2]] { print $1 ": includes " $2 ": codegen/" target[1] " stands below codegen/" part[2] }'
-    includes generated codegen/runtime | awk '
+    includes generated codegen/runtime | awk "$there_is"'
         BEGIN {
             split("assert complex ctype errno fenv float inttypes limits math stdalign stdbool stddef stdint stdlib string " \
                   "tgmath", names, " ")
@@ -87,12 +93,12 @@ failures=$({
         $1 ~ /ball/ && $2 ~ /^<(flint\/)?(arb|acb|arf|mag|fmpq|fmpz)[a-z_]*\.h>$/ { next }
         $2 !~ /^</ {
             folder = $1; sub(/\/[^\/]*$/, "", folder)
-            if (folder != "codegen/runtime" && system("test -f generated/" $2) == 0 || system("test -f " folder "/" $2) == 0) next
+            if (folder != "codegen/runtime" && there_is("generated/" $2) || there_is(folder "/" $2)) next
         }
         { print $1 ": includes " $2 ": generated files, and those that are copied there, " \
             "include libc only (ball files Arb as well)" }'
     # Circles: walk every header depth first; grey is on the path from the start, black is done.
-    includes src codegen generated tools/bench/program | awk '
+    includes src codegen generated tools/bench/program | awk "$there_is"'
         $2 ~ /^</ { next }
         {
             from = $1; sub(/:[0-9]+$/, "", from)
@@ -100,7 +106,7 @@ failures=$({
             target = ""
             split("src/ generated/ codegen/ " folder "/", roots, " ")
             for (i = 1; i <= 4 && target == ""; i++)
-                if (system("test -f " roots[i] $2) == 0) target = roots[i] $2
+                if (there_is(roots[i] $2)) target = roots[i] $2
             if (target != "") edge[from, ++edges[from]] = target
         }
         function visit(node, path,    i, next_node) {

@@ -21,6 +21,7 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
         stem=${object%.o}
         stem=${stem%.c}
         stem=${stem%.cc}
+        [[ ${symbol}_ != jlt_${stem}_* && "$* $symbol" != "codegen ttc_"* ]] || continue # as nearly all: no need to look for it
         found=no
         while IFS= read -r file; do
             folder=${file%/*}
