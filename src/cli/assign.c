@@ -1,5 +1,6 @@
 #include "cli/assign.h"
 
+#include "core/digits.h"
 #include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
@@ -129,8 +130,10 @@ static const char *condition(jlt_sign sign)
 jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value)
 {
     const jlt_quantity *q = &descriptor->params[index];
+    char digits[JLT_DIGITS_SIZE];
 
-    return jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %.17g: %s needs %s %s", q->name, value, descriptor->model, q->name,
+    jlt_digits_shortest(digits, value);
+    return jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %s: %s needs %s %s", q->name, digits, descriptor->model, q->name,
                             condition(q->sign));
 }
 

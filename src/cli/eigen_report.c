@@ -1,6 +1,7 @@
 /* Writes the results of `jellett eigen` as text, JSON and CSV. */
 #include "cli/eigen.h"
 
+#include "core/digits.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
@@ -30,14 +31,16 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     const jlt_descriptor *d = row->descriptor;
     const jlt_equilibrium *e = &row->found;
     const size_t size = JLT_EIGEN_REASON_MAX;
+    char digits[JLT_DIGITS_SIZE];
 
-    if (e->stage == JLT_EQUILIBRIUM_PARAMS)
-        snprintf(text, size, "%s = %.17g is no value that %s allows", d->params[e->index].name, row->params[e->index],
-                 d->model);
-    else if (e->stage == JLT_EQUILIBRIUM_STATES)
-        snprintf(text, size, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[e->index].name, 
-                 row->x[e->index], d->states[e->index].low, d->states[e->index].high, d->model);
-    else if (e->stage == JLT_EQUILIBRIUM_DOMAIN && e->status == JLT_ERR_DOMAIN)
+    if (e->stage == JLT_EQUILIBRIUM_PARAMS) {
+        jlt_digits_shortest(digits, row->params[e->index]);
+        snprintf(text, size, "%s = %s is no value that %s allows", d->params[e->index].name, digits, d->model);
+    } else if (e->stage == JLT_EQUILIBRIUM_STATES) {
+        const jlt_quantity *q = &d->states[e->index];
+        jlt_digits_shortest(digits, row->x[e->index]);
+        snprintf(text, size, "%s = %s lies outside (%g, %g), where %s is defined", q->name, digits, q->low, q->high, d->model);
+    } else if (e->stage == JLT_EQUILIBRIUM_DOMAIN && e->status == JLT_ERR_DOMAIN)
         snprintf(text, size, "this state lies outside the domain of %s: %s needs %s, and it is %.10g here", d->model,
                  e->region->name, e->region->text, e->region_value);
     else if (e->stage == JLT_EQUILIBRIUM_DIGITS)

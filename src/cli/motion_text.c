@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/motion_many.h"
+#include "core/digits.h"
 #include "integrate/batch_method.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -57,6 +58,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     const jlt_descriptor *d = system->instance->descriptor;
     double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
     const char *names[JLT_INVARIANTS_MAX], *method = jlt_motion_method(options);
+    char digits[JLT_DIGITS_SIZE];
     const unsigned level_count = jlt_motion_levels(system, names, levels);
 
     if (params == NULL) return;
@@ -74,9 +76,9 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
         if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
         fputc('\n', stream);
     }
-    fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g",
-            system->instance->descriptor->states[chart->column].name, ldexp(chart->level, system->flow.units.state[chart->column]),
-            directions[options->flow.direction + 1], method, options->flow.tolerance);
+    jlt_digits_shortest(digits, ldexp(chart->level, system->flow.units.state[chart->column]));
+    fprintf(stream, "# section %s=%s crossed %s; method %s, tolerance %.3g", d->states[chart->column].name,
+            digits, directions[options->flow.direction + 1], method, options->flow.tolerance);
     if (jlt_observed_conditions(system->observed) > 0)
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
     if (options->is_random) fprintf(stream, "; seed %zu\n", options->seed);
