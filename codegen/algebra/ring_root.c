@@ -1,6 +1,11 @@
 /* Square roots in the ring of a ratio, whose generators stay independent modulo squares. */
 #include "algebra/ratio.h"
 
+#include <flint/fmpz_vec.h>
+#include <flint/ulong_extras.h>
+#include <stdint.h>
+#include <stdlib.h>
+
 /* False when a is no square. Its root is squared again, as FLINT 2.9 takes x y for the square of a monomial without exponents
  * where both begin a word of many variables. */
 static bool polynomial_root(ttc_ring *ring, fmpz_mpoly_t root, const fmpz_mpoly_t a)
@@ -50,6 +55,71 @@ static void split(ttc_ring *ring, ttc_ratio *p, ttc_ratio *q, const ttc_ratio *a
     ttc_ratio_clear(ring, &part);
 }
 
+/* At 64 points, each modulo a prime of its own: the bits of those where a, in Q(variables), is no square, as no square is. False
+ * where it is zero or has no value at one, or uses one of the first `level` generators. */
+static bool square_class(ttc_ring *ring, size_t level, uint64_t *bits, const ttc_ratio *a)
+{
+    for (size_t i = 0; i < level; i++)
+        if (ttc_ratio_uses(ring, a, ring->generators[i].variable)) return false;
+    const size_t count = ring->variable_count;
+    fmpz *point = _fmpz_vec_init((slong)count + 1), **place = calloc(count + 1, sizeof *place);
+    bool known = place != NULL;
+    ulong prime = 1ul << 31, random = 1;
+    fmpz_t value, modulus;
+    fmpz_init(value);
+    fmpz_init(modulus);
+    *bits = 0;
+    for (size_t v = 0; known && v < count; v++) place[v] = point + v;
+    for (unsigned i = 0; known && i < 64; i++) {
+        for (size_t v = 0; v < count; v++) fmpz_set_ui(point + v, random = random * 48271 % 2147483647);
+        fmpz_set_ui(modulus, prime = n_nextprime(prime, 1));
+        int sign = fmpz_mpoly_evaluate_all_fmpz(value, a->numerator, place, ring->context) ? fmpz_jacobi(value, modulus) : 0;
+        sign *= fmpz_mpoly_evaluate_all_fmpz(value, a->denominator, place, ring->context) ? fmpz_jacobi(value, modulus) : 0;
+        known = sign != 0;
+        *bits |= (uint64_t)(sign < 0) << i;
+    }
+    fmpz_clear(modulus);
+    fmpz_clear(value);
+    free(place);
+    _fmpz_vec_clear(point, (slong)count + 1);
+    return known;
+}
+
+/* As field_root, where a and the squares of the generators are in Q(variables): then a is a square where its product with some of
+ * these is one in Q(variables), and classes tell which. False where classes do not tell. */
+static bool root_by_classes(ttc_ring *ring, size_t level, bool *found, ttc_ratio *root, const ttc_ratio *a)
+{
+    uint64_t classes[TTC_GENERATOR_LIMIT + 1];
+    unsigned products[TTC_GENERATOR_LIMIT + 1];
+    *found = false;
+    for (size_t i = 0; i <= level; i++) {
+        if (!square_class(ring, level, classes + i, i < level ? &ring->generators[i].square : a)) return false;
+        products[i] = 1u << i;
+        for (size_t k = 0; k < i; k++) {
+            if (!(classes[i] & classes[k] & -classes[k])) continue; /* not the lowest bit of the other */
+            classes[i] ^= classes[k];
+            products[i] ^= products[k];
+        }
+        if (i < level && classes[i] == 0) return false;
+    }
+    if (classes[level] != 0) return true;
+    ttc_ratio product, generator;
+    ttc_ratio_init(ring, &product);
+    ttc_ratio_init(ring, &generator);
+    ttc_ratio_set(ring, &product, a);
+    for (size_t i = 0; i < level; i++)
+        if (products[level] >> i & 1) ttc_ratio_multiply(ring, &product, &product, &ring->generators[i].square);
+    *found = rational_root(ring, root, &product);
+    for (size_t i = 0; *found && i < level; i++) {
+        if (!(products[level] >> i & 1)) continue;
+        ttc_ratio_set_variable(ring, &generator, ring->generators[i].variable);
+        ttc_ratio_divide(ring, root, root, &generator);
+    }
+    ttc_ratio_clear(ring, &generator);
+    ttc_ratio_clear(ring, &product);
+    return true;
+}
+
 static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a);
 
 /* root = x + q/(2x) r where x^2 = (p + sign n)/2 is a square below. */
@@ -89,6 +159,7 @@ static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_
     if (level == 0) return rational_root(ring, root, a);
     const ttc_ratio *square = &ring->generators[level - 1].square;
     bool found = false;
+    if (root_by_classes(ring, level, &found, root, a)) return found;
     ttc_ratio p, q, n;
     ttc_ratio_init(ring, &p);
     ttc_ratio_init(ring, &q);

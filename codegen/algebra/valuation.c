@@ -120,24 +120,39 @@ static bool reserve_memo(ttc_valuation *v)
     return true;
 }
 
-static void compound_value(ttc_valuation *v, ttc_ratio *out, ttc_id id, ttc_kind kind)
+/* Long sums in halves, as what two ratios have in common is looked for at every addition, and takes longer the more terms they
+ * have. */
+static void add_parts(ttc_valuation *v, ttc_ratio *out, ttc_id id, size_t first, size_t end)
 {
-    const ttc_graph *graph = v->model->graph;
-    ttc_ratio part_value;
-    ttc_ratio_init(v->ring, &part_value);
-    ttc_ratio_set_rational(v->ring, out, ttc_coefficient(graph, id));
-    for (size_t i = 0; i < ttc_part_count(graph, id) && v->ring->status == TTC_RING_OK; i++) {
-        ttc_part part = ttc_part_at(graph, id, i);
-        ttc_evaluate(v, &part_value, part.id);
-        if (kind == TTC_SUM) {
-            ttc_ratio_scale(v->ring, &part_value, &part_value, part.coefficient);
-            ttc_ratio_add(v->ring, out, out, &part_value);
-        } else {
-            ttc_ratio_power(v->ring, &part_value, &part_value, part.exponent);
-            ttc_ratio_multiply(v->ring, out, out, &part_value);
-        }
+    ttc_ratio value;
+    ttc_ratio_init(v->ring, &value);
+    if (end - first > 16) {
+        const size_t middle = first + (end - first) / 2;
+        add_parts(v, out, id, first, middle);
+        add_parts(v, &value, id, middle, end);
+        if (v->ring->status == TTC_RING_OK) ttc_ratio_add(v->ring, out, out, &value);
+        first = end;
     }
-    ttc_ratio_clear(v->ring, &part_value);
+    for (size_t i = first; i < end && v->ring->status == TTC_RING_OK; i++) {
+        ttc_part part = ttc_part_at(v->model->graph, id, i);
+        ttc_evaluate(v, &value, part.id);
+        ttc_ratio_scale(v->ring, &value, &value, part.coefficient);
+        ttc_ratio_add(v->ring, out, out, &value);
+    }
+    ttc_ratio_clear(v->ring, &value);
+}
+
+static void multiply_parts(ttc_valuation *v, ttc_ratio *out, ttc_id id)
+{
+    ttc_ratio value;
+    ttc_ratio_init(v->ring, &value);
+    for (size_t i = 0; i < ttc_part_count(v->model->graph, id) && v->ring->status == TTC_RING_OK; i++) {
+        ttc_part part = ttc_part_at(v->model->graph, id, i);
+        ttc_evaluate(v, &value, part.id);
+        ttc_ratio_power(v->ring, &value, &value, part.exponent);
+        ttc_ratio_multiply(v->ring, out, out, &value);
+    }
+    ttc_ratio_clear(v->ring, &value);
 }
 
 void ttc_evaluate(ttc_valuation *v, ttc_ratio *out, ttc_id id)
@@ -150,7 +165,9 @@ void ttc_evaluate(ttc_valuation *v, ttc_ratio *out, ttc_id id)
         ttc_ratio value;
         ttc_ratio_init(v->ring, &value);
         if (kind == TTC_SYMBOL) ttc_valuation_value(v, &value, ttc_symbol_of(graph, id));
-        else compound_value(v, &value, id, kind);
+        else ttc_ratio_set_rational(v->ring, &value, ttc_coefficient(graph, id));
+        if (kind == TTC_SUM) add_parts(v, &value, id, 0, ttc_part_count(graph, id));
+        else if (kind != TTC_SYMBOL) multiply_parts(v, &value, id);
         /* What has failed leaves nothing behind: others may be evaluated without it. */
         if (v->ring->status != TTC_RING_OK) {
             ttc_ratio_clear(v->ring, &value);

@@ -9,6 +9,9 @@
  * depend on them are left out: theirs is what the claim has to show. */
 void ttc_domain_add(ttc_task *task, ttc_conditions *conditions, ttc_domain_extent extent);
 
+/* Adds the signs of the cosine and the sine of an angle, where the intervals of states tell them. */
+void ttc_domain_add_angle(ttc_task *task, ttc_conditions *conditions, uint32_t cosine);
+
 /* The relation to zero that a parameter's sign condition states. Not to be asked of a parameter without one. */
 ttc_relation ttc_domain_relation(ttc_sign sign);
 
