@@ -80,8 +80,9 @@ static const struct argp parser = {
     "saddle. Homoclinic points: the coordinates, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
     "residual, lobe, lobe_error; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe "
     "the signed area up to the next crossing along the unstable branch, empty where one branch goes around an angle on the way and "
-    "the other does not. Errors are what other tolerances, seeds and, of lobes, other points on the branches change. Branches grow one point after another by --method, each on a thread; crossings are refined, and lobes integrated "
-    "along the branches, all at once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
+    "the other does not. Errors are what other tolerances, seeds and, of lobes, other points on the branches change. Branches grow "
+    "one point after another by --method, each on a thread; crossings are refined, and lobes integrated along the branches, all at "
+    "once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,
 };
@@ -98,8 +99,8 @@ static void write_crossings(FILE *file, const jlt_separatrices *p, const char *p
 
     fputs(prefix, file);
     fprintf(jlt_csv_names_begin(&names, file),
-            "%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe,lobe_error", p->chart->names[0],
-            p->chart->names[1]);
+            "%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe,lobe_error",
+            p->chart->names[0], p->chart->names[1]);
     jlt_csv_names_end(&names);
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)

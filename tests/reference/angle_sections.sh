@@ -120,4 +120,7 @@ awk -F, '/^21,/ { exit !(($2 - 18.849555921538759)^2 < 1e-18) }' out || fail "re
 # The other way round and round it is met never, and that ends.
 printf '%s\n' 'model mill' 'state b' 'state t' 'eq b = -1' 'eq t = 1' 'periodic b = 2*pi' > mill.tt
 expect 0 '^0,1,[0-9.]*,,budget' jellett section ./mill.tt --section b=1 --start t=0 --returns 1
+grep -q 'b seems to cross its section the other way alone: --direction down' err || fail "the other way: $(cat err)"
+expect 0 '^0,1,6.28' jellett section ./mill.tt --section b=1 --start t=0 --returns 1 --direction down
+[ ! -s err ] || fail "the right way: $(cat err)"
 exit $status

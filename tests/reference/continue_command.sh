@@ -173,6 +173,7 @@ awk -F, '/^0,/ && $16 > 1e-10 { print "residual " $16 " at " $2 } /^0,/ && $10*$
     END { if (large < 3) print "no multiplier is large" }' rows.csv > wrong
 [ ! -s wrong ] || fail "large multipliers: $(head -3 wrong)"
 jellett continue ./small.tt "${how[@]}" --set q=102.4 --along q=102.4:92160 -o small.csv 2> log
-cmp -s <(grep '^0,' rows.csv | cut -d, -f1,3-17) <(grep '^0,' small.csv | cut -d, -f1,3-17) || fail "in other units other orbits come"
+cmp -s <(grep '^0,' rows.csv | cut -d, -f1,3-17) <(grep '^0,' small.csv | cut -d, -f1,3-17) ||
+    fail "in other units other orbits come"
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"

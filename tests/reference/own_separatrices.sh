@@ -59,8 +59,8 @@ awk 'NR == 1 { t = sin($1/2)/cos($1/2)*1e-6; want = 2*atan2(t, 1); error = $2*1e
 # outermost points, and those of the other side, have one area. Errors tell so at any tolerance, and are the
 # tolerance times the multiplier, 535, and the turns of the branches, few.
 for how in '--tol 1e-13' '--tol 1e-7 --seed 1e-3 --spacing 0.2 --turn 1'; do
-    jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --length 6 $how --crossings points.csv > out 2> err < /dev/null ||
-        cat err
+    jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --length 6 $how --crossings points.csv > out 2> err \
+        < /dev/null || cat err
     awk -F, -v how="$how" '$5 == $6 && $3 < 2 && $10 != "" && $10^2 < 0.1 { sub(/-/, "", $10); print $10, $11, how }' points.csv
 done > lobes
 awk '{ area[NR] = $1; error[NR] = $2; for (i = 1; i < NR; i++) if (($1 - area[i])^2 > ($2 + error[i])^2) off = 1 }
