@@ -132,6 +132,14 @@ static char *describe(const jlt_verify_run *run)
     return NULL;
 }
 
+/* Whether a certificate from this number on has the point. */
+static bool is_known(const jlt_verify_run *run, size_t first, const char *point)
+{
+    for (size_t i = first; point != NULL && i < run->certificate_count; i++)
+        if (run->certificates[i].point != NULL && strcmp(run->certificates[i].point, point) == 0) return true;
+    return false;
+}
+
 static void certify(jlt_verify_run *run, const jlt_equilibria *family)
 {
     const ttc_claim *claim = jlt_verify_claim(run, family);
@@ -146,6 +154,10 @@ static void certify(jlt_verify_run *run, const jlt_equilibria *family)
         if (!ttc_ball_exact_sign(&sign, run->oracle->ball, run->oracle->trace) || sign == 0) continue;
         c.exact = true;
         c.point = describe(run);
+        if (is_known(run, first, c.point)) {
+            free(c.point);
+            continue;
+        }
         c.trace = ttc_ball_exact_text(run->oracle->ball, run->oracle->trace);
         c.enclosure = ttc_ball_text(run->oracle->ball, run->oracle->trace, DIGITS, &c.excludes_zero);
         run->certificates[run->certificate_count++] = c;

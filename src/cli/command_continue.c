@@ -1,7 +1,6 @@
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
 #include "cli/swept.h"
-#include "dynamics/scale.h"
 #include "dynamics/tree.h"
 #include "report/csv.h"
 
@@ -25,8 +24,8 @@ static const struct argp_option option_table[] = {
       "A point near the orbit, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
     { "period", 'n', "N", 0, "The orbit closes after N returns; default 1", 1 },
     { "step", STEP, "VALUE", 0,
-      "Arc length to the second point, in coordinates and value together; later steps are at most 5 times as long; default "
-      "0.01", 1 },
+      "Arc length to the second point, in coordinates and value together, this one over its largest or, if that is less, four "
+      "times its range; later steps are at most 5 times as long; default 0.01", 1 },
     { "count", 'c', "N", 0, "At most N points on a branch; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Go towards smaller values first", 1 },
     { "branches", FOLLOW, NULL, 0,
@@ -277,7 +276,7 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
 {
     const jlt_family maps = { jlt_system_map_at, &family->systems };
     const double range = axis->high - axis->low, largest = fmax(fabs(axis->low), fabs(axis->high));
-    const jlt_continuation_options run = { .scale = jlt_scale_of(fmax(range, fmin(1, largest))), .step = o->step,
+    const jlt_continuation_options run = { .scale = fmin(4 * range, largest), .step = o->step,
                                            .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
                                            .points_max = o->points, .interrupt = o->motion.flow.interrupt };
     const jlt_tree_sink sink = { take, tell_end, to };

@@ -78,13 +78,20 @@ static const struct argp parser = {
     "where they cross: homoclinic points with the angle of crossing and an error bar on it, and the areas of the lobes."
     "\vColumns: branch (unstable or stable), side, sigma, length, the two coordinates; sigma counts fundamental domains from the "
     "saddle. Homoclinic points: the coordinates, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
-    "residual, lobe; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe the signed "
-    "area up to the next crossing along the unstable branch, empty where one branch goes around an angle on the way and the other "
-    "does not. Branches grow one point after another by --method, each on a thread; crossings are refined, and lobes integrated "
-    "along the branches, all at once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
+    "residual, lobe, lobe_error; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe "
+    "the signed area up to the next crossing along the unstable branch, empty where one branch goes around an angle on the way and "
+    "the other does not. Errors are what other tolerances, seeds and, of lobes, other points on the branches change. Branches grow "
+    "one point after another by --method, each on a thread; crossings are refined, and lobes integrated along the branches, all at "
+    "once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,
 };
+
+static void write_known(FILE *file, int digits, double value)
+{
+    fputc(',', file);
+    if (!isnan(value)) fprintf(file, "%.*g", digits, value);
+}
 
 static void write_crossings(FILE *file, const jlt_separatrices *p, const char *prefix)
 {
@@ -92,8 +99,8 @@ static void write_crossings(FILE *file, const jlt_separatrices *p, const char *p
 
     fputs(prefix, file);
     fprintf(jlt_csv_names_begin(&names, file),
-            "%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe", p->chart->names[0],
-            p->chart->names[1]);
+            "%s,%s,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe,lobe_error",
+            p->chart->names[0], p->chart->names[1]);
     jlt_csv_names_end(&names);
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
@@ -103,8 +110,10 @@ static void write_crossings(FILE *file, const jlt_separatrices *p, const char *p
                 jlt_csv_values(file, h->q, 2);
                 fprintf(file, ",%.10g,%.10g,%d,%d,", h->sigma_unstable, h->sigma_stable, u == 0 ? 1 : -1, s == 0 ? 1 : -1);
                 jlt_csv_value(file, h->angle);
-                fprintf(file, ",%.3g,%.3g,", h->angle_error, h->residual);
-                if (!isnan(h->lobe)) fprintf(file, "%.10g", h->lobe);
+                write_known(file, 3, h->angle_error);
+                write_known(file, 3, h->residual);
+                write_known(file, 15, h->lobe);
+                write_known(file, 3, h->lobe_error);
                 fputc('\n', file);
             }
 }
@@ -114,7 +123,7 @@ static const char *branch_name(int k)
     return k < 2 ? "unstable" : "stable";
 }
 
-static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic *saddle)
+static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic *saddle, bool crossings)
 {
     static const char *const ends[] = { "length reached", "number of points reached", "runs into orbits that end",
                                         "interrupted" };
@@ -127,8 +136,10 @@ static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic 
         fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s%s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
                 p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end],
                 p->curve[k].end == JLT_MANIFOLD_POLE && p->chart->solved_count > 0 ? ", or leave the branch of --solve" : "");
-    fputs("# homoclinic points:\n", file);
-    write_crossings(file, p, "# ");
+    if (crossings) {
+        fputs("# homoclinic points:\n", file);
+        write_crossings(file, p, "# ");
+    }
     fprintf(jlt_csv_names_begin(&names, file), "branch,side,sigma,length,%s,%s", p->chart->names[0], p->chart->names[1]);
     jlt_csv_names_end(&names);
     for (int k = 0; k < JLT_SEPARATRICES; k++)
@@ -186,7 +197,7 @@ static jlt_exit save(jlt_stream *crossings, options *o, const jlt_system *system
     jlt_common *common = &o->motion.common;
 
     jlt_motion_header(common->table.file, &o->motion, system);
-    write_all(common->table.file, p, saddle);
+    write_all(common->table.file, p, saddle, !o->no_crossings);
     jlt_exit code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && o->points != NULL) {
         jlt_motion_header(crossings->file, &o->motion, system);

@@ -289,6 +289,22 @@ done:
     return st;
 }
 
+/* An angle that runs one way crosses its section that way alone: two points of the section tell, one of them of no symmetry. */
+static void tell_other_way(const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+
+    for (unsigned point = 0; point < 2; point++) {
+        for (unsigned k = 0; k < chart->dim; k++) q[k] = point * (0.3 + k) / 7;
+        if (chart->turn == 0 || chart->lift(chart, x, NULL, q) != JLT_OK) return;
+        system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
+        if (!(f[chart->column] * (int)system->flow.direction < 0)) return;
+    }
+    fprintf(stderr, "jellett: %s seems to cross its section the other way alone: --direction %s\n",
+            system->instance->descriptor->states[chart->column].name, system->flow.direction == JLT_RISING ? "down" : "up");
+}
+
 jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor)
 {
     jlt_motion_plane plane = { .params = NULL };
@@ -301,6 +317,7 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
             code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
                                     descriptor->states[no_angle].name, descriptor->model, plane.periods[no_angle]);
         else if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+        else tell_other_way(*system);
     }
     jlt_motion_plane_clear(&plane);
     return code;

@@ -21,6 +21,7 @@ enum { CORNERS = 8, FEWER = 6, REFINEMENTS = 16 };
 /* The point of a piece of the branch, from the joint to the next one, that is first. */
 typedef struct {
     double sigma, q[2], area; /* area: between the piece and its chord */
+    double error;             /* what polynomials through fewer corners, or tangents in place of the chord, make of the area */
     size_t index;             /* of a point that was asked for, else SIZE_MAX */
     bool ends;                /* a fundamental domain ends, and the piece is the step to the next, by O(seed) along the branch */
     bool is_open;             /* the piece is not integrated yet */
@@ -110,26 +111,29 @@ static void evaluate(double *value, double *slope, double divided[CORNERS][2], c
     }
 }
 
-/* Between the polynomial from 0 to 1 and the chord; *apart becomes the most, scaled, that the one through fewer corners is beside
- * it. */
-static double polynomial_area(double *apart, double divided[CORNERS][2], const double *at, const jlt_chart *chart)
+/* Between the polynomial from 0 to 1 and the chord, for a joint, with its error; returns the most, scaled, that the polynomial
+ * through fewer corners is beside it. */
+static double polynomial_area(joint *of, double divided[CORNERS][2], const double *at, const jlt_chart *chart)
 {
-    double start[2], value[2], slope[2], fewer[2], area = 0;
+    double start[2], value[2], slope[2], fewer[2], fewer_slope[2], fewer_area = 0, apart = 0;
 
-    *apart = 0;
+    of->area = 0;
     evaluate(start, slope, divided, at, CORNERS, 0);
     for (int j = 0; j < NODES; j++) {
-        evaluate(fewer, slope, divided, at, FEWER, node[j]);
+        evaluate(fewer, fewer_slope, divided, at, FEWER, node[j]);
         evaluate(value, slope, divided, at, CORNERS, node[j]);
         for (int c = 0; c < 2; c++) {
-            fewer[c] -= value[c];
             value[c] -= start[c];
+            fewer[c] -= start[c];
         }
-        area += weight[j] * cross(value, slope) / 2;
+        of->area += weight[j] * cross(value, slope) / 2;
+        fewer_area += weight[j] * cross(fewer, fewer_slope) / 2;
+        for (int c = 0; c < 2; c++) fewer[c] -= value[c];
         jlt_chart_scaled(chart, fewer, fewer);
-        *apart = fmax(*apart, hypot(fewer[0], fewer[1]));
+        apart = fmax(apart, hypot(fewer[0], fewer[1]));
     }
-    return area;
+    of->error = fabs(of->area - fewer_area);
+    return apart;
 }
 
 /* The area of the piece from joint k to the next by interpolation, where that is good enough: polynomials through more corners and
@@ -138,7 +142,8 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
 {
     const double from = list[k].sigma, width = list[k + 1].sigma - from;
     size_t corners[CORNERS];
-    double at[CORNERS], divided[CORNERS][2], chord[2], off[2], slope[2], gap;
+    double at[CORNERS], divided[CORNERS][2], chord[2], off[2], slope[2];
+    joint tried = list[k];
 
     if (corners_about(corners, list, joint_count, k) < CORNERS) return false;
     for (int i = 0; i < CORNERS; i++) {
@@ -148,7 +153,7 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
     }
     divide(divided, at);
     jlt_chart_difference(chart, chord, list[k + 1].q, list[k].q);
-    const double area = polynomial_area(&gap, divided, at, chart);
+    double gap = polynomial_area(&tried, divided, at, chart);
     for (int end = 0; end < 2; end++) {
         evaluate(off, slope, divided, at, CORNERS, end);
         for (int c = 0; c < 2; c++) off[c] -= end * chord[c];
@@ -157,7 +162,7 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
     }
     jlt_chart_scaled(chart, chord, chord);
     if (!(gap * hypot(chord[0], chord[1]) <= enough)) return false;
-    list[k].area = area;
+    list[k] = tried;
     return true;
 }
 
@@ -281,6 +286,7 @@ static bool integrate(joint *of, part *p, const double *q, const double *tangent
     jlt_chart_difference(chart, from, q + 2 * MIDDLE, p->q[0]);
     jlt_chart_difference(chart, step, p->q[1], q + 2 * MIDDLE);
     of->area += done ? area : cross(from, step) / 2;
+    if (done) of->error += fabs(cross(chord, led) / 2);
     return done;
 }
 
@@ -359,6 +365,7 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
         if (k + 1 == joint_count) break;
         jlt_chart_difference(chart, chord, list[k + 1].q, list[k].q);
         now.area += list[k].area + cross(now.at, chord) / 2;
+        now.error += list[k].error;
         for (int c = 0; c < 2; c++) now.at[c] += chord[c];
     }
 done:
@@ -378,5 +385,6 @@ jlt_branch_area jlt_branch_area_mirrored(const jlt_branch_area *area, const jlt_
 {
     const int *sign = chart->mirror;
 
-    return (jlt_branch_area){ .at = { sign[0] * area->at[0], sign[1] * area->at[1] }, .area = sign[0] * sign[1] * area->area };
+    return (jlt_branch_area){ .at = { sign[0] * area->at[0], sign[1] * area->at[1] }, .area = sign[0] * sign[1] * area->area,
+                              .error = area->error };
 }

@@ -8,6 +8,7 @@
 typedef struct {
     double at[2]; /* where the point is, along the branch: where coordinates are angles this may be turns away */
     double area;  /* integral of (x dy - y dx)/2 along the branch, in these coordinates */
+    double error; /* of the area by interpolation: what fewer corners change it by, summed over pieces */
 } jlt_branch_area;
 
 /** Integrate along a branch to some of its points: a lobe may be far thinner than the sides of the branch's polygon lie beside the

@@ -39,29 +39,31 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
                                           const double *u)
 {
     const unsigned d = self->d;
-    const double range = (self->options.high - self->options.low) / self->options.scale;
-    double up = 1e-5 * fmin(1, range > 0 ? range : 1), down = up, difference[JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
+    const double range = (self->options.high - self->options.low) / self->options.scale, value = u[d] * self->options.scale;
+    double difference[JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
     jlt_image image, above, below;
     jlt_status st = JLT_OK;
     unsigned i, j;
 
-    JLT_TRY(image_beside(self, &above, u, &up));
-    down = -down;
-    JLT_TRY(image_beside(self, &below, u, &down));
     JLT_TRY(image_at(self, &image, u, true));
+    jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
+    out->scale = 1;
+    for (i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
+    /* The difference errs by its square times the third derivative, which grows as scale^3, beside a derivative as scale. */
+    double up = 1e-5 * fmin(1, range > 0 ? range : 1) / cbrt(out->scale * out->scale);
+    if (fmin(value - self->options.low, self->options.high - value) < up * self->options.scale)
+        up /= 100; /* the model may end there: on one side alone it errs by itself times the second */
+    double down = -up;
+    JLT_TRY(image_beside(self, &above, u, &up));
+    JLT_TRY(image_beside(self, &below, u, &down));
     jlt_chart_unscaled(&self->chart, q, u);
     jlt_chart_difference(&self->chart, out->f, image.q, q);
     jlt_chart_scaled(&self->chart, out->f, out->f);
     jlt_chart_difference(&self->chart, difference, above.q, below.q);
     jlt_chart_scaled(&self->chart, difference, difference);
-    jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
-    out->scale = 1;
     out->noise = fmax(1e-10, self->tolerance);
     for (i = 0; i < d; i++) {
-        for (j = 0; j < d; j++) {
-            out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
-            out->scale = fmax(out->scale, fabs(out->slope[i * d + j]));
-        }
+        for (j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
         out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
     }
 done:

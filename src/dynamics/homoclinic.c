@@ -150,8 +150,9 @@ static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_br
     return JLT_OK;
 }
 
-/* The same crossings by other maps, from branches whose seeds are so many times as large. Errors become the largest change of each
- * angle so far, NaN where one cannot be found again. Newton's method ends at three times the residuals that the points have. */
+/* The same crossings by other maps, from branches whose seeds are so many times as large, into `again`. Errors become the largest
+ * change of each angle so far, NaN where one cannot be found again. Newton's method ends at three times the residuals that the
+ * points have. */
 static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps,
                                double seeds, refinement *room)
 {
@@ -177,6 +178,9 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
     for (size_t i = 0; st == JLT_OK && i < count; i++) {
         const double change = room[i].status == JLT_OK ? fabs(remainder(room[i].best.angle - points[i].angle, pi)) : NAN;
         if (isnan(change) || change > points[i].angle_error) points[i].angle_error = change;
+        memcpy(points[i].again.q, room[i].best.q, sizeof points[i].again.q);
+        points[i].again.sigma[0] = room[i].best.sigma_unstable;
+        points[i].again.sigma[1] = room[i].best.sigma_stable;
     }
 done:
     return st;
@@ -191,9 +195,9 @@ static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_b
     jlt_status st = room != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
     for (size_t i = 0; i < count; i++) points[i].angle_error = 0;
-    if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 2, room);
     if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 1, room);
     if (st == JLT_OK) st = angles_again(points, count, branches, fine, 2, room);
+    if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 2, room);
     for (size_t i = 0; i < count; i++) points[i].angle_error *= 2;
     free(room);
     return st;
@@ -255,6 +259,9 @@ static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *cha
     jlt_chart_mirror(chart, image.q, point->q);
     image.sigma_unstable = point->sigma_stable;
     image.sigma_stable = point->sigma_unstable;
+    jlt_chart_mirror(chart, image.again.q, point->again.q);
+    image.again.sigma[0] = point->again.sigma[1];
+    image.again.sigma[1] = point->again.sigma[0];
     return image;
 }
 
@@ -354,5 +361,6 @@ void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jl
         points[i].lobe = goes_round(here, next, chart)
                              ? NAN
                              : jlt_branch_area_between(&here[0], &next[0]) - jlt_branch_area_between(&here[1], &next[1]);
+        points[i].lobe_error = fabs(next[0].error - here[0].error) + fabs(next[1].error - here[1].error);
     }
 }

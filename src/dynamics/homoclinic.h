@@ -10,10 +10,14 @@ typedef struct {
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
     double angle_error; /* twice the largest change by a tolerance ten times larger, a seed twice as large, or both */
     double residual;    /* distance of the two branches' points after refinement */
+    struct {
+        double q[2], sigma[2];
+    } again; /* the point and its parameters at ten times the tolerance, from a seed twice as large */
     jlt_branch_area area[2]; /* of the unstable branch, of the stable one; 0 until the caller sets them */
     double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
                            unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, at the
                            last, where the branches go around an angle differently, and where one has no points on the way */
+    double lobe_error;  /* twice what the lobe differs by from that between the same points again; as `lobe` where there is none */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational

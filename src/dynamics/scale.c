@@ -18,8 +18,6 @@ static int exponent_of(double size)
     return !(size > 0) || !isfinite(size) || (size >= 1 / ordinary && size <= ordinary) ? 0 : ilogb(size);
 }
 
-double jlt_scale_of(double size) { return ldexp(1, exponent_of(size)); }
-
 /* Half of what the coordinates, and the section's state behind them, run through from q to its return: shape (dim + 1,). */
 static jlt_status moves(double *out, jlt_map *map, const double *q)
 {

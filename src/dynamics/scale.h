@@ -5,15 +5,11 @@
 
 #include "dynamics/system.h"
 
-/** The power of two that stands for a size: 1 for those from 1/64 to 64, which are as they stand, and for 0 and what is no
- *  number. */
-double jlt_scale_of(double size);
-
 /** Set the sizes of the coordinates of a system's section, and of the state that it fixes. A size is the median over starts, shape
  *  (count, dim), of half the interval that the coordinate runs through in one return, where that is more than ten tolerances; or
- *  its extent, shape (dim,), if that is larger. Of an angle it is that of a radian. They are rounded as by jlt_scale_of, in the
- *  flow's units. Starts that do not return say nothing. extents NULL: none is known, and sizes below 1 are not taken, for orbits
- *  that hardly move, near an equilibrium, may lie among others of the size 1.
+ *  its extent, shape (dim,), if that is larger. Of an angle it is that of a radian. A power of two stands for it: in the flow's
+ *  units 1 for sizes from 1/64 to 64, which are as they stand. Starts that do not return say nothing. extents NULL: none is known,
+ *  and sizes below 1 are not taken, for orbits that hardly move, near an equilibrium, may lie among others of the size 1.
  *  Errors: NOMEM; ARG, as jlt_map_create. Cost: two returns of each start. */
 JLT_CHECKED jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count, const double *extents);
 

@@ -8,10 +8,14 @@
 
 enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
 
+/* Points that orbits visit forwards and backwards, and mirror images of those forwards: of the points, as images of cells hold their
+ * edges on the other side. */
+enum { FORWARDS, BACKWARDS, IMAGES, SETS };
+
 typedef struct {
     const jlt_chart *chart;
     const jlt_separation_options *options;
-    unsigned char *first[2]; /* per cell: 1 + row from which it counts as visited, 0 never; forwards and backwards */
+    unsigned char *first[SETS]; /* per cell: 1 + row from which it counts as visited, 0 never */
     size_t alive[2];         /* orbits forwards and backwards */
     size_t strayed;          /* orbits that left the chart's branch of the states it solves for */
 } cells;
@@ -46,9 +50,9 @@ static unsigned row_of(size_t n)
     return row;
 }
 
-static void visit(cells *self, bool backwards, const double *q, size_t number)
+static void visit(cells *self, int set, const double *q, size_t number)
 {
-    unsigned char *first = self->first[backwards];
+    unsigned char *first = self->first[set];
     const size_t cell = cell_of(self, q);
     const unsigned when = 1 + row_of(number);
 
@@ -73,10 +77,11 @@ static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t inde
             return JLT_OK; /* its cells would be those of other states */
         }
         if (row.number <= o->settle) continue;
-        visit(self, backwards, row.q, row.number - o->settle);
-        if (!mirrored) continue;
+        visit(self, backwards ? BACKWARDS : FORWARDS, row.q, row.number - o->settle);
+        if (backwards) continue;
         jlt_chart_mirror(self->chart, image, row.q);
-        visit(self, true, image, row.number - o->settle);
+        visit(self, IMAGES, image, row.number - o->settle);
+        if (mirrored) visit(self, BACKWARDS, image, row.number - o->settle);
     }
     if (st == JLT_OK && row.fate == JLT_FATE_ALIVE) {
         self->alive[backwards]++;
@@ -163,27 +168,19 @@ static bool visited(const unsigned char *first, size_t cell, unsigned row)
 
 static void count_row(jlt_separation *out, const cells *self, unsigned row)
 {
-    const jlt_separation_options *o = self->options;
-    size_t i, j, forward_mirrored = 0, both = 0;
+    size_t images = 0, both = 0;
 
-    for (j = 0; j < o->cells[1]; j++)
-        for (i = 0; i < o->cells[0]; i++) {
-            const size_t cell = j * o->cells[0] + i;
-            double q[2] = { o->low[0] + ((double)i + 0.5) / (double)o->cells[0] * (o->high[0] - o->low[0]),
-                            o->low[1] + ((double)j + 0.5) / (double)o->cells[1] * (o->high[1] - o->low[1]) };
-            size_t mirrored;
-            const bool forward = visited(self->first[0], cell, row), backward = visited(self->first[1], cell, row);
-            out->forward += forward;
-            out->backward += backward;
-            out->common += forward && backward;
-            jlt_chart_mirror(self->chart, q, q);
-            mirrored = cell_of(self, q);
-            if (mirrored == SIZE_MAX || !visited(self->first[0], mirrored, row)) continue;
-            forward_mirrored++;
-            both += backward;
-        }
+    for (size_t cell = 0; cell < self->options->cells[0] * self->options->cells[1]; cell++) {
+        const bool forward = visited(self->first[FORWARDS], cell, row), backward = visited(self->first[BACKWARDS], cell, row);
+        const bool image = visited(self->first[IMAGES], cell, row);
+        out->forward += forward;
+        out->backward += backward;
+        out->common += forward && backward;
+        images += image;
+        both += image && backward;
+    }
     out->overlap = (double)out->common / (double)(out->forward + out->backward - out->common);
-    out->mirror_overlap = (double)both / (double)(forward_mirrored + out->backward - both);
+    out->mirror_overlap = (double)both / (double)(images + out->backward - both);
 }
 
 jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow, const double *starts,
@@ -198,10 +195,9 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
     if (flow->chart->dim != 2 || !flow->chart->reversible || all == 0 || options->returns == 0) return JLT_ERR_ARG;
     last = row_of(options->returns);
     if (last >= ROWS) return JLT_ERR_ARG;
-    self.first[0] = calloc(all, 1);
-    self.first[1] = calloc(all, 1);
-    st = JLT_ERR_NOMEM;
-    if (self.first[0] == NULL || self.first[1] == NULL) goto done;
+    for (int set = 0; set < SETS; set++)
+        if ((self.first[set] = calloc(all, 1)) == NULL) st = JLT_ERR_NOMEM;
+    if (st != JLT_OK) goto done;
     JLT_TRY(follow_all(&self, flow, starts, count));
     for (row = 0; row <= last; row++) {
         out[row] = (jlt_separation){
@@ -212,7 +208,6 @@ jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_f
     if (out[last].returns > options->returns) out[last].returns = options->returns;
     *rows = last + 1;
 done:
-    free(self.first[0]);
-    free(self.first[1]);
+    for (int set = 0; set < SETS; set++) free(self.first[set]);
     return st;
 }

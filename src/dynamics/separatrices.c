@@ -53,18 +53,10 @@ done:
     return st;
 }
 
-jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
-                                 const jlt_manifold_options *options, unsigned threads)
+static jlt_status grow_all(jlt_separatrices *self, unsigned threads)
 {
     int failure = JLT_OK;
-    jlt_status st = JLT_OK;
 
-    self->chart = jlt_map_flow(map)->chart;
-    for (int k = 0; k < JLT_SEPARATRICES; k++) {
-        JLT_TRY(jlt_branch_init(&self->branch[k], map, saddle, 0, k >= 2, k % 2 == 0 ? 1 : -1, seed));
-        self->original[k] = original_of(self, k);
-        if (self->original[k] < JLT_SEPARATRICES) reflect_branch(self, k);
-    }
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads((int)threads) schedule(dynamic, 1) reduction(max : failure)
 #else
@@ -72,13 +64,29 @@ jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt
 #endif
     for (int k = 0; k < JLT_SEPARATRICES; k++) {
         const int failed = self->original[k] < JLT_SEPARATRICES ? (int)JLT_OK
-                                                                : (int)grow(&self->curve[k], &self->branch[k], options);
+                                                                : (int)grow(&self->curve[k], &self->branch[k], &self->growth);
         if (failed > failure) failure = failed;
     }
-    st = (jlt_status)failure;
+    jlt_status st = (jlt_status)failure;
     for (int k = 0; k < JLT_SEPARATRICES && st == JLT_OK; k++)
         if (self->original[k] < JLT_SEPARATRICES)
             st = jlt_manifold_reflect(&self->curve[k], &self->curve[self->original[k]], self->chart);
+    return st;
+}
+
+jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
+                                 const jlt_manifold_options *options, unsigned threads)
+{
+    jlt_status st = JLT_OK;
+
+    self->chart = jlt_map_flow(map)->chart;
+    if (options != NULL) self->growth = *options;
+    for (int k = 0; k < JLT_SEPARATRICES; k++) {
+        JLT_TRY(jlt_branch_init(&self->branch[k], map, saddle, 0, k >= 2, k % 2 == 0 ? 1 : -1, seed));
+        self->original[k] = original_of(self, k);
+        if (self->original[k] < JLT_SEPARATRICES) reflect_branch(self, k);
+    }
+    st = grow_all(self, threads);
 done:
     return st;
 }
@@ -156,6 +164,41 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
     return st;
 }
 
+/* From other branches with polygons of their own: what points, seeds and interpolation err by shows together. */
+static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps, unsigned threads)
+{
+    jlt_separatrices other = { .chart = self->chart, .growth = self->growth };
+    jlt_map *map = NULL;
+    jlt_status st = jlt_map_create(&map, jlt_map_batch_flow(maps));
+
+    for (int k = 0; k < JLT_SEPARATRICES; k++) {
+        other.original[k] = self->original[k];
+        other.branch[k] = self->branch[k];
+        other.branch[k].map = map;
+        other.branch[k].seed *= 2;
+    }
+    if (st == JLT_OK) st = grow_all(&other, threads);
+    for (int i = 0; st == JLT_OK && i < 4; i++) {
+        const size_t count = other.count[i / 2][i % 2] = self->count[i / 2][i % 2];
+        jlt_homoclinic *points = other.crossings[i / 2][i % 2] = calloc(count + 1, sizeof *points);
+        if (points == NULL) st = JLT_ERR_NOMEM;
+        for (size_t n = 0; points != NULL && n < count; n++) {
+            const jlt_homoclinic *of = &self->crossings[i / 2][i % 2][n];
+            points[n] = (jlt_homoclinic){ .q = { of->again.q[0], of->again.q[1] }, .sigma_unstable = of->again.sigma[0],
+                                          .sigma_stable = of->again.sigma[1], .lobe = NAN };
+        }
+    }
+    if (st == JLT_OK) st = measure_lobes(&other, maps);
+    for (int i = 0; st == JLT_OK && i < 4; i++)
+        for (size_t n = 0; n < self->count[i / 2][i % 2]; n++) {
+            jlt_homoclinic *point = &self->crossings[i / 2][i % 2][n];
+            point->lobe_error += 2 * fabs(other.crossings[i / 2][i % 2][n].lobe - point->lobe);
+        }
+    jlt_separatrices_clear(&other);
+    jlt_map_destroy(map);
+    return st;
+}
+
 jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads)
 {
     const jlt_flow *flow = jlt_map_flow(self->branch[0].map);
@@ -170,6 +213,7 @@ jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch
         for (int s = 0; s < 2; s++)
             JLT_TRY(cross(self, u, s, maps));
     JLT_TRY(measure_lobes(self, maps[0]));
+    JLT_TRY(find_lobe_errors(self, maps[1], threads));
 done:
     for (int k = 0; k < 2; k++) jlt_map_batch_destroy(maps[k]);
     return st;

@@ -108,7 +108,7 @@ static void write_fields(FILE *stream, const double *values, size_t count, bool 
 
     for (size_t i = 0; i < count; i++) {
         if (more || i > 0) *at++ = ',';
-        if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i]);
+        if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i] + 0.0); /* zero has no sign */
         if (i % FIELDS < FIELDS - 1 && i + 1 < count) continue;
         fwrite(text, 1, (size_t)(at - text), stream);
         at = text;

@@ -120,4 +120,16 @@ awk -F, '/^21,/ { exit !(($2 - 18.849555921538759)^2 < 1e-18) }' out || fail "re
 # The other way round and round it is met never, and that ends.
 printf '%s\n' 'model mill' 'state b' 'state t' 'eq b = -1' 'eq t = 1' 'periodic b = 2*pi' > mill.tt
 expect 0 '^0,1,[0-9.]*,,budget' jellett section ./mill.tt --section b=1 --start t=0 --returns 1
+grep -q 'b seems to cross its section the other way alone: --direction down' err || fail "the other way: $(cat err)"
+expect 0 '^0,1,6.28' jellett section ./mill.tt --section b=1 --start t=0 --returns 1 --direction down
+[ ! -s err ] || fail "the right way: $(cat err)"
+
+# Mirror images of points on edges of cells are counted where they are: what stays in place visits its own mirror image, whether
+# orbits backwards are followed (--mirror) or known.
+printf '%s\n' 'model still' 'state a' 'state b' 'state phi' 'eq a = 0*b' 'eq b = 0*a' 'eq phi = 1' 'periodic phi = 2*pi' \
+    'reversor b -> -b, phi -> -phi' > still.tt
+for mirror in '' '--mirror b,phi'; do
+    expect 0 '^4,25,25,25,25,25,1,1$' jellett separation ./still.tt --section phi=0 $mirror --grid a=-0.5:0.5:5,b=-0.4:0.4:5 \
+        --cells a=-0.55:0.55:11,b=-0.5:0.5:10 --settle 0 --returns 4
+done
 exit $status

@@ -160,5 +160,20 @@ grep -q 'stability changes, from 0 multipliers outside the unit circle to 2' log
 jellett continue ./pair.tt --section ph=0 --along mu=-0.3:0.2 --start a=0,b=0 --set w=0.37 -o rows.csv 2> log
 grep -q 'stability changes' log && fail "a torus is told twice: $(cat log)"
 awk -F, '/torus/ { found = $2^2 < 1e-16 } END { exit !found }' rows.csv || fail "no torus at mu = 0: $(grep torus rows.csv)"
+
+# Multipliers of some -1e3 and 1e3: folds and doublings are passed, down to where the range ends. The same orbits come, to the last
+# digit, where the parameter counts in other units.
+printf '%s\n' 'model swing' 'param q' 'state x' 'state v' 'state phi' 'angle c s = cos(phi) sin(phi)' 'eq x = v' \
+    'eq v = x - q*c*x + s - x^3/1000' 'eq phi = 1' 'periodic phi = 2*pi' > swing.tt
+sed -e 's/model swing/model small/' -e 's/q\*c/q*c\/1024/' swing.tt > small.tt
+how=(--section phi=0 --start x=0,v=-0.5 --step 0.1 --count 600)
+jellett continue ./swing.tt "${how[@]}" --set q=0.1 --along q=0.1:90 -o rows.csv 2> log
+tail -1 log | grep -q 'the range ends' || fail "large multipliers: $(cat log)"
+awk -F, '/^0,/ && $16 > 1e-10 { print "residual " $16 " at " $2 } /^0,/ && $10*$10 > 1e5 { large++ }
+    END { if (large < 3) print "no multiplier is large" }' rows.csv > wrong
+[ ! -s wrong ] || fail "large multipliers: $(head -3 wrong)"
+jellett continue ./small.tt "${how[@]}" --set q=102.4 --along q=102.4:92160 -o small.csv 2> log
+cmp -s <(grep '^0,' rows.csv | cut -d, -f1,3-17) <(grep '^0,' small.csv | cut -d, -f1,3-17) ||
+    fail "in other units other orbits come"
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"

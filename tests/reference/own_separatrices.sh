@@ -55,6 +55,21 @@ awk 'NR == 1 { t = sin($1/2)/cos($1/2)*1e-6; want = 2*atan2(t, 1); error = $2*1e
     NR == 2 { off = $1 - want; error += $2; known = $2 > 0 && off*off <= error*error }
     END { exit !(NR == 2 && known) }' angles || { echo "small angles: $(cat angles)"; status=1; }
 
+# The map keeps areas, and half a period later the forced well is its own image under x -> -x: neighbouring lobes beside the
+# outermost points, and those of the other side, have one area. Errors tell so at any tolerance, and are the
+# tolerance times the multiplier, 535, and the turns of the branches, few.
+for how in '--tol 1e-13' '--tol 1e-7 --seed 1e-3 --spacing 0.2 --turn 1'; do
+    jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --length 6 $how --crossings points.csv > out 2> err \
+        < /dev/null || cat err
+    awk -F, -v how="$how" '$5 == $6 && $3 < 2 && $10 != "" && $10^2 < 0.1 { sub(/-/, "", $10); print $10, $11, how }' points.csv
+done > lobes
+awk '{ area[NR] = $1; error[NR] = $2; for (i = 1; i < NR; i++) if (($1 - area[i])^2 > ($2 + error[i])^2) off = 1 }
+    !($2 > 0 && $2 < 1e4*$4) { off = 1 } END { exit off || NR != 8 }' lobes || { echo "areas of lobes: $(cat lobes)"; status=1; }
+
+# Where crossings are not looked for, no list of them begins.
+jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --no-crossings > out 2> err < /dev/null || cat err
+! grep -q homoclinic out || { echo "a list of what was not looked for: $(grep -A 2 homoclinic out)"; status=1; }
+
 jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --seed 1e-9 > out 2> err < /dev/null
 [ $? -eq 3 ] && grep -q -- '--seed:' err || { echo "a seed out of range: $(cat err)"; status=1; }
 exit $status

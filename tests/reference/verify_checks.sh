@@ -82,3 +82,6 @@ for table in elsewhere beyond; do
     jellett verify --samples=$samples "$scratch/$table.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }
     grep -q 'density of x alone' "$scratch/said"
 done
+
+# A family of one point is certified at it once.
+grep -c 'rest at x = 7$' "$scratch/said" | grep -qx 1 || { echo "one point, again and again:"; grep 'rest at' "$scratch/said"; exit 1; }

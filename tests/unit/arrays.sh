@@ -105,6 +105,10 @@ ln -s /dev/null null.npy
 jellett section --start eta=0.1,gamma3=-0.6 --returns 1 -o null.npy 2> err && fail "an array went to a device"
 grep -q "arrays go to files alone" err || fail "an array for a device: $(cat err)"
 
+# Zero has no sign.
+jellett portrait --set I1=2/5,I3=1/4 --level E=0.725,G=0,F0=0.4 --orbits 1 --trajectories orbits.csv -o fixed.csv
+grep -nE '(^|,)-0(,|$)' fixed.csv orbits.csv && fail "a zero with a sign"
+
 # A full disk, and an interrupt.
 (ulimit -f 16; trap '' XFSZ; jellett section --grid 20x20 --returns 100 -o limited.npy 2> err) && fail "a full disk was not told of"
 grep -q "File too large; the whole rows before are saved there" err || fail "a full disk: $(cat err)"
