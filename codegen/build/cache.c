@@ -56,7 +56,9 @@ bool ttc_cache_open(ttc_cache *cache, ttc_text *message)
                     cache->folder);
     return false;
 failed:
-    ttc_text_format(message, "cannot make the cache %s/jellett: %s", base, strerror(errno));
+    ttc_text_format(message,
+                    "cannot make the cache %s/jellett: %s (expected a folder that you may write to: XDG_CACHE_HOME names another)",
+                    base, strerror(errno));
     free(base);
     return false;
 }

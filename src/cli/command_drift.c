@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PROJECT = 2000, METHODS_MAX = 16 };
 
@@ -266,6 +267,10 @@ static jlt_exit watch_proved(report *r)
         r->drift.watched[r->drift.count++] = i;
     }
     if (r->drift.count > 0) return JLT_EXIT_DONE;
+    for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++)
+        if (strcmp(claim->kind, "integral") == 0 && claim->verdict == JLT_PROVED && claim->condition[0] != '\0')
+            fprintf(stderr, "jellett: %s is an integral where %s, and is followed there in a 'variant' that sets this\n",
+                    claim->name, claim->condition);
     return jlt_command_fail(JLT_EXIT_INPUT, "%s proves no %sintegral at these parameters: write 'integral NAME = ...' in its table",
                             d->model, left_out ? "other " : "");
 }

@@ -3,10 +3,11 @@
 #include "cli/shelf.h"
 #include "cli/swept.h"
 #include "dynamics/lyapunov.h"
+#include "dynamics/scale.h"
 #include "report/csv.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <string.h>
 
 typedef jlt_lyapunov_chart_options options;
@@ -237,9 +238,11 @@ static void drop(void *run)
     free(self);
 }
 
-/* Maps of a chart, of a history at a point of a sweep by the batch, which others go beside, or of one by itself. */
+/* Maps of a chart, of a history at a point of a sweep by the batch, which others go beside, or of one by itself; and what tangent
+ * vectors are long against, the sizes of coordinates at the start and on the way from there. */
 static jlt_exit open_maps(exponents *self, bool has_method)
 {
+    double extents[JLT_CHART_DIM_MAX];
     options *o = &self->o;
     const bool is_chart = o->motion.grid != NULL;
     jlt_status st;
@@ -249,12 +252,16 @@ static jlt_exit open_maps(exponents *self, bool has_method)
     if (st == JLT_OK && (is_chart || (o->motion.common.at_point && !has_method)))
         st = jlt_lyapunov_chart_maps(&self->maps, o, self->system, has_method);
     if (st != JLT_OK) return jlt_motion_fail(st, self->system, "the map");
-    if (is_chart) return JLT_EXIT_DONE;
+    if (is_chart) return jlt_motion_scale(self->system, NULL, self->axes);
     if (self->maps != NULL && !jlt_map_batch_in_lanes(self->maps)) {
         jlt_map_batch_destroy(self->maps);
         self->maps = NULL;
     }
-    return jlt_motion_start(self->q, self->system, o->motion.starts[0]);
+    const jlt_exit code = jlt_motion_start(self->q, self->system, o->motion.starts[0]);
+    if (code != JLT_EXIT_DONE) return code;
+    for (unsigned k = 0; k < self->system->flow.chart->dim; k++) extents[k] = fabs(self->q[k]);
+    st = jlt_scale_find(self->system, self->q, 1, extents);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, self->system, "the map");
 }
 
 static void *begin(jlt_exit *code, int argc, char **argv)

@@ -132,6 +132,19 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
 }
 
 /* Newton from one point, or the zeros on one line through it. */
+/* Where Newton's method finds none from the start: what attracts it. */
+static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options *o, const double *q)
+{
+    jlt_periodic orbit;
+    jlt_image settled;
+
+    if (o->settle == 0 || o->hold != NULL || jlt_map_point(map, &settled, q, o->settle, 1) != JLT_OK ||
+        jlt_periodic_find(map, &orbit, settled.q, o->period_max, NULL) != JLT_OK || orbit.type != JLT_ORBIT_ATTRACTING)
+        return JLT_ERR_NO_CONVERGENCE;
+    *out = orbit;
+    return JLT_OK;
+}
+
 static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -148,6 +161,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt
     if (code != JLT_EXIT_DONE) return code;
     if (o->line == NULL) {
         st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
+        if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line.base);
         if (st == JLT_OK) st = jlt_orbits_add(list, chart, &orbit);
         return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }

@@ -1,3 +1,4 @@
+#include "claims/sample.h"
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/table.h"
@@ -60,6 +61,10 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code = jlt_table_open(&v->descriptor, &has_said, r.model, false);
     if (code != JLT_EXIT_DONE) return code;
     v->file = jlt_table_is_file(r.model) ? r.model : NULL;
+    if (v->descriptor->equilibria_count > 0 && v->descriptor->state_count > JLT_SAMPLE_STATES_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; verify serves up to %d where there are equilibria "
+                                "('ttc prove --kernels' proves claims and kernels of any table)",
+                                v->descriptor->model, v->descriptor->state_count, JLT_SAMPLE_STATES_MAX);
     if (!has_said) jlt_command_warn_unproved(v->descriptor);
     jlt_status st = jlt_verify_prove(v);
     if (st == JLT_OK) st = jlt_verify_measure(v, interrupt = jlt_interrupt_install());

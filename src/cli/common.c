@@ -235,7 +235,8 @@ void jlt_common_check_files(const jlt_common *self, const char *option, const ch
     for (size_t i = 0; i < 4; i++)
         if (optional[i].path != NULL) files[count++] = optional[i];
     code = jlt_command_distinct(files, count);
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = jlt_command_check_output(files[i].path);
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++)
+        if (files[i].path != table) code = jlt_command_check_output(files[i].path);
     if (code != JLT_EXIT_DONE) exit((int)code);
 }
 

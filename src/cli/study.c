@@ -167,7 +167,6 @@ static jlt_exit make_manifest(jlt_study *self)
 {
     const jlt_scene_job *job = self->job;
     const jlt_descriptor *model = self->scene->model;
-    const jlt_kernel_batch *batch = jlt_batch_isa_best(model, 0);
     json_t *options = json_object(), *whole;
 
     for (size_t k = 0; k < job->count; k++)
@@ -178,7 +177,7 @@ static jlt_exit make_manifest(jlt_study *self)
                       job->model != NULL ? job->model : model->model, "options", options, "over", self->scene->over, "points",
                       (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces", (json_int_t)self->pieces,
                       "version", JLT_VERSION, "kernels", kernels_of(model), "arithmetic",
-                      batch != NULL && batch->lanes > 2 ? "fused" : "plain");
+                      jlt_batch_isa_lanes() > 2 ? "fused" : "plain");
     self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
     json_decref(whole);
     return self->manifest != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();

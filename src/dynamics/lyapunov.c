@@ -101,16 +101,18 @@ typedef struct {
     jlt_lyapunov_state *out;
     double *frames, *growth, *expansion;
     size_t *skipped, skip;
-    const jlt_flow *flow;
+    const jlt_flow *flows;
+    const size_t *flow_of;
 } company;
 
 static void take_return(void *context, size_t i, const jlt_map_batch_return *made)
 {
     const company *all = context;
-    const unsigned d = all->flow->chart->dim;
+    const jlt_flow *flow = all->flows + all->flow_of[i];
+    const unsigned d = flow->chart->dim;
 
     if (all->skipped[i]++ >= all->skip)
-        count_return(&all->out[i], all->frames + i * d * d, all->growth + i * d, &all->expansion[i], made, all->flow);
+        count_return(&all->out[i], all->frames + i * d * d, all->growth + i * d, &all->expansion[i], made, flow);
 }
 
 jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
@@ -123,7 +125,8 @@ jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, j
                     .frames = calloc(frames + count * (d + 1), sizeof *all.frames),
                     .skipped = calloc(count, sizeof *all.skipped),
                     .skip = skip,
-                    .flow = jlt_map_batch_flow(maps) };
+                    .flows = jlt_map_batch_flow(maps),
+                    .flow_of = flow_of };
     jlt_status st = JLT_ERR_NOMEM;
 
     if (all.frames == NULL || all.skipped == NULL) goto done;

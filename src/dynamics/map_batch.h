@@ -69,7 +69,7 @@ JLT_CHECKED jlt_status jlt_map_batch_apply_flows(jlt_map_batch *self, const jlt_
                                                  const size_t *flow_of, size_t count, size_t returns, int time_direction,
                                                  jlt_map_batch_observer observer, void *context);
 
-/** The flow as given. */
+/** The flows as given, the first and those added, by index. */
 const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self);
 
 #endif

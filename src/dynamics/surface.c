@@ -207,7 +207,7 @@ static jlt_units units_of(const jlt_chart_section *chart)
 
     for (unsigned k = 0; k < chart->base.dim; k++)
         if (jlt_units_exponent(&(jlt_units){ 1, 1 << 8, 1 << 16 }, chart->section->coordinates[k].unit) != 0) return units;
-    jlt_units_of_params(&units, chart->values, chart->table->params, chart->table->param_count);
+    jlt_units_of_sizes(&units, chart->values, chart->table->params, chart->table->param_count, NULL, NULL, 0);
     jlt_units_of_rate(&units, fastest(chart, &units));
     return units;
 }

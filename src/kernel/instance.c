@@ -68,8 +68,7 @@ jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const
 
     if (still == NULL) goto done;
     JLT_TRY(jlt_instance_create(&instance, model, params));
-    jlt_units_of_params(&units, params, model->params, model->param_count);
-    jlt_units_of_states(&units, x, model->states, n);
+    jlt_units_of_sizes(&units, params, model->params, model->param_count, x, model->states, n);
     for (unsigned i = 0; i < n; i++)
         if (jlt_units_exponent(&(jlt_units){ .time = 1 }, model->states[i].unit) == 0) still[i] = x[i];
     double *const f = still + n;

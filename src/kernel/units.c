@@ -67,34 +67,36 @@ void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, un
     for (unsigned i = 0; i < count; i++) out[i] = ldexp(in[i], jlt_units_exponent(units, of[i].unit));
 }
 
-static int exponent_of_first(const double *params, const jlt_quantity *of, unsigned count, const char *unit)
+/* The first parameter that is declared positive, and the largest state, of this unit; 0 where there is none. */
+static double first_positive(const double *params, const jlt_quantity *of, unsigned count, const char *unit)
 {
     for (unsigned i = 0; i < count; i++)
-        if (of[i].sign == JLT_POSITIVE && strcmp(of[i].unit, unit) == 0 && params[i] > 0 && isfinite(params[i]))
-            return ilogb(params[i]);
+        if (of[i].sign == JLT_POSITIVE && strcmp(of[i].unit, unit) == 0 && params[i] > 0 && isfinite(params[i])) return params[i];
     return 0;
 }
 
-void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count)
+static double largest(const double *x, const jlt_quantity *of, unsigned count, const char *unit)
 {
-    units->mass = exponent_of_first(params, of, count, "kg");
-    units->length = exponent_of_first(params, of, count, "m");
-}
-
-static int within(int unit, const double *x, const jlt_quantity *of, unsigned count, const char *name)
-{
-    static const int spare = 6;
-    double largest = 0;
+    double size = 0;
 
     for (unsigned k = 0; k < count; k++)
-        if (strcmp(of[k].unit, name) == 0 && isfinite(x[k])) largest = fmax(largest, fabs(x[k]));
-    return largest > 0 && ilogb(largest) < unit - spare ? ilogb(largest) : unit;
+        if (strcmp(of[k].unit, unit) == 0 && isfinite(x[k])) size = fmax(size, fabs(x[k]));
+    return size;
 }
 
-void jlt_units_of_states(jlt_units *units, const double *x, const jlt_quantity *of, unsigned count)
+static int exponent_of_size(double param, double state)
 {
-    units->mass = within(units->mass, x, of, count, "kg");
-    units->length = within(units->length, x, of, count, "m");
+    static const int spare = 6;
+
+    if (param > 0 && !(state > 0 && ilogb(state) < ilogb(param) - spare)) return ilogb(param);
+    return state > 0 ? ilogb(state) : 0;
+}
+
+void jlt_units_of_sizes(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count, const double *x,
+                        const jlt_quantity *states, unsigned n)
+{
+    units->mass = exponent_of_size(first_positive(params, of, count, "kg"), largest(x, states, n, "kg"));
+    units->length = exponent_of_size(first_positive(params, of, count, "m"), largest(x, states, n, "m"));
 }
 
 double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives)

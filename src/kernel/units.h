@@ -23,12 +23,11 @@ void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsi
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 
 /** Set the units of mass and length: those in which the first parameter in kg that the table declares positive, and the first such
- *  in m, are in [1, 2); where there is none the unit is kg, or m. params, shape (count,), are in the table's units. */
-void jlt_units_of_params(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count);
-
-/** Make the units of mass and length no larger than 64 times the largest state that is one: a parameter in m may have nothing to do
- *  with how far the motion goes. x, shape (count,), in the table's units; where all such states are 0 the unit stays. */
-void jlt_units_of_states(jlt_units *units, const double *x, const jlt_quantity *of, unsigned count);
+ *  in m, are in [1, 2), where these are no more than 64 times the largest state in kg, or in m: such a parameter may have nothing
+ *  to do with how far the motion goes. Otherwise that state is, and where all such states are 0 the unit is kg, or m.
+ *  params, of: shape (count,); x, states: shape (n,), n may be 0; in the table's units. */
+void jlt_units_of_sizes(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count, const double *x,
+                        const jlt_quantity *states, unsigned n);
 
 /** The largest rate [1/s] that the sizes of states suggest: a state whose unit has the factor s^p, p < 0, gives |x|^(-1/p), in
  *  these units of mass and length: a velocity its size, an acceleration the root of it. x, shape (count,), in the table's units;

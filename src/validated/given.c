@@ -23,7 +23,9 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
             && strcmp(d->sha256, digest) == 0)
             return d;
     }
-    jlt_refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
+    if (own == NULL) jlt_refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
+    else
+        jlt_refuse(problem, "it speaks of %s with SHA-256 %s, and --model names %s with %s", name, digest, own->model, own->sha256);
     return NULL;
 }
 

@@ -59,6 +59,8 @@ P
     jellett check other.json --model ./forced.tt > out 2> err && fail "a certificate with $turns turns is believed"
     grep -q 'changed after it was made' err && fail "the digest of the test is wrong"
 done
+{ cat forced.tt; echo '# edited'; } > edited.tt
+expect 3 ", and --model names forced with " jellett check one.json --model ./edited.tt
 for kind in symmetric elliptic; do
     expect 3 "up to periods" jellett certify $kind ./forced.tt --section phi=0 --start x=0.8,v=0.4
 done

@@ -25,7 +25,22 @@ default m = 1, k = 1, L = 1, c = 0
 variant free : c = 0
 integral E = m*(v^2 + w^2)/2 + k*x^2/2 + k*y^2 + k*x^2*y^2/(2*L^2) + k*y^4/(4*L^2) when c = 0
 T
-ttc prove pair.tt > proofs || { cat proofs; exit 1; }
+# Its parameters say nothing of lengths, its states do.
+cat > planet.tt <<'T'
+model planet
+title "A planet of the sun"
+param GM > 0 [m^3/s^2]
+state x [m]
+state y [m]
+state u [m/s]
+state v [m/s]
+root r = sqrt(x^2 + y^2)
+eq x = u
+eq y = v
+eq u = - GM*x/r^3
+eq v = - GM*y/r^3
+T
+ttc prove pair.tt planet.tt > proofs || { cat proofs; exit 1; }
 
 # The words with every @NUMBER{KG,M,S} counted in units of 2^kg, 2^m and 2^s: a quantity of dimension kg^KG m^M s^S.
 in_units() { # KG M S WORD...
@@ -50,8 +65,8 @@ compare() { # KG M S WHAT...
     awk -F, -v kg="$1" -v m="$2" -v s="$3" -v what="${*:4}" '
         BEGIN {
             unit["t"] = unit["t_end"] = unit["T"] = 2^s
-            unit["x_end"] = unit["y"] = unit["y_end"] = 2^m
-            unit["v"] = unit["w"] = unit["v_end"] = unit["w_end"] = 2^(m - s)
+            unit["x"] = unit["x_end"] = unit["y"] = unit["y_end"] = 2^m
+            unit["u"] = unit["v"] = unit["w"] = unit["u_end"] = unit["v_end"] = unit["w_end"] = 2^(m - s)
             unit["lambda1"] = unit["lambda2"] = unit["lambda3"] = unit["exponent"] = 2^-s
         }
         /^#/ { next }
@@ -69,8 +84,16 @@ compare() { # KG M S WHAT...
     ' one.csv two.csv
 }
 
+pair() { # COMMAND...
+    each "$1" ./pair.tt --section x=0 --set "m=@1{1,0,0},k=@1{1,0,-2},L=@1{0,1,0},c=${damping:-0}" "${@:2}"
+}
+
+planet() { # COMMAND...
+    each "$1" ./planet.tt --section y=0 --set 'GM=@1{0,3,-2}' "${@:2}"
+}
+
 each() { # COMMAND...
-    local command=("$1" ./pair.tt --section x=0 --set "m=@1{1,0,0},k=@1{1,0,-2},L=@1{0,1,0},c=${damping:-0}" "${@:2}") units
+    local command=("$@") units
     for units in "3 -2 5" "-89 -33 -50"; do
         mapfile -t first < <(in_units 0 0 0 "${command[@]}")
         mapfile -t second < <(in_units $units "${command[@]}")
@@ -84,18 +107,21 @@ level=(--level 'E=@0.5{1,2,-2}' --solve 'v=@0.9{0,1,-1}')
 start='y=@0.3{0,1,0},w=@0.2{0,1,-1}'
 grid='y=@-0.4{0,1,0}:@0.4{0,1,0}:4,w=@-0.4{0,1,-1}:@0.4{0,1,-1}:4'
 {
-    each section --start "$start,v=@0.9{0,1,-1}" --returns 5
-    each section --start "$start,v=@0.9{0,1,-1}" --start 'y=@-0.5{0,1,0},w=@0.1{0,1,-1},v=@0.8{0,1,-1}' --returns 5
-    damping='@0.125{0,0,-1}' each section --start "$start,v=@0.9{0,1,-1}" --returns 5
-    each section "${level[@]}" --start "$start" --returns 5 --check
-    each section "${level[@]}" --grid "$grid" --returns 5 --project
-    each fates --grid "$grid,v=@0.5{0,1,-1}:@1{0,1,-1}:3" --returns 5
-    each orbits "${level[@]}" --grid "$grid" --period 1
-    each lyapunov "${level[@]}" --start "$start" --returns 20
-    each lyapunov "${level[@]}" --grid "$grid" --returns 5
-    each drift --start "$start,v=@0.9{0,1,-1}" --returns 20
-    each manifolds --level 'E=@8{1,2,-2}' --solve 'v=@4{0,1,-1}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' \
+    pair section --start "$start,v=@0.9{0,1,-1}" --returns 5
+    pair section --start "$start,v=@0.9{0,1,-1}" --start 'y=@-0.5{0,1,0},w=@0.1{0,1,-1},v=@0.8{0,1,-1}' --returns 5
+    damping='@0.125{0,0,-1}' pair section --start "$start,v=@0.9{0,1,-1}" --returns 5
+    pair section "${level[@]}" --start "$start" --returns 5 --check
+    pair section "${level[@]}" --grid "$grid" --returns 5 --project
+    pair fates --grid "$grid,v=@0.5{0,1,-1}:@1{0,1,-1}:3" --returns 5
+    pair orbits "${level[@]}" --grid "$grid" --period 1
+    pair lyapunov "${level[@]}" --start "$start" --returns 20
+    pair lyapunov "${level[@]}" --grid "$grid" --returns 5
+    pair drift --start "$start,v=@0.9{0,1,-1}" --returns 20
+    pair manifolds --level 'E=@8{1,2,-2}' --solve 'v=@4{0,1,-1}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' \
         --length 0.8
+    planet section --start 'x=@1{0,1,0},u=@0{0,1,-1},v=@1.125{0,1,-1}' --returns 5 --check
+    planet lyapunov --start 'x=@1{0,1,0},u=@0{0,1,-1},v=@1.125{0,1,-1}' --returns 20
+    planet fates --grid 'x=@1{0,1,0}:@2{0,1,0}:4,u=@0{0,1,-1}:@0.5{0,1,-1}:2,v=@0.875{0,1,-1}' --returns 5
 } > wrong
 cat wrong
 [ ! -s wrong ]

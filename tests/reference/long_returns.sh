@@ -63,4 +63,15 @@ printf '%s\n' 'model steep' 'state x' 'state y' 'state phi' 'eq x = x/10' 'eq y 
     > steep.tt
 jellett lyapunov ./steep.tt --section phi=0 --start x=0,y=0 --returns 9 > out 2> err || fail "steep: $(cat err)"
 grep -q '9 of 9 returns contract' err || fail "nothing is told of what is below all numbers: $(tail -1 out; cat err)"
+
+# Coordinates of the size 1e-9 beside those of the size 1 are no contraction. Two coupled oscillators keep a quadratic form, whose
+# square root is a length within 64 of the one that sizes of coordinates give: exponents are 0, within log(64^2) over the time.
+printf '%s\n' 'model small' 'state x' 'state y' 'state u' 'state v' 'eq x = u' 'eq y = v' 'eq u = -x - 5e-10*y' \
+    'eq v = -y - 5e8*x' > small.tt
+jellett lyapunov ./small.tt --section x=0 --start y=0.1,u=1e-9,v=0 --returns 100 > out 2> err || fail "small: $(cat err)"
+tail -1 out | awk -F, '{ for (i = 3; i <= 6; i++) bad += $i == "" || $i*$2 > log(4096) || $i*$2 < -log(4096); exit bad > 0 }' ||
+    fail "exponents of small states: $(tail -1 out)"
+jellett lyapunov ./small.tt --section x=0 --grid y=0.1:0.2:2,u=1e-9,v=0 --returns 9 > out 2> err || fail "small: $(cat err)"
+awk -F, '/^[0-9]/ { n++; bad += $4 == "" || $4*$5 > log(4096) || $4*$5 < 0 } END { exit !(n == 2 && !bad) }' out ||
+    fail "chart of small states: $(tail -2 out)"
 exit $status

@@ -202,4 +202,22 @@ done
 expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
 expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 \
     --times 1
+
+# A table is read, and nothing is written where it lies.
+expect 5 '^absent/my.tt: error: cannot open the file' jellett simulate absent/my.tt --start x=1 --times 1
+
+# What is claimed under a condition is told with it, where nothing else is to be followed.
+printf '%s\n' 'model swing' 'param c >= 0' 'default c = 0' 'state x' 'state v' 'eq x = v' 'eq v = -x - c*v' \
+    'integral E = x^2 + v^2 when c = 0' > swing.tt
+expect 3 "E is an integral where c = 0, and is followed there in a 'variant' that sets this" \
+    jellett drift ./swing.tt --section v=0 --start x=1
+
+# More states than eigenvalues of equilibria are looked for in.
+{
+    echo 'model chain'
+    for i in {1..17}; do echo "state x$i"; done
+    for i in {1..17}; do echo "eq x$i = -x$i"; done
+    echo "equilibria rest : x1 = 0$(printf ', x%d = 0' {2..17})"
+} > chain.tt
+expect 3 "chain has 17 states; verify serves up to 16" jellett verify ./chain.tt
 exit $status

@@ -126,6 +126,9 @@ compute = ( { what = "fates"; section = { z = 27; }; grid = { x = (-20, 20, 3); 
 END
 export XDG_CACHE_HOME=$scratch/cache
 expect 0 "" jellett sweep own.scene
+if grep -qw fma /proc/cpuinfo; then # else vectors are alike
+    expect 3 'arithmetic: there "fused", here "plain"' env JELLETT_LANES=2 jellett sweep own.scene --resume
+fi
 echo "# edited" >> own.tt
 expect 3 "kernels.lorenz: there" jellett sweep own.scene --resume
 # All pieces are of the table that the study was opened with, although it is edited while they are computed; --resume sees it.
