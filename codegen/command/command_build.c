@@ -56,13 +56,20 @@ static int fail(int code, const char *format, const char *what)
     return code;
 }
 
+static int cannot(const ttc_cache *cache, const char *what)
+{
+    fprintf(stderr, "ttc: cannot %s the cache %s: %s (expected a folder of your own with room: XDG_CACHE_HOME names another)\n",
+            what, cache->folder, strerror(errno));
+    return TTC_EXIT_IO;
+}
+
 /* The object is made in a folder of its own. */
 static int make(ttc_cache *cache, const char *key, const char *compiler, const ttc_options *options)
 {
     ttc_options generate = *options;
     ttc_text object = { 0 };
     char *workshop = ttc_cache_workshop(cache, key);
-    if (workshop == NULL) return fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
+    if (workshop == NULL) return cannot(cache, "write to");
     ttc_text_format(&object, "%s/kernels.so", workshop);
     generate.out = workshop;
     generate.unproved = true;
@@ -72,7 +79,7 @@ static int make(ttc_cache *cache, const char *key, const char *compiler, const t
         status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
     if (status != TTC_EXIT_DONE) ttc_cache_clear_workshop(workshop);
     else if (!ttc_cache_publish(cache, key, object.bytes, workshop))
-        status = fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
+        status = cannot(cache, "write to");
     ttc_text_clear(&object);
     ttc_cache_prune(cache, DAYS_UNUSED);
     return status;
@@ -86,7 +93,7 @@ static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *co
     *path = ttc_cache_path(cache, key);
     if (*path == NULL) return TTC_EXIT_MEMORY;
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE;
-    if (!ttc_cache_lock(cache, key)) return fail(TTC_EXIT_IO, "cannot lock the cache: %s", strerror(errno));
+    if (!ttc_cache_lock(cache, key)) return cannot(cache, "lock");
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run has made it meanwhile */
     return make(cache, key, compiler, options);
 }

@@ -203,6 +203,11 @@ expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt
 expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 \
     --times 1
 
+mkdir -p barred/jellett/lock-{{0..9},{a..f}}
+chmod 700 barred/jellett
+expect 5 "cannot lock the cache $PWD/barred/jellett: .*XDG_CACHE_HOME names another" env XDG_CACHE_HOME="$PWD/barred" \
+    jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
+
 # A table is read, and nothing is written where it lies.
 expect 5 '^absent/my.tt: error: cannot open the file' jellett simulate absent/my.tt --start x=1 --times 1
 
