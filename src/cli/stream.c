@@ -82,13 +82,20 @@ static jlt_exit save_rows(const jlt_stream *self, int reason)
                             strerror(reason));
 }
 
+/* Why text could not be written some time ago, which stdio forgets: what it says of one byte more, which no row has. */
+static int reason_again(const jlt_stream *self)
+{
+    if (self->array != NULL) return EIO;
+    return write(fileno(self->file), "", 1) < 0 ? errno : EIO;
+}
+
 jlt_exit jlt_stream_close(jlt_stream *self)
 {
     jlt_exit code = JLT_EXIT_DONE;
 
     errno = 0;
     if (fflush(self->file) != 0 || ferror(self->file) || (self->array != NULL && self->place.whole == 0)) {
-        const int reason = self->reason != 0 ? self->reason : errno != 0 ? errno : EIO;
+        const int reason = self->reason != 0 ? self->reason : errno != 0 ? errno : reason_again(self);
         jlt_interrupt_hold();
         code = save_rows(self, reason);
         clearerr(self->file);

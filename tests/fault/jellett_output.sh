@@ -119,4 +119,7 @@ for command in "section --start eta=0.1,gamma3=-0.6 --returns 5" "orbits --perio
         expect 5 "$command to $place" jellett $command --output "$place"
     done
 done
+# The reason is told also where it is some buffers ago that writing failed.
+jellett section --grid 20x20 --returns 20 > /dev/full 2> "$scratch/error"
+[ $? -eq 5 ] && grep -q "No space left on device" "$scratch/error" || fail "many rows to /dev/full: $(cat "$scratch/error")"
 exit $status
