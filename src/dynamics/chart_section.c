@@ -101,8 +101,9 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
 
     lower(base, q, NULL, x);
     self->section->lift_slopes(q, self->values, slopes);
-    for (unsigned i = 0, row = 0; i < self->plain; i++)
-        if (i != base->column) memcpy(matrix + row++ * width, slopes + i * width, width * sizeof *matrix);
+    for (unsigned i = 0, entry = 0; i < self->plain; i++)
+        for (unsigned j = 0; j < width && i != base->column; j++)
+            matrix[entry++] = ldexp(slopes[i * width + j], self->per[j] - self->unit[i]);
     for (unsigned i = self->plain; i < base->states; i++) roots *= x[i];
     return f[base->column] * fabs(jlt_linear_determinant(matrix, width)) / roots;
 }
