@@ -121,6 +121,7 @@ grid='y=@-0.4{0,1,0}:@0.4{0,1,0}:4,w=@-0.4{0,1,-1}:@0.4{0,1,-1}:4'
     each lyapunov "${level[@]}" --grid "$grid" --returns 5
     each drift --start "$start,v=@0.9{0,1,-1}" --returns 20
     each manifolds --level 'E=@8{1,2,-2}' --solve 'v=@4{0,1,-1}' --start 'y=@0{0,1,0},w=@0{0,1,-1}'
+    each continue "${level[@]}" --along 'k=@1{1,0,-2}:@1.5{1,0,-2}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' --step 0.1
     on=("${on_described[@]}")
     each section --start "$start" --start 'y=@-0.5{0,1,0},w=@0.1{0,1,-1}' --returns 5 --check
     each section --grid "$grid" --returns 5
