@@ -98,6 +98,21 @@ static jlt_exit read_part(jlt_grid_axis *first, const char *text, const char *op
     return code == JLT_EXIT_DONE ? jlt_grid_count(&first->part, text + length + 1, 1, PART_MAX, option) : code;
 }
 
+bool jlt_grid_ends(const char **text, char *name, size_t size, double *low, double *high)
+{
+    const char *const from = *text;
+    const size_t named = strcspn(from, "=,"), first = strcspn(from + named, ":,@"), rest = strcspn(from + named + first, ",@");
+    const char *const second = from + named + first + 1;
+
+    if (*from == '\0') return false;
+    snprintf(name, size, "%.*s", (int)named, from);
+    if (first == 0 || jlt_number_parse(low, from + named + 1, first - 1) != JLT_OK) *low = NAN;
+    if (rest == 0 || jlt_number_parse(high, second, strcspn(second, ":,@")) != JLT_OK) *high = NAN;
+    *text += strcspn(from, ",");
+    *text += **text == ',';
+    return true;
+}
+
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option)
 {
     jlt_exit code = JLT_EXIT_DONE;

@@ -20,6 +20,10 @@ typedef struct {
  *  functions name `option`. */
 jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option);
 
+/** Where the next of NAME=VALUE or NAME=LOW:HIGH:COUNT in a list begins and ends, without a word on what is wrong: *text is moved
+ *  behind it; name, of this size; *low, or the value, and *high are NaN where there is no number. False: the list has ended. */
+bool jlt_grid_ends(const char **text, char *name, size_t size, double *low, double *high);
+
 /** Read a grid: axes separated by commas, or COUNTxCOUNT, which sets the counts of axes that the caller has put there. In/out:
  *  axes, shape (room,), of which *count are filled; where *count == room before, text may name only these. Behind either form
  *  @FIRST:COUNT asks for COUNT of its points alone, from number FIRST on; 0 is the first. */

@@ -1,15 +1,18 @@
 #include "cli/motion_family.h"
 
 #include "dynamics/scale.h"
+#include "dynamics/surface_units.h"
 #include "kernel/descriptor.h"
 
 #include <string.h>
 
 jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
 {
-    const jlt_status st = self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow)
-                                                : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
+    jlt_status st = self->surface != NULL ? jlt_surface_system(out, self->surface, self->values, &self->flow)
+                                          : jlt_motion_plane_make(&self->plane, out, &self->no_angle);
 
+    if (st == JLT_OK && self->surface != NULL && jlt_surface_units_named(self->surface->section))
+        st = jlt_surface_count_in(*out, &self->system->units);
     if (st == JLT_OK) jlt_scale_copy(*out, self->system);
     return st;
 }

@@ -187,16 +187,14 @@ static void note_size(jlt_motion_plane *out, size_t state, double value)
 /* NAME=VALUE or NAME=LOW:HIGH:COUNT, and more of them; what is no number is told where orbits begin. */
 static void note_values(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
-    for (size_t state; *text != '\0'; text += strcspn(text, ","), text += *text == ',') {
-        const size_t name = strcspn(text, "=,"), low = strcspn(text + name, ":,@"), high = strcspn(text + name + low, ",@");
-        char named[64];
-        double value;
-        snprintf(named, sizeof named, "%.*s", (int)name, text);
-        if (low == 0 || !jlt_descriptor_state(d, named, &state)) continue;
-        if (jlt_number_parse(&value, text + name + 1, low - 1) == JLT_OK) note_size(out, state, value);
-        if (high == 0) continue;
-        if (jlt_number_parse(&value, text + name + low + 1, strcspn(text + name + low + 1, ":,@")) == JLT_OK)
-            note_size(out, state, value);
+    char name[64];
+    double low, high;
+    size_t state;
+
+    while (jlt_grid_ends(&text, name, sizeof name, &low, &high)) {
+        if (!jlt_descriptor_state(d, name, &state)) continue;
+        if (!isnan(low)) note_size(out, state, low);
+        if (!isnan(high)) note_size(out, state, high);
     }
 }
 

@@ -2,10 +2,14 @@
 #include "cli/motion.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "cli/grid.h"
 #include "cli/table.h"
 #include "core/digits.h"
+#include "core/memory.h"
+#include "dynamics/surface_units.h"
 #include "kernel/descriptor.h"
 
 /* The names from `first` on, which parameters and levels have; and: what stands before the last of them. */
@@ -276,6 +280,38 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
     return JLT_EXIT_DONE;
 }
 
+enum { ALONG = 3 }; /* points of a grid, from its lowest corner to its highest */
+
+/* In units of the problem where orbits begin; what is no number there is told later. */
+static jlt_status count_from_starts(jlt_system *system, const jlt_motion_options *options)
+{
+    const jlt_chart *chart = system->flow.chart;
+    size_t texts = 1, count = 0;
+    jlt_units units;
+    jlt_status st = JLT_OK;
+
+    while (options->starts[texts - 1] != NULL) texts++;
+    double *points = jlt_memory_array(texts * ALONG, chart->dim * sizeof *points);
+    if (points == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < texts; i++) {
+        const char *text = options->starts[i] != NULL ? options->starts[i] : options->grid;
+        double *const first = points + count * chart->dim, low, high;
+        unsigned known = 0;
+        char name[64];
+        while (text != NULL && jlt_grid_ends(&text, name, sizeof name, &low, &high))
+            for (unsigned k = 0; k < chart->dim; k++) {
+                if (strcmp(name, chart->names[k]) != 0 || isnan(low)) continue;
+                for (unsigned j = 0; j < ALONG; j++)
+                    first[j * chart->dim + k] = isnan(high) ? low : low + (high - low) * j / (ALONG - 1);
+                known++;
+            }
+        if (known == chart->dim) count += ALONG;
+    }
+    if (jlt_surface_units_at(&units, jlt_surface_chart(system), points, count)) st = jlt_surface_count_in(system, &units);
+    free(points);
+    return st;
+}
+
 jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface)
 {
     double values[JLT_CHART_VALUES_MAX];
@@ -293,7 +329,8 @@ jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options
     }
     code = read_values(values, options, surface);
     if (code != JLT_EXIT_DONE) return code;
-    const jlt_status st = jlt_surface_system(system, surface, values, &options->flow);
+    jlt_status st = jlt_surface_system(system, surface, values, &options->flow);
+    if (st == JLT_OK) st = count_from_starts(*system, options);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(surface, values, st, st == JLT_ERR_DOMAIN ? "--set" : NULL);
 }
 

@@ -48,18 +48,15 @@ static int side(const jlt_chart *base, double *x) { return of(base)->told->side(
 
 static bool follows(const jlt_chart *base, const double *x) { return of(base)->told->follows(of(base)->told, x); }
 
-void jlt_chart_counted_init(jlt_chart_counted *out, const jlt_chart *told, const int *unit)
+void jlt_chart_counted_init(jlt_chart_counted *out, const jlt_chart *told, const int *unit, const int *coordinate)
 {
     *out = (jlt_chart_counted){ .base = *told, .told = told };
     out->base.bounds = NULL;
     out->base.domain = NULL;
     out->base.level = ldexp(told->level, -unit[told->column]);
-    for (unsigned i = 0, k = 0; i < told->states; i++) {
-        out->unit[i] = unit[i];
-        if (!jlt_chart_is_coordinate(told, i)) continue;
-        out->base.scale[k] = out->base.unit[k] = unit[i];
-        k++;
-    }
+    out->base.turn = ldexp(told->turn, -unit[told->column]);
+    for (unsigned i = 0; i < told->states; i++) out->unit[i] = unit[i];
+    for (unsigned k = 0; k < told->dim; k++) out->base.scale[k] = out->base.unit[k] = coordinate[k];
     out->base.lift = lift;
     out->base.lower = lower;
     out->base.flux = flux;

@@ -11,7 +11,8 @@ typedef struct {
     int unit[JLT_CHART_STATES_MAX]; /* the flow counts state i in 2^unit[i] */
 } jlt_chart_counted;
 
-/** Make the chart from `told`, kept by reference, of a section whose angles have the unit 2^0; unit: shape (told->states,). */
-void jlt_chart_counted_init(jlt_chart_counted *out, const jlt_chart *told, const int *unit);
+/** Make the chart from `told`, kept by reference, of a section whose angles have the unit 2^0; unit: shape (told->states,), of
+ *  states; coordinate: shape (told->dim,), of coordinates, in which their sizes are counted. */
+void jlt_chart_counted_init(jlt_chart_counted *out, const jlt_chart *told, const int *unit, const int *coordinate);
 
 #endif

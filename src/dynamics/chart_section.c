@@ -98,13 +98,20 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
     const jlt_chart_section *self = of(base);
     const unsigned width = base->dim + self->section->level_count;
     double q[Q], slopes[JLT_CHART_SLOPES_MAX], matrix[JLT_CHART_SLOPES_MAX], roots = 1;
+    unsigned entry = 0;
+    int unit = 0; /* of the determinant */
 
     lower(base, q, NULL, x);
     self->section->lift_slopes(q, self->values, slopes);
-    for (unsigned i = 0, row = 0; i < self->plain; i++)
-        if (i != base->column) memcpy(matrix + row++ * width, slopes + i * width, width * sizeof *matrix);
+    for (unsigned j = 0; j < width; j++) unit -= self->per[j];
+    for (unsigned i = 0; i < self->plain; i++) {
+        if (i == base->column) continue;
+        unit += self->unit[i];
+        for (unsigned j = 0; j < width; j++)
+            matrix[entry++] = ldexp(slopes[i * width + j], self->per[j] - self->unit[i]);
+    }
     for (unsigned i = self->plain; i < base->states; i++) roots *= x[i];
-    return f[base->column] * fabs(jlt_linear_determinant(matrix, width)) / roots;
+    return f[base->column] * ldexp(fabs(jlt_linear_determinant(matrix, width)), unit) / roots;
 }
 
 static int side(const jlt_chart *base, double *x)

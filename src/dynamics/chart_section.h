@@ -17,6 +17,8 @@ typedef struct {
     const jlt_section_chart *section;
     unsigned plain;              /* number of states that are no lifted roots; the roots stand after them */
     double values[JLT_CHART_VALUES_MAX]; /* parameters of the table, then levels */
+    int unit[JLT_CHART_STATES_MAX],      /* a determinant is found in units of 2^unit[i] of state i, */
+        per[JLT_CHART_COORDINATES_MAX + JLT_CHART_VALUES_MAX]; /* and 2^per[j] of the coordinates and levels; 0 at first */
 } jlt_chart_section;
 
 /** Make the chart. In: table, a general field with all its states; section, one of its sections; values, shape (param_count +

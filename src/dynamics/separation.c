@@ -8,8 +8,8 @@
 
 enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
 
-/* Points that orbits visit forwards and backwards, and mirror images of those forwards: of the points, as images of cells hold their
- * edges on the other side. */
+/* Points that orbits visit forwards and backwards, and mirror images of those forwards: of the points, as images of cells hold
+ * their edges on the other side. */
 enum { FORWARDS, BACKWARDS, IMAGES, SETS };
 
 typedef struct {

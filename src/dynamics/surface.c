@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dynamics/chart_counted.h"
 #include "dynamics/section_points.h"
 #include "dynamics/surface_crossing.h"
+#include "dynamics/surface_units.h"
 #include "kernel/descriptor.h"
 
 /* The base comes first, so that jlt_system_destroy frees it all. */
@@ -13,7 +15,8 @@ typedef struct {
     jlt_system base;
     jlt_surface surface;
     double values[JLT_CHART_VALUES_MAX]; /* as the surface names them */
-    jlt_chart_section rows, flow;        /* in the table's units, and in the flow's */
+    jlt_chart_section rows;              /* in the table's units, */
+    jlt_chart_counted flow;              /* and in the flow's */
 } surface_system;
 
 static const surface_system *of(const jlt_system *system) { return (const surface_system *)(const void *)system; }
@@ -140,7 +143,7 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name)
     return i;
 }
 
-enum { HALVINGS = 60, SOME = 256, LOOKS = 64 };
+enum { HALVINGS = 60 };
 
 /* ---- the system ---- */
 
@@ -181,63 +184,20 @@ done:
     return st;
 }
 
-/* The largest rate of a state at points of the section: that of the largest size of each. */
-static double fastest(const jlt_chart_section *chart, const jlt_units *units)
+/* The chart for the flow: that of the table's units, and over it where the flow counts in others. */
+static void set_chart(surface_system *self)
 {
-    const size_t all = jlt_chart_section_points(chart, 8), probes = jlt_chart_section_probes(chart, 8);
-    double largest[JLT_CHART_STATES_MAX] = { 0 };
-    bool seen = false;
+    const jlt_section_chart *section = self->surface.section;
+    const jlt_units *units = &self->base.units;
+    jlt_chart_section *rows = &self->rows;
 
-    for (size_t i = 0; i < probes && !(seen && i >= (all < SOME ? all : SOME)); i++) {
-        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_probe(chart, q, i, 8);
-        if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
-        seen = true;
-        for (unsigned k = 0; k < chart->base.states; k++)
-            if (isfinite(x[k])) largest[k] = fmax(largest[k], fabs(x[k]));
-    }
-    return jlt_units_rate(units, largest, chart->table->states, chart->base.states, 0);
-}
-
-/* Units in which the first positive mass and length are in [1, 2), and half the square of the largest rate in [1, 4); those of the
- * table where coordinates have units. */
-static jlt_units units_of(const jlt_chart_section *chart)
-{
-    jlt_units units = { 0 };
-
-    for (unsigned k = 0; k < chart->base.dim; k++)
-        if (jlt_units_exponent(&(jlt_units){ 1, 1 << 8, 1 << 16 }, chart->section->coordinates[k].unit) != 0) return units;
-    jlt_units_of_sizes(&units, chart->values, chart->table->params, chart->table->param_count, NULL, NULL, 0);
-    jlt_units_of_rate(&units, fastest(chart, &units));
-    return units;
-}
-
-/* Whether the coordinates mean the same states in these units, in which the flow's chart is: a coordinate without a unit may be
- * lifted to a state by a number of metres. */
-static bool lifts_alike(const jlt_chart_section *rows, const jlt_chart_section *flow, const jlt_units *units)
-{
-    const size_t all = jlt_chart_section_probes(rows, 8);
-    unsigned seen = 0;
-
-    for (size_t i = 0; i < all && seen < LOOKS; i++) {
-        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX], y[JLT_CHART_STATES_MAX];
-        jlt_chart_section_probe(rows, q, i, 8);
-        const jlt_status here = rows->base.lift(&rows->base, x, NULL, q), there = flow->base.lift(&flow->base, y, NULL, q);
-        if (here != there) return false;
-        seen += here == JLT_OK;
-        for (unsigned k = 0; here == JLT_OK && k < rows->base.states; k++)
-            if (k != rows->base.column && ldexp(y[k], jlt_units_exponent(units, rows->table->states[k].unit)) != x[k]) return false;
-    }
-    return seen > 0;
-}
-
-/* Parameters and levels in these units. */
-static void count_values(double *out, const jlt_surface *surface, const double *values, const jlt_units *units)
-{
-    const unsigned params = surface->table->param_count;
-
-    jlt_units_count(out, values, surface->table->params, params, units);
-    jlt_units_count(out + params, values + params, surface->section->levels, surface->section->level_count, units);
+    memcpy(rows->unit, self->base.flow.units.state, sizeof rows->unit);
+    for (unsigned k = 0; k < rows->base.dim; k++) rows->per[k] = jlt_units_exponent(units, section->coordinates[k].unit);
+    for (unsigned k = 0; k < section->level_count; k++)
+        rows->per[rows->base.dim + k] = jlt_units_exponent(units, section->levels[k].unit);
+    jlt_chart_counted_init(&self->flow, &rows->base, rows->unit, rows->per);
+    self->base.flow.chart = self->base.chart_base = &self->flow.base;
+    if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever this table says */
 }
 
 static jlt_status open_system(surface_system *self, const jlt_flow *options)
@@ -245,22 +205,20 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     const jlt_section_chart *section = self->surface.section;
     const jlt_descriptor *descriptor;
     double values[JLT_CHART_VALUES_MAX] = { 0 };
-    jlt_units units;
     jlt_status st = JLT_OK;
 
     jlt_surface_arrange(values, &self->surface, self->values);
     JLT_TRY(check_params(&self->surface, self->values, values));
     JLT_TRY(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
-    units = units_of(&self->rows);
-    self->flow = self->rows;
-    count_values(self->flow.values, &self->surface, values, &units);
-    if (!descriptor->scales || !lifts_alike(&self->rows, &self->flow, &units)) units = (jlt_units){ 0 };
-    JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &units, options));
-    count_values(self->flow.values, &self->surface, values, &units);
-    self->base.flow.chart = self->base.chart_base = &self->flow.base;
-    if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever this table says */
-    st = jlt_section_points_none(&self->rows) ? JLT_ERR_EMPTY : jlt_surface_crossing_met(&self->base) ? JLT_OK : JLT_ERR_ARG;
+    JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &(jlt_units){ 0 }, options));
+    if (descriptor->scales && !jlt_surface_units_named(section)) {
+        const jlt_units units = jlt_surface_units_of(&self->rows);
+        JLT_TRY(jlt_system_count_in(&self->base, &units));
+    }
+    set_chart(self);
+    if (jlt_section_points_none(&self->rows)) st = JLT_ERR_EMPTY;
+    else if (!jlt_surface_crossing_met(&self->base, &self->rows)) st = JLT_ERR_ARG;
 done:
     return st;
 }
@@ -280,7 +238,7 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
     for (unsigned i = 0; i < surface->count; i++)
         if (!isfinite(values[i])) goto done;
     JLT_TRY(open_system(self, options));
-    if (!jlt_surface_crossing_ends_at_poles(&self->base)) {
+    if (!jlt_surface_crossing_ends_at_poles(&self->base, &self->rows)) {
         jlt_surface plain = *surface; /* in the model's own time, which stops before them */
         plain.table = surface->table->family[0];
         plain.section = &plain.table->sections[surface->section - surface->table->sections];
@@ -291,6 +249,14 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
     self = NULL; /* ownership moved to the caller */
 done:
     if (self != NULL) jlt_system_destroy(&self->base);
+    return st;
+}
+
+jlt_status jlt_surface_count_in(jlt_system *system, const jlt_units *units)
+{
+    const jlt_status st = jlt_system_count_in(system, units);
+
+    if (st == JLT_OK) set_chart((surface_system *)(void *)system);
     return st;
 }
 

@@ -46,13 +46,16 @@ unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
  *  levels of the record. */
 void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *values);
 
-/** Make the system of the most special kernel that serves, in units of the problem. Out: *out, NULL on failure; destroy with
- *  jlt_system_destroy. In: surface; values, shape (count,), both copied; options, of which chart, field and rhs_jacobian are not
- *  read; NULL: all defaults (upward crossings).
+/** Make the system of the most special kernel that serves; where coordinates are numbers, in units of the problem. Out: *out, NULL
+ *  on failure; destroy with jlt_system_destroy. In: surface; values, shape (count,), both copied; options, of which chart, field
+ *  and rhs_jacobian are not read; NULL: all defaults (upward crossings).
  *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the
  *  direction of options; UNSUPPORTED, no Jacobian; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,
                                           const jlt_flow *options);
+
+/** Let the flow count in these units. Maps and sections made from it before are void. Errors: as jlt_instance_create. */
+JLT_CHECKED jlt_status jlt_surface_count_in(jlt_system *system, const jlt_units *units);
 
 /** A family of systems in one of the values: jlt_surface_at is the `make` of a jlt_system_family, with this as its context. */
 typedef struct {

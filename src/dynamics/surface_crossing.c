@@ -63,14 +63,8 @@ static bool has_other_root(const jlt_system *self, const double *x, const double
     return found;
 }
 
-static const jlt_chart_section *chart_of(const jlt_system *self)
+bool jlt_surface_crossing_met(const jlt_system *self, const jlt_chart_section *section)
 {
-    return (const jlt_chart_section *)(const void *)self->flow.chart;
-}
-
-bool jlt_surface_crossing_met(const jlt_system *self)
-{
-    const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;
     const size_t all = jlt_chart_section_probes(section, ANGLES);
     unsigned seen = 0;
@@ -87,9 +81,8 @@ bool jlt_surface_crossing_met(const jlt_system *self)
     return true;
 }
 
-bool jlt_surface_crossing_ends_at_poles(const jlt_system *self)
+bool jlt_surface_crossing_ends_at_poles(const jlt_system *self, const jlt_chart_section *section)
 {
-    const jlt_chart_section *section = chart_of(self);
     const jlt_chart *chart = self->flow.chart;
     const size_t all = jlt_chart_section_probes(section, ANGLES);
 

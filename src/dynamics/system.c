@@ -83,7 +83,11 @@ static void set_chart(jlt_system *self)
 
     self->chart_base = &self->chart.plane;
     if (self->told != self->instance) {
-        jlt_chart_counted_init(&plane->counted, &self->chart.plane, self->flow.units.state);
+        const int *const unit = self->flow.units.state;
+        int coordinate[JLT_CHART_DIM_MAX];
+        for (unsigned i = 0, k = 0; i < self->chart.plane.states; i++)
+            if (jlt_chart_is_coordinate(&self->chart.plane, i)) coordinate[k++] = unit[i];
+        jlt_chart_counted_init(&plane->counted, &self->chart.plane, unit, coordinate);
         self->chart_base = &plane->counted.base;
     }
     self->flow.chart = self->chart_base;
@@ -266,29 +270,38 @@ static bool scales(const jlt_system *self)
     return scales;
 }
 
-jlt_status jlt_system_count(jlt_system *self, const double *sizes)
+jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units)
 {
     const jlt_descriptor *d = self->told->descriptor;
     const double *params = self->told->params;
     jlt_instance *instance = NULL;
     jlt_observed *observed = NULL;
-    jlt_units units;
     jlt_status st = JLT_OK;
 
-    if (!scales(self)) return st;
-    JLT_TRY(jlt_instance_units(&units, d->family[0], params, sizes));
-    JLT_TRY(jlt_instance_create_in(&instance, d, params, &units));
-    JLT_TRY(jlt_observed_create(&observed, d, params, &units));
+    JLT_TRY(jlt_instance_create_in(&instance, d, params, units));
+    JLT_TRY(jlt_observed_create(&observed, d, params, units));
     if (self->instance != self->told) jlt_instance_destroy(self->instance);
     jlt_observed_destroy(self->observed);
     self->instance = instance;
     self->flow.observed = self->observed = observed;
     instance = NULL; /* ownership moved to the system */
-    set_units(self, &units);
-    JLT_TRY(jlt_field_of(&self->field, self->instance));
-    set_chart(self);
+    set_units(self, units);
+    st = jlt_field_of(&self->field, self->instance);
 done:
     jlt_instance_destroy(instance);
+    return st;
+}
+
+jlt_status jlt_system_count(jlt_system *self, const double *sizes)
+{
+    jlt_units units;
+    jlt_status st = JLT_OK;
+
+    if (!scales(self)) return st;
+    JLT_TRY(jlt_instance_units(&units, self->told->descriptor->family[0], self->told->params, sizes));
+    JLT_TRY(jlt_system_count_in(self, &units));
+    set_chart(self);
+done:
     return st;
 }
 

@@ -8,7 +8,7 @@
 
 typedef struct {
     jlt_instance *instance; /* its prepared values in the flow's units */
-    jlt_instance *told;     /* of a plane section in the table's: the same where the flow counts in these */
+    jlt_instance *told;     /* in the table's: the same where the flow counts in these */
     jlt_observed *observed;
     jlt_units units;
     const struct jlt_surface *surface; /* of a section that tables describe (dynamics/surface.h); NULL: a plane */
@@ -53,6 +53,9 @@ JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *leve
  *  states are of these sizes, shape (states of the general field,). It stays as it is where the table's units are no dimensions of
  *  its terms, or an angle has a unit. Maps and sections made from the flow before are void. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_system_count(jlt_system *self, const double *sizes);
+
+/** Let the flow count in these units; its chart is left to the caller. Errors: as jlt_instance_create. */
+JLT_CHECKED jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units);
 
 /** What the system's field keeps: integrals, in the flow's units; on a plane section also the relations of lifted roots. *out
  *  points into the system. Errors: UNSUPPORTED, more than JLT_INVARIANTS_MAX with relations. */

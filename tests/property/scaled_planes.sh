@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# On sections STATE=VALUE a table with units gives a problem in other units of mass, length and time the same answer in those units,
-# to the last digit: in everyday ones (8 kg, 1/4 m, 32 s) and in those of atoms (2^-89 kg, 2^-33 m, 2^-50 s).
+# A table with units gives a problem in other units of mass, length and time the same answer in those units, to the last digit, on
+# sections STATE=VALUE and on those that tables describe: in everyday ones (8 kg, 1/4 m, 32 s) and in those of atoms (2^-89 kg,
+# 2^-33 m, 2^-50 s).
 set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$(mktemp -d)"
@@ -40,7 +41,28 @@ eq y = v
 eq u = - GM*x/r^3
 eq v = - GM*y/r^3
 T
-ttc prove pair.tt planet.tt > proofs || { cat proofs; exit 1; }
+# The same without damping, with a section that a table describes.
+sed -e 's/model pair/model free/' -e '/^param c/d' -e '/^variant/d' -e 's/, c = 0//' -e 's/ when c = 0//' -e 's/ - c\*[vw]$//' \
+    pair.tt > free.tt
+cat >> free.tt << 'T'
+reversor x -> -x, w -> -w
+section crossing : by free_section.tt at x = 0 with y = y, w = w, E = E beside v
+T
+cat > free_section.tt << 'T'
+model free_section
+param m > 0 [kg]
+param k > 0 [kg/s^2]
+param L > 0 [m]
+param E [kg*m^2/s^2]
+default m = 1, k = 1, L = 1, E = 1/2
+state y [m]
+state w [m/s]
+let square = 2*E/m - w^2 - 2*k*y^2/m - k*y^4/(2*m*L^2)
+domain reached : square > 0
+root v = sqrt(square)
+lift into free.tt with x = 0, y = y, v = v, w = w
+T
+ttc prove pair.tt free.tt planet.tt > proofs || { cat proofs; exit 1; }
 
 # The words with every @NUMBER{KG,M,S} counted in units of 2^kg, 2^m and 2^s: a quantity of dimension kg^KG m^M s^S.
 in_units() { # KG M S WORD...
@@ -67,6 +89,7 @@ compare() { # KG M S WHAT...
             unit["t"] = unit["t_end"] = unit["T"] = 2^s
             unit["x"] = unit["x_end"] = unit["y"] = unit["y_end"] = 2^m
             unit["u"] = unit["v"] = unit["w"] = unit["u_end"] = unit["v_end"] = unit["w_end"] = 2^(m - s)
+            unit["k"] = 2^(kg - 2*s)
             unit["lambda1"] = unit["lambda2"] = unit["lambda3"] = unit["exponent"] = 2^-s
         }
         /^#/ { next }
@@ -86,6 +109,10 @@ compare() { # KG M S WHAT...
 
 pair() { # COMMAND...
     each "$1" ./pair.tt --section x=0 --set "m=@1{1,0,0},k=@1{1,0,-2},L=@1{0,1,0},c=${damping:-0}" "${@:2}"
+}
+
+described() { # ENERGY COMMAND...
+    each "$2" ./free.tt --section crossing --set 'm=@1{1,0,0},k=@1{1,0,-2},L=@1{0,1,0}' --level "E=@$1{1,2,-2}" "${@:3}"
 }
 
 planet() { # COMMAND...
@@ -119,9 +146,20 @@ grid='y=@-0.4{0,1,0}:@0.4{0,1,0}:4,w=@-0.4{0,1,-1}:@0.4{0,1,-1}:4'
     pair drift --start "$start,v=@0.9{0,1,-1}" --returns 20
     pair manifolds --level 'E=@8{1,2,-2}' --solve 'v=@4{0,1,-1}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' \
         --length 0.8
+    pair continue "${level[@]}" --along 'k=@1{1,0,-2}:@1.5{1,0,-2}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' --step 0.1
     planet section --start 'x=@1{0,1,0},u=@0{0,1,-1},v=@1.125{0,1,-1}' --returns 5 --check
     planet lyapunov --start 'x=@1{0,1,0},u=@0{0,1,-1},v=@1.125{0,1,-1}' --returns 20
     planet fates --grid 'x=@1{0,1,0}:@2{0,1,0}:4,u=@0{0,1,-1}:@0.5{0,1,-1}:2,v=@0.875{0,1,-1}' --returns 5
+    described 0.5 section --start "$start" --start 'y=@-0.5{0,1,0},w=@0.1{0,1,-1}' --returns 5 --check
+    described 0.5 section --grid "$grid" --returns 5
+    described 0.5 fates --grid "$grid" --returns 5
+    described 0.5 orbits --grid "$grid" --period 1
+    described 0.5 lyapunov --start "$start" --returns 20
+    described 0.5 lyapunov --grid "$grid" --returns 5
+    described 0.5 drift --start "$start" --returns 20
+    described 0.5 separation --grid "$grid" --cells "$grid" --returns 8
+    described 0.5 continue --along 'k=@1{1,0,-2}:@1.5{1,0,-2}' --start 'y=@0{0,1,0},w=@0{0,1,-1}' --step 0.1
+    described 8 manifolds --start 'y=@0{0,1,0},w=@0{0,1,-1}' --length 0.8
 } > wrong
 cat wrong
 [ ! -s wrong ]

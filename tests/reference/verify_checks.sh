@@ -84,4 +84,4 @@ for table in elsewhere beyond; do
 done
 
 # A family of one point is certified at it once.
-grep -c 'rest at x = 7$' "$scratch/said" | grep -qx 1 || { echo "one point, again and again:"; grep 'rest at' "$scratch/said"; exit 1; }
+grep -c 'rest at x = 7$' "$scratch/said" | grep -qx 1 || { echo "one point, again:"; grep 'rest at' "$scratch/said"; exit 1; }
