@@ -88,11 +88,16 @@ static void choose(ttc_witness *point, unsigned attempt)
     ttc_witness_changed(point);
 }
 
+static bool meets_all(ttc_witness *point, const ttc_conditions *conditions)
+{
+    return ttc_witness_meets_all(point, conditions) == TTC_HOLDS && ttc_witness_sines(point) == TTC_HOLDS;
+}
+
 static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, unsigned from, unsigned to)
 {
     for (unsigned attempt = from; attempt < to; attempt++) {
         choose(point, attempt);
-        if (ttc_witness_meets_all(point, conditions) == TTC_HOLDS) return true;
+        if (meets_all(point, conditions)) return true;
     }
     return false;
 }
@@ -105,7 +110,7 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     choose(point, 0); /* what the conditions do not speak of keeps a plain value */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
-    if (answer == TTC_SOLVER_POINT && ttc_witness_meets_all(point, conditions) == TTC_HOLDS) return TTC_POINT_FOUND;
+    if (answer == TTC_SOLVER_POINT && meets_all(point, conditions)) return TTC_POINT_FOUND;
     if (try_numbers(point, conditions, EARLY_ATTEMPTS, LATE_ATTEMPTS)) return TTC_POINT_FOUND;
     return TTC_POINT_NOT_DECIDED;
 }

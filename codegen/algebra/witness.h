@@ -35,6 +35,9 @@ void ttc_witness_changed(ttc_witness *point);
 /* FAILS if one condition fails, HOLDS if all hold, UNCLEAR otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
+/* Whether sines whose sign was chosen have that of their angle. */
+ttc_truth ttc_witness_sines(ttc_witness *point);
+
 /* Enclose a ratio; not finite where its denominator may be zero. */
 void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);
 
