@@ -88,9 +88,9 @@ expect 3 "$scratch/weightless.json" "the family 'spin_weightless' gives g itself
 change precession 'g["family"] = "hovering"' digest
 expect 3 "$scratch/precession.json" "no family of equilibria 'hovering'"
 change hash 'g["table"]["sha256"] = "0" * 64' digest
-expect 3 "$scratch/hash.json" 'no table spherical_top with SHA-256 000' second
+expect 3 "$scratch/hash.json" 'it speaks of spherical_top with SHA-256 000' second
 change table 'g["table"]["name"] = "spherical_top_level"' digest
-expect 3 "$scratch/table.json" 'no table spherical_top_level' second
+expect 3 "$scratch/table.json" 'it speaks of spherical_top_level with SHA-256' second
 change number 'g["box"]["m"]["low"] = "nan"' digest
 expect 3 "$scratch/number.json" 'box: parameter m: no number' second
 change pole 'g["box"]["gamma3"]["high"] = "1"' digest
