@@ -1,5 +1,5 @@
-# gcc 14.2 of Debian 13 turns choices by a bit of a word around: of (mask >> k) & 1 ? a : k it computes k where the bit is set, and of
-# k == 1 || k == 7 ? a : k as well, which it makes such a choice. Its first pass of if-conversion does; the later ones do not.
+# gcc 14.2 of Debian 13 turns choices by a bit of a word around: of (mask >> k) & 1 ? a : k it computes k where the bit is set, and
+# of k == 1 || k == 7 ? a : k as well, which it makes such a choice. Its first pass of if-conversion does; later ones do not.
 include(CheckCSourceRuns)
 if(NOT CMAKE_CROSSCOMPILING)
   set(CMAKE_REQUIRED_FLAGS -O2)
