@@ -4,6 +4,7 @@
 #include "kernel/descriptor.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
+#include "validated/given_pole.h"
 #include "validated/said.h"
 #include "validated/shown.h"
 #include "validated/theorem.h"
@@ -248,6 +249,29 @@ static json_t *prove_family(jlt_certificate_report *report, const json_t *json, 
     return shown;
 }
 
+static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, const jlt_descriptor *d)
+{
+    jlt_given_pole given;
+    jlt_pole_result result;
+    json_t *shown = NULL;
+    jlt_status st;
+
+    *report = say(JLT_CERTIFICATE_MALFORMED, "");
+    if (jlt_given_pole_read(&given, json, d, false, report->problem)) {
+        jlt_pole_result_init(&result, d);
+        st = jlt_pole_prove(&result, &given.question, given.instant);
+        if (st == JLT_ERR_UNSUPPORTED)
+            *report = say(JLT_CERTIFICATE_MALFORMED, "time: the table has no such time that lifts a root");
+        else if (st != JLT_OK) *report = fail_along(st);
+        else if (result.verdict != JLT_POLE_PROVED) *report = say(JLT_CERTIFICATE_REFUSED, jlt_given_pole_problem(&result));
+        else if ((shown = jlt_given_pole_shown(&given, &result)) == NULL) *report = fail(JLT_ERR_NOMEM);
+        else *report = say(JLT_CERTIFICATE_GOOD, "");
+        jlt_pole_result_clear(&result);
+    }
+    jlt_given_pole_clear(&given);
+    return shown;
+}
+
 /* What follows from `given`, as an object `shown`; NULL where the report is not GOOD. */
 static json_t *prove(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_descriptor *d)
 {
@@ -257,6 +281,7 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     jlt_status st;
 
     if (strcmp(kind, "equilibria") == 0) return prove_family(report, json, d);
+    if (strcmp(kind, "pole") == 0) return prove_pole(report, json, d);
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
     if (jlt_given_read(&given, json, d, report->problem) && jlt_given_read_legs(&given, json, report->problem)) {
         const bool serves = given.legs.turns == NULL || serves_turns(kind);

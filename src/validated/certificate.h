@@ -1,4 +1,4 @@
-/** Certificates: a theorem about a periodic orbit, or a family of equilibria, as a JSON object that is replayed from itself alone.
+/** Certificates: a theorem about an orbit, a family of equilibria, or ends of motions, as a JSON object that is replayed from itself alone.
  *
  *      {"certificate": "jellett 1", "kind": KIND, "theorem": [SENTENCE, ...], "given": {...}, "shown": {...},
  *       "digest": SHA-256}
@@ -12,7 +12,8 @@
  *  `obstruction`: its determinant is not 1. Kind `sink`: it attracts, and a reversor has an image that repels. Kind `homoclinic`:
  *  it is a saddle whose manifolds cross transversally, at a point that a reversor keeps. Kind `symmetric`: it is its own mirror
  *  image under a reversor. Kind `elliptic`: besides, it is elliptic, and stable by a twist. Kind `equilibria`: at a family of
- *  equilibria over a box the trace of the linearization has one sign; its `given` and `shown` are in given_family.h. */
+ *  equilibria over a box the trace of the linearization has one sign; its `given` and `shown` are in given_family.h. Kind `pole`: all
+ *  motions from a box end at a pole; see given_pole.h. */
 #ifndef JLT_VALIDATED_CERTIFICATE_H
 #define JLT_VALIDATED_CERTIFICATE_H
 

@@ -29,6 +29,11 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
     return NULL;
 }
 
+bool jlt_given_read_value(arb_t out, const json_t *value, slong bits)
+{
+    return json_is_object(value) ? jlt_numerals_ball(out, value, bits) : jlt_numerals_read(out, json_string_value(value), bits);
+}
+
 static bool allows(const jlt_quantity *param, const arb_t value)
 {
     return param->sign == JLT_ANY_SIGN || (param->sign == JLT_POSITIVE && arb_is_positive(value))
@@ -36,22 +41,30 @@ static bool allows(const jlt_quantity *param, const arb_t value)
            || (param->sign == JLT_NONZERO && arb_is_nonzero(value));
 }
 
+bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descriptor *d, slong bits,
+                           char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    const json_t *values = json_object_get(given, "parameters");
+
+    if (!json_is_object(values) || json_object_size(values) != d->param_count)
+        return jlt_refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+    for (unsigned i = 0; i < d->param_count; i++) {
+        if (!jlt_given_read_value(params + i, json_object_get(values, d->params[i].name), bits))
+            return jlt_refuse(problem, "parameter %s: no number", d->params[i].name);
+        if (!allows(&d->params[i], params + i))
+            return jlt_refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
+    }
+    return true;
+}
+
+/* Those that are intervals are free. */
 static bool read_params(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;
-    const json_t *params = json_object_get(given, "parameters");
 
-    if (!json_is_object(params) || json_object_size(params) != d->param_count)
-        return jlt_refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+    if (!jlt_given_read_params(self->params, given, d, bits, problem)) return false;
     for (unsigned i = 0; i < d->param_count; i++) {
-        const json_t *value = json_object_get(params, d->params[i].name);
-        const bool is_ball = json_is_object(value);
-        if (!(is_ball ? jlt_numerals_ball(self->params + i, value, bits)
-                      : jlt_numerals_read(self->params + i, json_string_value(value), bits)))
-            return jlt_refuse(problem, "parameter %s: no number", d->params[i].name);
-        if (!allows(&d->params[i], self->params + i))
-            return jlt_refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
-        if (!is_ball) continue;
+        if (!json_is_object(json_object_get(json_object_get(given, "parameters"), d->params[i].name))) continue;
         if (self->question.free_count == JLT_FORMULAS_FREE_MAX)
             return jlt_refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
         self->question.free[self->question.free_count++] = i;
@@ -99,8 +112,7 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
             return jlt_refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
-        if (!(json_is_object(value) ? jlt_numerals_ball(out, value, bits)
-                                    : jlt_numerals_read(out, json_string_value(value), bits)))
+        if (!jlt_given_read_value(out, value, bits))
             return jlt_refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }

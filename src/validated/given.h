@@ -36,6 +36,13 @@ enum { JLT_GIVEN_DIGITS_MAX = 1000 };
  *  none of this name and digest, and problem says so. */
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
+/** Read a NUMBER, or a ball of two; false: it is neither. */
+bool jlt_given_read_value(arb_t out, const json_t *value, slong bits);
+
+/** Read "parameters": params, shape (param_count,). False: they are not those of the table, or not what it allows. */
+bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descriptor *descriptor, slong bits,
+                           char problem[JLT_GIVEN_PROBLEM_MAX]);
+
 /** Read the question, all but coordinates and legs. Ends with jlt_given_clear in any case. False: it is not of this form,
  *  or outside what the table allows; problem says why. */
 bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, char problem[JLT_GIVEN_PROBLEM_MAX]);

@@ -24,6 +24,7 @@ bool jlt_said_is_form(const char *kind, const json_t *given)
 
     if (json_object_size(json_object_get(given, "table")) > 2) return false;
     if (strcmp(kind, "equilibria") == 0) return json_object_size(given) <= 5;
+    if (strcmp(kind, "pole") == 0) return json_object_size(given) <= 7;
     return json_object_size(given) <= (has_homoclinic ? 8 : 7) && json_object_size(json_object_get(given, "section")) <= 3
            && are_legs(json_object_get(given, "legs"))
            && (!has_homoclinic
@@ -231,7 +232,11 @@ static const char *judge_homoclinic(const json_t *given, const json_t *shown)
 
 const char *jlt_said_problem(const char *kind, const json_t *given, const json_t *shown)
 {
-    const char *problem = strcmp(kind, "equilibria") == 0 ? NULL : judge_cycle(given, shown);
+    const char *problem;
+
+    if (strcmp(kind, "equilibria") == 0) return NULL;
+    if (strcmp(kind, "pole") == 0) return side(shown, "time", 0) > 0 ? NULL : "the time, as it is written, may be 0";
+    problem = judge_cycle(given, shown);
 
     if (problem != NULL) return problem;
     if (strcmp(kind, "obstruction") == 0 && side(shown, "determinant", 1) == 0)
