@@ -60,10 +60,11 @@ static bool settles(json_t *given, double *instant, const jlt_descriptor *d, cha
     return found;
 }
 
-/* An instant at which the motions settle: twice as late as the first one, where limits are told more closely, if they do so there. */
+/* An instant at which the motions settle: four times as late as the first one, where limits are told more closely, if they do so
+ * there. */
 static bool find_instant(json_t *given, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
-    static const double factors[] = { 2, 1.001 };
+    static const double factors[] = { 4, 2, 1.001 };
     double first = 0, instant;
     char text[32];
 

@@ -150,15 +150,15 @@ static const struct argp parser = {
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
     "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. pole: all motions "
     "that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, after a finite time "
-    "that is enclosed; of the spherical top they turn over, or lie down. Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
+    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
     "up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are served as cycle, "
     "obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959\n"
-    "  jellett certify pole --start gamma3=-0.87,v_nu=-0.23,omega_tau=0,omega_n=-1.07,omega3=-3.19 \\\n"
-    "    --spread gamma3=1e-3,v_nu=1e-3,omega_tau=1e-3,omega_n=1e-3,omega3=1e-3",
+    "  jellett certify pole --start gamma3=-0.78,v_nu=0.8,omega_tau=2.5,omega_n=-1,omega3=-2.7 \\\n"
+    "    --spread gamma3=5e-4,v_nu=5e-4,omega_tau=5e-4,omega_n=5e-4,omega3=5e-4",
     children, NULL, NULL,
 };
 

@@ -1,10 +1,10 @@
 #include "validated/given_pole.h"
 
 #include "kernel/descriptor.h"
+#include "read/model.h"
 #include "validated/numerals.h"
 #include "validated/shown.h"
 
-#include <stdio.h>
 
 static bool read_pole(jlt_given_pole *self, const json_t *given, char *problem)
 {
@@ -77,21 +77,31 @@ void jlt_given_pole_clear(jlt_given_pole *self)
     arf_clear(self->instant);
 }
 
+/* An end of a state's interval, "p/q", which is a number where the state is a pole's. */
+static json_t *end_of(const jlt_descriptor *d, unsigned state, bool is_high)
+{
+    ttc_model *model = ttc_model_again(d->table, d->model);
+    const ttc_symbol_entry *entry = model == NULL ? NULL : &model->symbols[model->states[state]];
+    char *text = entry == NULL ? NULL : fmpq_get_str(NULL, 10, ttc_coefficient(model->graph, is_high ? entry->high : entry->low));
+    json_t *out = json_string(text);
+
+    flint_free(text);
+    ttc_model_destroy(model);
+    return out;
+}
+
 json_t *jlt_given_pole_shown(const jlt_given_pole *self, const jlt_pole_result *result)
 {
     const jlt_descriptor *d = self->question.descriptor;
     const jlt_quantity *pole = &d->states[self->question.state];
     const unsigned digits = self->question.digits;
     json_t *limit = json_object(), *vanish = json_array();
-    char end[32];
-
-    snprintf(end, sizeof end, "%.17g", result->is_high ? pole->high : pole->low);
     for (unsigned i = 0; i < result->states; i++) {
         if (i == self->question.state) continue;
         if (result->vanishes[i]) json_array_append_new(vanish, json_string(d->states[i].name));
         else json_object_set_new(limit, d->states[i].name, jlt_shown_ball(result->limit + i, digits));
     }
-    return json_pack("{s:s,s:o,s:o,s:o,s:o,s:[o]}", "end", end, "vanish", vanish, "limit", limit, "time",
+    return json_pack("{s:o,s:o,s:o,s:o,s:o,s:[o]}", "end", end_of(d, self->question.state, result->is_high), "vanish", vanish, "limit", limit, "time",
                      jlt_shown_ball(result->time, digits), "conditions", jlt_shown_conditions(result->least, d), "claims",
                      json_sprintf("pole %s", pole->name));
 }

@@ -8,7 +8,7 @@
  *        "instant": NUMBER,                                      in that time, from where they settle
  *        "digits": N }
  *      "shown": {
- *        "end": DECIMAL,                                         of the pole's state
+ *        "end": FRACTION,                                        of the pole's state
  *        "vanish": [NAME, ...], "limit": {NAME: BALL, ...},      other states there: those that are 0, and all the rest
  *        "time": BALL,                                           that the motions take, in the table's own time
  *        "conditions": {NAME: DECIMAL, ...}, "claims": ["pole NAME"] }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STEPS_MAX = 10000 };
+enum { STEPS_MAX = 1000 };
 
 void jlt_pole_result_init(jlt_pole_result *self, const jlt_descriptor *d)
 {

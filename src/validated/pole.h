@@ -41,7 +41,7 @@ void jlt_pole_result_init(jlt_pole_result *self, const jlt_descriptor *descripto
 void jlt_pole_result_clear(jlt_pole_result *self);
 
 /** The proof. In and out: instant, exact, > 0, in the time that is named: where the flight ends; 0: as soon as the box settles, or
- *  after 10000 steps, and it is then set. Errors: as jlt_formulas_create_lifted, jlt_step_advance; NOMEM. Cost: some 100 steps. */
+ *  after 1000 steps, and it is then set. Errors: as jlt_formulas_create_lifted, jlt_step_advance; NOMEM. Cost: some 100 steps. */
 JLT_CHECKED jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *question, arf_t instant);
 
 #endif
