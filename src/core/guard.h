@@ -1,9 +1,9 @@
 /** Turns floating-point exceptions into a status: an overflow, an underflow that loses digits, or an undefined operation.
  *
- *       jlt_guard guard;
- *       jlt_guard_enter(&guard);
- *       ... calls through pointers or into other files (the compiler may move arithmetic of the same function) ...
- *       st = jlt_guard_leave(&guard);
+ *      jlt_guard guard;
+ *      jlt_guard_enter(&guard);
+ *      ... calls through pointers or into other files (the compiler may move arithmetic of the same function) ...
+ *      st = jlt_guard_leave(&guard);
  *
  *  Inside, traps are off and the rounding mode is to nearest. Leaving restores the caller's environment, raised flags included:
  *  guards nest, and flags of guarded work never reach the caller. */

@@ -103,7 +103,7 @@ static bool evaluate(walk *w, ttc_id id)
     bool good = true;
 
     if (w->state[id] != UNKNOWN) return w->state[id] == GOOD;
-    w->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    w->state[id] = BAD; /* a definition that contains itself has no value */
     switch (ttc_kind_of(graph, id)) {
     case TTC_NUMBER: jlt_surd_set_rational(out, ttc_coefficient(graph, id)); break;
     case TTC_SYMBOL: good = evaluate_symbol(out, w, ttc_symbol_of(graph, id)); break;
