@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Derivative by a state, or by a free parameter, in the field's symbols. */
+/* The derivative by a state or a free parameter, in the field's symbols. */
 static ttc_id partial(const jlt_formulas *self, ttc_field *field, ttc_id expression, unsigned column)
 {
     const uint32_t by = column < self->states ? self->model->states[column]
@@ -23,9 +23,9 @@ static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
     return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
 }
 
-/* What is positive in the domain: its records, the states' intervals, radicands of all roots, arguments of all logarithms, squares
- * of what these and the field divide by. Returns how many there are; they are made where ids is not NULL. UINT_MAX: memory is
- * out. */
+/* Collect the quantities that are positive in the domain: records `domain`, distances from the ends of intervals, radicands of
+ * roots, arguments of logarithms, and squares of the divisors of these and of the field. Returns their number, UINT_MAX if memory
+ * is out; they are built only if ids is not NULL. */
 static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
