@@ -55,8 +55,7 @@ typedef struct {
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* lower bounds of the model's conditions from x_0 to p */
 } jlt_homoclinic_result;
 
-void jlt_homoclinic_result_init(jlt_homoclinic_result *result, const jlt_cycle *of, unsigned legs); /* release with
-                                                                                                     * jlt_homoclinic_result_clear */
+void jlt_homoclinic_result_init(jlt_homoclinic_result *result, const jlt_cycle *of, unsigned legs); /* release with _clear */
 void jlt_homoclinic_result_clear(jlt_homoclinic_result *result);
 
 /** Prove the orbit. Out: *result, initialized by jlt_homoclinic_result_init for the number of legs. In: of, created from the same
