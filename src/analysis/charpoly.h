@@ -14,9 +14,8 @@ enum { JLT_CHARPOLY_SIZE_MAX = 32 };
  *       |error of coefficient k| <= k (n + 3) u scale[k], where u = 2^-53 and each |error of a_ij| <= u majorant_ij;
  *       both untouched on failure.
  *  In:  a, shape (n, n), row-major; majorant, shape (n, n), >= |a|, or NULL: |a| itself. n <= JLT_CHARPOLY_SIZE_MAX.
- *  Errors: ARG, n; NONFINITE, an entry, or a coefficient that overflows or underflows (intermediate results are scaled by powers
- *  of
- *          two, exactly).
+ *  Errors: ARG, n; NONFINITE, an entry, or a coefficient that overflows or underflows (the work itself is scaled by powers of two,
+ *          exactly).
  *  Cost: 2 n^4.
  *  Source: U. LeVerrier 1840, D. K. Faddeev 1949; F. R. Gantmacher, The Theory of Matrices I, IV.5. */
 JLT_CHECKED jlt_status jlt_charpoly_faddeev_leverrier(double *coefficients, double *scale, const double *a,

@@ -43,11 +43,10 @@ typedef struct {
 /** Compute the eigenvalues of a, and their differences from eigenvalues by other routes.
  *  Out: *result, untouched on failure.
  *  In:  a, shape (n, n), row-major; error, shape (n, n), bound on |error of a|, or NULL: 4 units roundoff of each entry;
- *       gradients, shape (count, n), of which dependent ones are allowed and ignored, the later first; gradient_error, shape
- *       (count, n), bound on their errors, or NULL: 8 units roundoff of each entry. 1 <= n and count <= JLT_DEFLATION_SIZE_MAX.
+ *       gradients, shape (count, n), of which those that depend on earlier ones are ignored; gradient_error, shape (count, n),
+ *       bound on their errors, or NULL: 8 units roundoff of each entry. 1 <= n and count <= JLT_DEFLATION_SIZE_MAX.
  *  Errors: ARG, n or count; NONFINITE, an entry, or one that over- or underflows when it is scaled; NO_CONVERGENCE, rounding
- *  errors
- *  spoil every choice of pivots, or GSL's iteration fails; NOMEM.
+ *  errors spoil every choice of pivots, or GSL's iteration fails; NOMEM.
  *  Eigenvalues on the diagonal of a triangular part of B are taken as they are; a coupled block of two rows is solved in closed
  *  form, a larger one by GSL.
  *  Cost: choose(n, k) eliminations of k rows. Not reentrant: it calls ARPACK. */

@@ -14,7 +14,8 @@ enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, REVERSORS_MAX = 8 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* An eigenvalue counts as one on the imaginary axis if its real part may be zero and is at most this part of its modulus. */
+/* An eigenvalue whose real part may be zero is taken to be on the imaginary axis if the error of that part is at most this part of
+ * its modulus; otherwise its side stays undecided. */
 static const double on_axis = 1e-6;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict)

@@ -114,8 +114,8 @@ static double largest_of(const search *s)
     return largest;
 }
 
-/* Move to the origin if it is an equilibrium, and Newton's method has come within a thousandth of the way: there every term
- * vanishes with the states, and the residual is never small relative to its terms. */
+/* Move to the origin if it is an equilibrium, and Newton's method has reduced the largest state to a thousandth: near it every
+ * term vanishes with the states, and the residual is never small relative to its terms. */
 static void snap_to_origin(search *s, double began)
 {
     double trial[SIZE];

@@ -1,8 +1,8 @@
-/** Ulam's approximation of the transfer operator of a map: a Markov matrix between boxes.
+/** Ulam's approximation of the transfer operator of a map: a matrix of transition probabilities between boxes.
  *
  *  Entry P_ij of the matrix is the share of the points of box i whose image lies in box j; masses v of boxes are mapped to v P.
- *  Only boxes that contain a point of the space are kept. The share of points without an image is a loss of their box, recorded by
- *  kind (what became of the point), so that a row and its losses sum to 1.
+ *  Only boxes that contain a point of the space are kept. The share of points without an image in a kept box is a loss of box i,
+ *  recorded by kind (what became of the point), so that a row and its losses sum to 1.
  *
  *  The matrix spreads mass over whole boxes. This numerical diffusion, of the width of a box per iteration, hides weaker
  *  dissipation and weaker transport of the map itself. Results are evidence, not proof.

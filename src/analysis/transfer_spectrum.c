@@ -10,7 +10,7 @@
 
 static const double rounding = 1e-9; /* relative to the mass */
 static const double alike = 1e-3;    /* relative to the eigenvalue */
-static const double doubled = 1e-6;  /* imaginary part of a pair relative to its magnitude below which it is a double real
+static const double doubled = 1e-6;  /* a pair whose imaginary part is at most this part of its real part is a double real
                                       * eigenvalue */
 
 enum { SPACE = 24, RESTARTS = 300 };

@@ -15,8 +15,7 @@ typedef struct {
     double *spread;   /* (count,): distance to the nearest eigenvalue of a second computation from another start vector. It detects
                        * what the residual does not: a Jordan block of size k of the eigenvalue 0 is computed as k values on a
                        * circle whose radius is the k-th root of a rounding error, with small residuals */
-    size_t told;      /* number of leading eigenvalues that agree to three digits in both computations; the others are not
-                       * resolved */
+    size_t told;      /* the first `told` eigenvalues agree to three digits in both computations; the others are not resolved */
     double *leading;  /* (transfer->count,): eigenvector of the largest real eigenvalue, the stationary masses, >= 0 */
     size_t leading_index;
     double negative;  /* share of the mass to which ARPACK gives the opposite sign: roundoff, unless the eigenvalue is multiple */

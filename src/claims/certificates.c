@@ -25,8 +25,8 @@ static void set(jlt_verify_run *run, uint32_t symbol, const char *fraction, bool
     (void)ttc_ball_set_fraction(run->oracle->ball, symbol, negative ? text : fraction);
 }
 
-/* If the number drawn for a state lies outside its open interval, replace it, with d = its modulus rounded to 1/256: by the point
- * at distance d from the finite end, or, in a bounded interval, by the point at the fraction d of its length. */
+/* A number drawn outside its state's open interval is replaced. With d its modulus, rounded to 1/256, the state becomes the point
+ * at distance d from the finite end, or, in a bounded interval, the point at the fraction d of its length. */
 static void move_inside(jlt_verify_run *run, unsigned state)
 {
     const jlt_quantity *q = &run->descriptor->states[state];

@@ -66,7 +66,7 @@ typedef struct {
     size_t certificate_count;
     jlt_verify_density *densities;
     size_t density_count;
-    size_t held, failed; /* totals over all sections */
+    size_t held, failed; /* totals over all parts */
 } jlt_verify_run;
 
 /** Prove all claims exactly. In: descriptor, file, seed and samples of *run; all other members zero. The caller passes *run to

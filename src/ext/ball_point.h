@@ -21,10 +21,10 @@ bool jlt_ball_point_set(arb_t out, const jlt_ball_value *value, slong precision)
 bool jlt_ball_point_fixed(arb_srcptr x, const signed char *signs, size_t states);
 
 /** Find the equilibrium at the given states, or else one within 100 times the question's reach of them. Newton's method solves the
- *  smallest number of equations after which every component of the field contains zero, for as many states; a state with reach 0
+ *  smallest number of equations, in as many states, that makes every component of the field contain zero; a state with reach 0
  *  keeps its value, and so does one with a fraction, if an equilibrium is proved that way.
  *  Krawczyk's test proves that these equations have a solution in the balls. Each other equation follows if it holds identically
- *  in the balls; if a reversor fixes the point, and leaves the sign of that component; or from integrals I, as grad I . f = 0, if
+ *  in the balls; if a reversor fixes the point and does not flip that component; or from integrals I, since grad I . f = 0, if
  *  enough of their gradients are independent. If all follow, the point is proved to be an equilibrium.
  *  Out: x, shape (n,), untouched if NONE is returned. In: params, shape (params,).
  *  Source: R. Krawczyk, Computing 4 (1969) 187-201. */

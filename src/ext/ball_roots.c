@@ -137,10 +137,10 @@ static void widen(acb_t value, const mag_t error, ulong times)
 }
 
 /* Disks of one radius about n approximate eigenvalues contain all eigenvalues, and every connected component of their union
- * contains as many eigenvalues as disks. A disk widened by 2 n radii, and some more, contains the whole component of its center.
- * So a widened disk that overlaps no other contains exactly one eigenvalue, which is simple, and is real if its center is within
- * two radii of the real axis, since its conjugate would lie in the same disk. Of eigenvalues that share a disk, neither is known.
- * Returns false if the number of disks that contain zero is not s->zeros. */
+ * contains as many eigenvalues as disks. A disk widened by 2 n radii, and some more, contains the whole component of its centre.
+ * So a widened disk that overlaps no other contains exactly one eigenvalue, which is simple, and is real if its centre is within
+ * two radii of the real axis, since its conjugate would lie in the same disk. Of eigenvalues in overlapping disks it is not known
+ * whether they are simple or real. Returns false if the number of disks that contain zero is not s->zeros. */
 static bool find_clusters(jlt_ball_spectrum *s, jlt_ball_problem *p)
 {
     acb_ptr values = _acb_vec_init(p->n), narrow = _acb_vec_init(p->n);

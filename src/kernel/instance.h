@@ -33,9 +33,9 @@ JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt
                                               const jlt_units *units);
 
 /** Choose units for a motion of the model in which its numbers are of the order of 1: units of mass and length from parameters and
- *  states, the unit of time from the rates of the states at x, and those that the field gives there with all velocities set to
- *  zero. In: params, shape (param_count,), and x, shape (state_count,), the initial state or typical sizes of the states, in the
- *  table's units. Errors: as jlt_instance_create. */
+ *  states; the unit of time from the rates that the sizes of the states suggest, and from those that the field gives at x with all
+ *  states whose unit contains time set to zero. In: params, shape (param_count,), and x, shape (state_count,), the initial state
+ *  or typical sizes of the states, in the table's units. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 

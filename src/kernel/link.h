@@ -37,8 +37,8 @@ bool jlt_link_find(jlt_link *link, const jlt_claim **broken, const jlt_descripto
  *  state: it is the value of an integral of the first table. */
 jlt_source jlt_link_source(const jlt_link *link, const char *name);
 
-/** The name of a parameter of the table `to` that a reduction of `from` onto `to` gives by something of another name, while that
- *  name means something else in `from`, so that the reduction cannot be followed by name; NULL if there is none. */
+/** The name of a parameter of the table `to` whose value under this reduction cannot be followed by name: in `from` the value has
+ *  another name, or none, or the name means something else; NULL if there is no such parameter. */
 const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
 
 /** Whether any parameter of the last table is JLT_SOURCE_PARAMS. */

@@ -8,7 +8,8 @@
  *  - On the family of equilibria `spin`, where v_nu and omega3 alone are not 0, G = G_w omega3, and E and F0 are
  *    E_v v_nu^2 + E_w omega3^2 and F_v v_nu^2 + F_w omega3^2. E_w and F_w are linear in gamma3^2, and G_w is linear in gamma3: so
  *    for G != 0 all fixed points have the same gamma3^2, and there are at most four, one for each sign of gamma3 and of v_nu.
- *  - No fixed point is a saddle: the product of its two other eigenvalues is not negative. Those with gamma3 v_nu > 0 attract. */
+ *  - No fixed point is a saddle: the product of the two eigenvalues that integrals do not force to be 0 is not negative. Fixed
+ *    points with gamma3 v_nu > 0 attract. */
 #ifndef JLT_TOP_BALANCED_H
 #define JLT_TOP_BALANCED_H
 
@@ -50,8 +51,8 @@ typedef enum { JLT_FIXED_REPELLING, JLT_FIXED_CENTRE, JLT_FIXED_ATTRACTING } jlt
 typedef struct {
     double x[JLT_TOP_STATES];
     double psi, v_slip;
-    double trace, determinant;     /* of the 2 x 2 block of the two eigenvalues that integrals do not force to be zero */
-    double re[2], im[2];           /* those eigenvalues */
+    double trace, determinant;     /* sum and product of the two eigenvalues that integrals do not force to be 0 */
+    double re[2], im[2];           /* these eigenvalues */
     jlt_fixed_kind kind;
     int focus;                     /* whether they are a complex pair */
 } jlt_fixed_point;

@@ -52,7 +52,7 @@ JLT_CHECKED jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t);
  *  not looked at. */
 bool jlt_rod_is_known(const jlt_descriptor *model);
 
-/* A line on the quadratures for lists of tiers. */
+/* A one-line description of the quadratures, for lists of tiers. */
 extern const char jlt_rod_meaning[];
 
 /** Why the quadratures do not apply to the orbit of such a model from x, shape (state_count,), with params, shape (param_count,),

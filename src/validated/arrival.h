@@ -1,9 +1,10 @@
 /** Encloses the arrival of a box of states on a section: state, time and derivative.
  *
  *  The box is carried to an instant near the crossing. Over [-d, d] around it, solutions stay in a box Y with f_c != 0, c being
- *  the section's column, so each crosses once, and transversally. By the mean value theorem this is at a time tau in (level -
- *  x_c)/f_c(Y), which must lie within [-d, d]. The state at the crossing is in x + tau f(Y), and its derivative, with V that of
- *  the flow, is
+ *  the section's column, so each crosses once, and transversally. By the mean value theorem the time tau of the crossing, which
+ *  must lie within [-d, d], is in
+ *      (level - x_c)/f_c(Y).
+ *  The state at the crossing is in x + tau f(Y), and its derivative, with V that of the flow, is
  *      (1 - f e_c^T/f_c) V,
  *  where the factor accounts for the variation of the crossing time. The whole set is enclosed from its middle and this derivative
  *  by the mean value theorem, so the spread of crossing times does not widen the enclosure. */

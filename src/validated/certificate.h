@@ -12,7 +12,7 @@
  *  on. The digest is that of all other members as compact JSON with sorted keys. The kinds are:
  *  `cycle`: there is exactly one such orbit.
  *  `obstruction`: its determinant is not 1.
- *  `sink`: it attracts, and a reversor maps it to an orbit that repels.
+ *  `sink`: it attracts; its image under a reversor of the table, if there is one, repels.
  *  `homoclinic`: it is a saddle whose manifolds cross transversally, at a point that a reversor fixes.
  *  `symmetric`: it is its own mirror image under a reversor.
  *  `elliptic`: it is symmetric, elliptic, and stable by a twist.

@@ -2,10 +2,11 @@
  *
  *  The orbit is cut where it crosses the section, into legs that are enclosed one by one (multiple shooting), so that errors grow
  *  over one leg only. The unknowns y of a point on the section are the states without the section's. With P the arrival on the
- *  section, F the integrals, c their levels, and y = (q, w) with as many w as levels, the equations of all legs i are P_q(y_i) =
- *  q_(i+1), F(y_i) = c, where the last leg ends at the first point. Krawczyk's operator (krawczyk.h) proves that they have exactly
- *  one solution. There F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): if dF/dw is regular over the hull of both points, then
- *  P_w(y_i) = w_(i+1), so that the legs meet.
+ *  section, F the integrals, c their levels, and y = (q, w) with as many w as levels, the equations of all legs i are
+ *      P_q(y_i) = q_(i+1),      F(y_i) = c,
+ *  where the last leg ends at the first point. Krawczyk's operator (krawczyk.h) proves that they have exactly one solution. There
+ *  F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): if dF/dw is regular over the hull of both points, then P_w(y_i) = w_(i+1), so
+ *  that the legs meet.
  *
  *  On the levels dw = -F_w^-1 F_q dq, which gives the derivative D of the map in q, leg by leg. Its determinant is also
  *      det D = exp(integral of div f over the orbit),
@@ -13,9 +14,9 @@
  *  interval matrices, so this enclosure is far tighter. Both must overlap.
  *
  *  An orbit of a forced system, or around an angle, may close only up to periods of states, by which these have grown at the end
- *  of each leg: points that differ by periods are the same point for the table, and are identified here. Proved is one solution
- *  for the given numbers of periods of each leg. Orbits with other numbers solve other equations, which may have a solution in the
- *  same boxes.
+ *  of each leg: points that differ by periods are the same point for the table, and are identified here. The proof gives exactly
+ *  one solution for the given numbers of periods of each leg. Orbits with other numbers solve other equations, which may have a
+ *  solution in the same boxes.
  *
  *  Parameters that are intervals become states of rate 0: the result then holds for each of their values. */
 #ifndef JLT_VALIDATED_CYCLE_H

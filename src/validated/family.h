@@ -19,7 +19,7 @@ typedef struct {
     unsigned dim;            /* number of sides of the box: all parameters and states that the family leaves free */
     const uint32_t *symbols; /* (dim,), like low and high */
     const fmpq *low, *high;
-    unsigned limit;          /* most boxes */
+    unsigned limit;          /* the most boxes to examine */
     slong bits;
 } jlt_family_question;
 

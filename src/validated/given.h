@@ -1,5 +1,5 @@
-/** Reads the input of a certificate: a question about a cycle, with the boxes and instants of the proof, all in exact numbers
- *  written as text.
+/** Reads and makes the input of a certificate: a question about a cycle, with the boxes and instants of the proof, all in exact
+ *  numbers written as text.
  *
  *      "given": {
  *        "table": {"name": NAME, "sha256": DIGEST},

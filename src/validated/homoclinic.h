@@ -7,11 +7,11 @@
  *  direction does; its images under P remain curves through q* with tangents in the cone, and grow in u until they leave N.
  *
  *  The unknowns are points x_0, x_1, ... of the section, x_0 on that graph, each mapped to the next. From the last one the orbit
- *  goes on to a point p on the section, whose state is 0 there, crossed in either direction, where the other state that the
- *  reversor R flips is 0 as well. So p = Rp lies on the unstable manifold and on its image, the stable one. Krawczyk's operator
- *  (krawczyk.h), with g in slope*u*[-1, 1] and g' in slope*[-1, 1], proves that there is exactly one such orbit, and that the
- *  equations are independent: the manifold crosses the set of symmetric points. The same matrix gives the manifold's tangent at p,
- *  with rate 1 of the flipped state. If another of its components is not 0, the tangent differs from its image under R: the
+ *  goes on to a point p where it meets the section, whose state is 0 there, in either direction, and where the other state that
+ *  the reversor R flips is 0 as well. So p = Rp lies on the unstable manifold and on its image, the stable one. Krawczyk's
+ *  operator (krawczyk.h), with g in slope*u*[-1, 1] and g' in slope*[-1, 1], proves that there is exactly one such orbit, and that
+ *  the equations are independent: the manifold crosses the set of symmetric points. The same matrix gives the manifold's tangent
+ *  at p, with rate 1 of the flipped state. If another of its components is not 0, the tangent differs from its image under R: the
  *  manifolds cross transversally.
  *
  *  Source: S. Smale 1965; J. Moser, Stable and Random Motions, 1973; R. L. Devaney, Trans. AMS 218, 1976. */

@@ -24,8 +24,8 @@ typedef struct {
 } jlt_homoclinic_chain;
 
 /** Initialize the chain. In any case the caller must call jlt_homoclinic_chain_clear. Returns false if the frame is singular, or
- *  the reversor does not flip the section's state, whose value there is 0, and exactly one of the kept states. In: saddle, shape
- *  (unknowns,), copied. */
+ *  unless the reversor flips the section's state, whose value there must be 0, and exactly one other state, which must be kept.
+ *  In: saddle, shape (unknowns,), copied. */
 bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const jlt_homoclinic_question *question,
                                arb_srcptr saddle);
 void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self);

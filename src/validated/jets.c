@@ -199,7 +199,7 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, place n, sl
     case TTC_OP_NEGATE: arb_neg(r + here, a + here); break;
     case TTC_OP_ADD: arb_add(r + here, a + here, b + here, bits); break;
     case TTC_OP_SUBTRACT: arb_sub(r + here, a + here, b + here, bits); break;
-    case TTC_OP_MULTIPLY: /* a factor that is a number has only the coefficient 0 */
+    case TTC_OP_MULTIPLY: /* a factor that does not depend on states has only the coefficient of order 0 */
         if (!self->series[i->a]) arb_mul(r + here, a, b + here, bits);
         else if (!self->series[i->b]) arb_mul(r + here, a + here, b, bits);
         else convolve(self, r + here, NULL, false, a, b, n, ALL, bits);
@@ -216,7 +216,7 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, place n, sl
     }
 }
 
-/* Compute the coefficients of t^k of all values; numbers have only that of t^0. */
+/* Compute the coefficients of t^k of all values; values that do not depend on states have only that of t^0. */
 static void run_order(jlt_jets *self, arb_srcptr params, unsigned k, slong bits)
 {
     for (size_t v = 0; v < self->size; v++) {

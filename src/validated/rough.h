@@ -30,7 +30,7 @@ typedef struct {
     unsigned terms;         /* number of coefficients of a polynomial */
     jlt_jets *hull, *rough; /* jets over the set X, to be run by the caller; jets over y */
     arb_ptr y;              /* (dim, terms): the rough enclosure */
-    double caution;         /* factor by which steps are shorter than the coefficients suggest */
+    double caution;         /* steps are this factor times what the coefficients suggest */
 } jlt_rough;
 
 /** Initialize. In: program, of `of`; params, shape (of->params,), borrowed; degree, of the polynomials. The caller must call

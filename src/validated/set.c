@@ -55,7 +55,7 @@ void jlt_set_slope(arb_mat_t slope, const jlt_set *self)
     arb_mat_add(slope, slope, self->V, self->bits);
 }
 
-/* The square of: the length of column j of the axes times the largest radius in row j of the factors. */
+/* weight = (length of column j of the axes times largest radius in row j of the factors)^2. */
 static void weigh(arb_t weight, const arb_mat_t axes, const arb_mat_t factors, slong j, slong bits)
 {
     mag_t radius;

@@ -26,7 +26,8 @@ json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_give
  *  reference. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits);
 
-/** A decimal of five digits, at most a lower bound, "-inf" for NaN; and likewise at least an upper bound. A new reference. */
+/** A decimal of five digits that is at most the lower bound `bound`, "-inf" for NaN; and one that is at least the upper bound. A
+ *  new reference. */
 json_t *jlt_shown_lower_bound(const arf_t bound);
 json_t *jlt_shown_upper_bound(const arf_t bound);
 

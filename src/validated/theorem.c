@@ -221,7 +221,7 @@ bool jlt_theorem_is_kind(const char *kind)
     return false;
 }
 
-/* Names the reversor if `given` does, as it must when the table has several. */
+/* Names the reversor if `given` does. */
 static void write_saddle(FILE *out, const subject *s)
 {
     const json_t *flipped = json_object_get(json_object_get(s->given, "homoclinic"), "reversor");

@@ -18,7 +18,7 @@ void jlt_theorem_turns_write_all(FILE *out, const json_t *legs, const jlt_descri
 /** " but for these periods: STATE N and STATE N at the end of leg I, ...", for each leg that has turns. */
 void jlt_theorem_turns_write_legs(FILE *out, const json_t *legs, const jlt_descriptor *descriptor);
 
-/** That orbits with other numbers of periods are not excluded, and that points which differ by periods are identified. */
+/** Says that orbits with other numbers of periods are not excluded, and that points which differ by periods are identified. */
 void jlt_theorem_turns_write_sense(FILE *out, const json_t *legs, const jlt_descriptor *descriptor);
 
 /** "FIRSTwith the period P in STATELAST", for densities. */
