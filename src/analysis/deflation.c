@@ -134,8 +134,7 @@ static jlt_status solve_large(double *re, double *im, double *error, const doubl
     return JLT_OK;
 }
 
-/* Eigenvalues of B with error bounds: those on the diagonal of a triangular part as they are, a pair in closed form, more by
- * GSL. */
+/* Eigenvalues of B with error bounds: those on a triangular part's diagonal as they are, a pair in closed form, more by GSL. */
 static jlt_status solve_block(double *re, double *im, double *error, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t rest = p->n - p->rank;

@@ -20,8 +20,7 @@ enum { JLT_DEFLATION_SIZE_MAX = 16 };
 
 typedef struct {
     double re, im;
-    double condition; /* |x| |y| / |y^H x| of the whole matrix; INFINITY if defective, NaN for a zero eigenvalue, where it is not
-                       * defined */
+    double condition; /* |x| |y| / |y^H x| of the whole matrix; INFINITY if defective, NaN for the eigenvalue zero */
     double error;     /* first-order bound on the absolute error, from the errors of the entries and of the arithmetic */
     int source;       /* row of the gradient that this exactly zero eigenvalue is attributed to; else -1 */
 } jlt_eigenvalue;
@@ -31,8 +30,7 @@ typedef struct {
         kept; /* n less the number of zeros attributed to integrals */
     jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the attributed zeros, then the rest, ascending */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for exact integrals */
-    double gsl_difference;    /* largest distance from an eigenvalue of B to the nearest that GSL computes for B, over A's
-                               * Frobenius norm */
+    double gsl_difference;    /* largest distance from an eigenvalue of B to the nearest of GSL's for B, over A's Frobenius norm */
     double plain_difference;  /* the same between all eigenvalues and GSL's for A without deflation, in both directions */
     double arpack_difference; /* the same from ARPACK's largest eigenvalues of A to these; NaN if ARPACK cannot be used */
     const char *arpack_note;  /* why ARPACK cannot be used; "" if it was */

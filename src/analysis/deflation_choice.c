@@ -54,8 +54,7 @@ static bool eliminate(jlt_deflation_choice *c, const jlt_deflation_problem *p)
 /* Called through a volatile pointer, so that the compiler cannot move arithmetic of the elimination out of the guard. */
 static bool (*volatile eliminate_guarded)(jlt_deflation_choice *, const jlt_deflation_problem *) = eliminate;
 
-/* Whether the computed C approximates the inverse of every W_p within its errors: |E - C W_p| + |C| |error of W_p| < 1/10, in
- * coordinates scaled by the columns. */
+/* Whether C approximates the inverse of every W_p within its errors: |E - C W_p| + |C| |error of W_p| < 1/10, columns scaled. */
 static bool inverts(const jlt_deflation_choice *c, const jlt_deflation_problem *p)
 {
     const size_t n = p->n, k = p->rank;

@@ -40,8 +40,7 @@ JLT_CHECKED jlt_status jlt_density_tabulate(jlt_density_point *points, size_t co
 
 /** Draw a random state. A state bounded on both sides lies inside its interval (jlt_region_intervals), one time in four near an
  *  end; a state bounded on one side lies 0.1 to 10 from the bound; any other has a magnitude of 0.1 to 10.
- *  Out: x, shape (states,). In: prepared, values prepared from the parameters; if NULL, bounds that depend on parameters are
- *  ignored. */
+ *  Out: x, shape (states,). In: prepared, values prepared from the parameters; NULL ignores bounds that depend on them. */
 void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, const double *prepared, jlt_random *random);
 
 /** The largest |div(rho f)| over `samples` random states, for each density of the table, relative to the size of its terms, |rho|

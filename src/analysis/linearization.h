@@ -54,18 +54,15 @@ typedef struct {
     double trace_formula;             /* the table's formula; NaN if it has none */
     jlt_deflation eigen;
     long precision;                   /* bits of the arithmetic that the eigenvalues were computed in */
-    bool exists;                      /* the equilibrium is proved to exist in balls; if false, x may be no equilibrium, or one
-                                       * with trace zero */
+    bool exists;                      /* balls prove the equilibrium; if not, x may be none, or one of trace zero */
     bool proved;                      /* the verdict is proved; if false, it is a first-order verdict in doubles, or UNDECIDED */
     bool sure;                        /* every number is proved to be the double nearest to the exact value */
-    jlt_ball_texts *texts;            /* all numbers as decimals, to be destroyed with jlt_ball_texts_destroy; NULL if none were
-                                       * asked for */
+    jlt_ball_texts *texts;            /* all numbers as decimals (jlt_ball_texts_destroy); NULL if not asked for */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, indexed by jlt_eigenvalue.source */
     jlt_verdict verdict;
     jlt_motion motion;                /* proved, or OPEN */
     int obstructs;                    /* the trace differs from zero by more than its error, which excludes a smooth positive
-                                       * density if the equilibrium exists; in doubles, trace and error are those at the rounded
-                                       * x */
+                                       * density if the equilibrium exists; in doubles, the trace is that at the rounded x */
 } jlt_linearization;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */

@@ -101,8 +101,7 @@ done:
     return st;
 }
 
-/* The factor by which the density changes over one period of its state: 1 within the quadrature's error, and 1 if there is no
- * proved period. */
+/* The factor by which the density changes over its state's proved period, 1 within the quadrature's error; 1 without a period. */
 static jlt_status turn_of(double *turn, const jlt_instance *instance, size_t along, double low, const double *x)
 {
     const jlt_quantity *q = &instance->descriptor->states[along];
@@ -169,8 +168,7 @@ static double least_rate(const jlt_instance *instance, size_t along, double *x, 
     return least;
 }
 
-/* Whether f_q vanishes in the range of the table, so that -div f/f_q has a pole: it changes sign, or touches zero as far as
- * doubles tell. */
+/* Whether -div f/f_q has a pole in the table's range: f_q changes sign, or touches zero as far as doubles tell. */
 static bool rate_vanishes(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
 {
     enum { CELLS = 1024 };

@@ -37,8 +37,7 @@ typedef struct {
     jlt_instance *instance;                  /* owned: the most special variant that holds for the parameters */
     jlt_measure_attempt attempt;
     double residual[JLT_MEASURE_CLAIMS_MAX]; /* of the claimed densities, over JLT_MEASURE_SAMPLES random states */
-    bool obstructed;                         /* an equilibrium exists whose trace is not zero, proved in balls; it is given by x
-                                              * and obstruction */
+    bool obstructed;                         /* an equilibrium, x, is proved in balls to have a nonzero trace */
     double x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_linearization obstruction;
 } jlt_measure_finding;

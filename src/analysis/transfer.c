@@ -36,13 +36,11 @@ double jlt_transfer_distance(const double *a, const double *b, size_t count)
     return sum / 2;
 }
 
-/* Work space of coarsening: the fine boxes of each coarse box, and the row that is being summed. Indices are those among kept
- * boxes. */
+/* Work space of coarsening: the fine boxes of each coarse box, and a row being summed. Indices are those among kept boxes. */
 typedef struct {
     const jlt_transfer *fine;
     uint32_t *parent;      /* (fine->count,): index of the coarse box of each fine one */
-    size_t *first, *part;  /* (coarse->count + 1,), (fine->count,): the fine boxes of coarse box I are part[first[I]] ..
-                            * part[first[I + 1] - 1] */
+    size_t *first, *part;  /* (coarse->count + 1,), (fine->count,): the fine boxes of coarse box I, from part[first[I]] on */
     double *sum;           /* (coarse->count,): the row; nonzero only at the columns in `touched` */
     uint32_t *touched;     /* (coarse->count,), of which touched_count are used */
     size_t touched_count;
@@ -89,8 +87,7 @@ static jlt_status number_parts(jlt_transfer *out, merger *m, size_t all)
     return JLT_OK;
 }
 
-/* Add a fine box, which carries `share` of the mass of its coarse box, to the coarse row; *back grows by the share with an
- * image. */
+/* Add a fine box, which carries `share` of its coarse box's mass, to the coarse row; *back grows by the share with an image. */
 static void add_part(jlt_transfer *out, merger *m, size_t coarse, size_t i, double share, double *back)
 {
     const jlt_transfer *fine = m->fine;

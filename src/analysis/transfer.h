@@ -41,8 +41,7 @@ typedef struct {
     /* Whether q, shape (dim,), is a point of the space. */
     bool (*holds)(void *context, const double *q);
     /* Images of points q, shape (count, dim). Out: images, shape (count, dim); loss, shape (count,): 0 for a point with an image,
-     * 1 to losses - 1 for the kind of loss, `losses` for a point that is not in the space; time, shape (count,), that the map
-     * took. */
+     * 1 to losses - 1 for the kind of loss, `losses` for a point outside the space; time, shape (count,), to the image. */
     jlt_status (*images)(void *context, double *images, unsigned *loss, double *time, const double *q, size_t count);
     /* A density, up to a factor, that is claimed to be invariant; NULL if there is none. */
     double (*density)(void *context, const double *q);

@@ -9,8 +9,7 @@
  *  the leading eigenvector (quasi-stationary if mass is lost). Distances are in total variation, 0 to 1. */
 typedef struct {
     jlt_transfer_spectrum spectrum; /* empty if no eigenvalues were asked for */
-    size_t multiplicity; /* number of eigenvalues within 1e-8 of the leading one; if above 1, the stationary density is not
-                          * unique */
+    size_t multiplicity; /* number of eigenvalues within 1e-8 of the leading one; the density is unique if it is 1 */
     double escape;       /* -ln of the leading eigenvalue: the escape rate per return; 0 if no mass is lost */
     double lost[JLT_TRANSFER_SECTION_LOSSES]; /* by kind: the share of the stationary density that is lost at each return */
     double balance;      /* |1 - leading eigenvalue - sum of lost|, due to rounding and the error of the eigenvector */

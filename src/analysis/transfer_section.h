@@ -15,8 +15,7 @@ enum { JLT_TRANSFER_SECTION_BRANCH = JLT_FATE_COUNT, JLT_TRANSFER_SECTION_LOSSES
 typedef struct jlt_transfer_section jlt_transfer_section;
 
 /** Create the map. system, and batch, which must be one of this system with last_only, must outlive it. If the system's table
- *  claims an invariant density rho at its parameters, the map has a density: with the field f, the return map preserves rho |flux
- *  of f|.
+ *  claims an invariant density rho at its parameters, the return map preserves the density rho |flux of f| for the field f.
  *  Errors: NOMEM; as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_transfer_section_create(jlt_transfer_section **out, const jlt_system *system, jlt_section_batch *batch);
 void jlt_transfer_section_destroy(jlt_transfer_section *self); /* NULL is legal */
@@ -30,9 +29,8 @@ const char *jlt_transfer_section_density(const jlt_transfer_section *self);
 /** The orbits on which the integration failed; valid as long as self. */
 const jlt_failures *jlt_transfer_section_failures(const jlt_transfer_section *self);
 
-/** Map masses to the mirror images of their boxes under the reversor: stationary masses become those of the inverse map. In: v,
- *  shape (transfer->count,). Out: mirrored, the same shape, 0 for a box whose mirror image is not kept. Returns false if the
- *  section has no reversor. */
+/** Mirror masses by the reversor: stationary masses become those of the inverse map. In: v, shape (transfer->count,). Out:
+ *  mirrored, the same shape, 0 for a box whose mirror image is not kept. Returns false without a reversor. */
 bool jlt_transfer_section_mirror(double *mirrored, const jlt_transfer *transfer, const double *v, const jlt_chart *chart);
 
 #endif

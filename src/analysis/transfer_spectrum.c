@@ -10,8 +10,7 @@
 
 static const double rounding = 1e-9; /* relative to the mass */
 static const double alike = 1e-3;    /* relative to the eigenvalue */
-static const double doubled = 1e-6;  /* a pair whose imaginary part is at most this part of its real part is a double real
-                                      * eigenvalue */
+static const double doubled = 1e-6;  /* a pair with |im| at most this part of |re| is a double real eigenvalue */
 
 enum { SPACE = 24, RESTARTS = 300 };
 
@@ -82,9 +81,8 @@ static double *scaled(const double *v, size_t n, double *negative)
     return copy;
 }
 
-/* The stationary masses. The eigenvector of a simple eigenvalue has one sign, except for rounding. If the eigenvalue is multiple,
- * the vector is any of its eigenspace; then |v| is stationary as well, since |v| P >= |v P| in every box, with no more mass in
- * all. */
+/* The stationary masses. The eigenvector v of a simple eigenvalue has one sign, except for rounding; that of a multiple one may
+ * not, but then |v| is stationary as well, since |v| P >= |v P| in every box, with no more mass in all. */
 static double *positive(const double *v, size_t n, double *negative)
 {
     double *copy = scaled(v, n, negative);
@@ -107,8 +105,7 @@ static double nearest(const answer *of, double re, double im)
     return distance;
 }
 
-/* The number of leading eigenvalues, by descending magnitude, that both computations found; the first that they do not share ends
- * the list. */
+/* The number of eigenvalues, by descending magnitude, up to the first that the second computation does not confirm. */
 static size_t count_told(const jlt_transfer_spectrum *s)
 {
     size_t told = 0;
@@ -178,8 +175,7 @@ static void release(answer *self)
     free(self->vectors);
 }
 
-/* The start vector is near the uniform mass, but randomized, so that no subspace that a symmetry of the map leaves invariant
- * contains it. */
+/* The start vector is near the uniform mass, but random, so as to be in no subspace that a symmetry of the map leaves invariant. */
 static jlt_status find(answer *out, problem *p, size_t wanted, double tolerance, uint64_t seed, double *start)
 {
     const size_t n = p->transfer->count, space = 2 * wanted + SPACE < n ? 2 * wanted + SPACE : n;

@@ -1,5 +1,4 @@
-/** Leading eigenvalues and eigenvectors of a transfer operator: the stationary density, the rate of escape, almost invariant
- *  sets. */
+/** Leading eigenvalues and eigenvectors of a transfer operator: stationary density, escape rate, almost invariant sets. */
 #ifndef JLT_ANALYSIS_TRANSFER_SPECTRUM_H
 #define JLT_ANALYSIS_TRANSFER_SPECTRUM_H
 
@@ -8,8 +7,7 @@
 /** Plain data, owned; clear with jlt_transfer_spectrum_clear. Eigenvectors are left ones: masses v of boxes with v P = lambda v,
  *  scaled to sum |v| = 1. */
 typedef struct {
-    size_t count;     /* number of eigenvalues, a complex pair counting as two; sorted by descending magnitude, then by descending
-                       * re and im */
+    size_t count;     /* of eigenvalues, a pair counting twice; by descending magnitude, re, im */
     double *re, *im;  /* (count,) */
     double *residual; /* (count,): sum of |v P - lambda v|, computed from the matrix */
     double *spread;   /* (count,): distance to the nearest eigenvalue of a second computation from another start vector. It detects
@@ -19,8 +17,7 @@ typedef struct {
     double *leading;  /* (transfer->count,): eigenvector of the largest real eigenvalue, the stationary masses, >= 0 */
     size_t leading_index;
     double negative;  /* share of the mass to which ARPACK gives the opposite sign: roundoff, unless the eigenvalue is multiple */
-    double *second;   /* (transfer->count,): eigenvector of the next positive eigenvalue; NULL if there is none among the first
-                       * `told` */
+    double *second;   /* (transfer->count,): eigenvector of the next positive eigenvalue if among the first `told`; or NULL */
     size_t second_index;
 } jlt_transfer_spectrum;
 
@@ -38,8 +35,7 @@ void jlt_transfer_spectrum_clear(jlt_transfer_spectrum *self); /* legal when zer
  *  are not unique. */
 size_t jlt_transfer_spectrum_multiplicity(const jlt_transfer_spectrum *self, double distance);
 
-/** The shares of the mass v, shape (transfer->count,), that are lost at each step, by kind. Out: lost, shape (losses,). Returns
- *  their sum. */
+/** The shares of the mass v, shape (transfer->count,), lost at each step, by kind: lost, shape (losses,). Returns their sum. */
 double jlt_transfer_spectrum_losses(double *lost, const jlt_transfer *transfer, const double *v);
 
 /** Mean time of a step, over the mass v that is not lost. */

@@ -1,5 +1,4 @@
-/* Certificates that a family of equilibria excludes an invariant measure: points of it at which the field is exactly zero and the
- * trace, known exactly, is not. */
+/* Certificates that a family of equilibria excludes an invariant measure: points with field exactly zero, trace exactly nonzero. */
 #include "claims/verify.h"
 
 #include <math.h>

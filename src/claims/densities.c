@@ -9,8 +9,7 @@
 
 enum { POINTS = 41, SAMPLES = 200, DRAWS_OF_PARAMS = 3 };
 
-/* Set d->contradicted: whether the density found is positive and smooth on a range that contains an equilibrium which excludes
- * such a density. */
+/* Set d->contradicted: whether the range of the density that was found contains an equilibrium that excludes it. */
 static jlt_status contradict(jlt_verify_run *run, jlt_verify_density *d, jlt_instance *instance)
 {
     const jlt_measure_attempt *a = &d->attempt;

@@ -1,5 +1,4 @@
-/* Compares what kernels compute at samples of a family of equilibria with enclosures, with the table's formulas and with other
- * methods. */
+/* Compares what kernels compute at samples of a family of equilibria with enclosures, table formulas and other methods. */
 #include "claims/sample.h"
 
 #include "analysis/charpoly.h"

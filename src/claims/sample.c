@@ -22,8 +22,7 @@ const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibri
     return NULL;
 }
 
-/* Set the oracle to a point of the family: symbols in its conditions and its dependent states are bound to their expressions, all
- * others get these values. */
+/* Set the oracle to a point of the family, which binds conditions and dependent states to expressions, all else to these values. */
 static void place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
 {
     ttc_ball *ball = run->oracle->ball;

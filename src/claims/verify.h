@@ -27,8 +27,7 @@ typedef struct {
     size_t samples, refused; /* refused: samples at which a kernel reported an error, such as an overflow or underflow */
     jlt_verify_check checks[JLT_VERIFY_CHECKS_MAX];
     size_t check_count;
-    double gsl_worst, arpack_worst; /* largest differences from eigenvalues by other routes, relative to the matrix; reported, not
-                                     * judged */
+    double gsl_worst, arpack_worst; /* largest difference to other routes, relative to the matrix; not judged */
     size_t arpack_used;
 } jlt_verify_family;
 
@@ -53,8 +52,7 @@ typedef struct {
 
 typedef struct {
     const jlt_descriptor *descriptor; /* general field */
-    const char *file;                 /* the user's own table, with the tables that its claims name beside it; NULL for a built-in
-                                       * table */
+    const char *file;                 /* the user's own table; tables that its claims name lie beside it; NULL: built in */
     size_t seed, samples;             /* samples: points on each family */
     jlt_oracle *oracle;
     jlt_random random;

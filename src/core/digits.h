@@ -1,5 +1,4 @@
-/** Converts doubles to the shortest decimal text that reads back bit for bit, and such text to doubles. The decimal point is '.'
- *  in every locale. */
+/** Converts doubles to the shortest decimal text that reads back bit for bit, and such text to doubles, in any locale. */
 #ifndef JLT_CORE_DIGITS_H
 #define JLT_CORE_DIGITS_H
 
@@ -9,9 +8,8 @@ enum { JLT_DIGITS_SIZE = 32 };
 
 /** Write `value` with the fewest digits that read back as the same double; of all such texts, the one nearest to `value`. The form
  *  is that of printf's %.Pg, P = max(15, number of digits written); NaN and infinities are written as printf writes them.
- *  Out: text, shape (JLT_DIGITS_SIZE,), null-terminated; the return value points to the terminating null byte. Cost: less than a
- *  fifth of a printf of 17 digits. Source: std::to_chars of the C++ library (U. Adams, Ryu: fast float-to-string conversion, PLDI
- *  2018). */
+ *  Out: text, shape (JLT_DIGITS_SIZE,), null-terminated; returns a pointer to the null byte. Cost: less than a fifth of a printf of
+ *  17 digits. Source: std::to_chars of the C++ library (U. Adams, Ryu: fast float-to-string conversion, PLDI 2018). */
 char *jlt_digits_shortest(char *text, double value);
 
 /** Read the decimal number that the bytes from `text` up to `end` hold, rounded to the nearest double, in any locale. Returns

@@ -27,8 +27,7 @@ double jlt_random_unit(jlt_random *random);
 double jlt_random_between(jlt_random *random, double low, double high);
 
 /* A positive number between 10^low and 1.062 * 10^high whose logarithm is roughly uniform: between two powers of two the number
- * itself is uniform, so the probability density of its logarithm is off by up to 39 %. No exp() is called, so all machines give
- * the same number. */
+ * itself is uniform, so the density of its logarithm is off by up to 39 %. It needs no exp(): all machines agree. */
 double jlt_random_magnitude(jlt_random *random, double low, double high);
 
 #endif

@@ -173,8 +173,7 @@ static void size_of(mag_t size, arb_srcptr x, const system_of *s)
     mag_clear(one);
 }
 
-/* Newton's method from x, which doubles the number of digits each step; then widen x by error estimates: twice the last step, and
- * roundoff. */
+/* Newton's method from x, doubling the digits each step; then widen x by error estimates: twice the last step, and roundoff. */
 static bool refine(arb_ptr x, const system_of *s)
 {
     arb_mat_t step;

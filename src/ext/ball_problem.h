@@ -27,8 +27,7 @@ typedef struct {
     bool last;      /* this is the highest precision: what may be zero is taken as zero */
     bool late;      /* eigenvalues that are not separated yet may be enclosed in clusters */
     bool clustered; /* eigenvalues are enclosed in clusters; no precision would tell how many of them are real */
-    bool proved;    /* the point is an equilibrium, and the algebraic and geometric multiplicity of the eigenvalue zero are as
-                     * stated */
+    bool proved;    /* the point is an equilibrium, and both multiplicities of the eigenvalue zero are as stated */
     bool settled;   /* of every real part, the sign is known, or that it is zero */
     arb_ptr params, x;
     arb_mat_t a;
@@ -38,19 +37,17 @@ typedef struct {
     slong count;
 } jlt_ball_problem;
 
-/** Enclose the eigenvalues other than zero. Parts that are known to be exactly zero are exactly zero in the balls: the imaginary
- *  parts of real eigenvalues, and the real parts of pairs on the imaginary axis if the polynomial is even.
+/** Enclose the eigenvalues other than zero. Parts known to be zero are exactly zero in the balls: imaginary parts of real
+ *  eigenvalues, and real parts of pairs on the imaginary axis if the polynomial is even.
  *  In/out: *p. Out: growing and decaying of *s. Returns false if this precision does not separate the eigenvalues; if p->late,
- *  clusters are then enclosed in common balls. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as implemented in
- *  Arb. */
+ *  clusters then share balls. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as implemented in Arb. */
 bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p);
 
 /** Round every number to the nearest double. *sure: in every ball, all numbers round to the same double. Returns false if a number
  *  is outside the range of doubles. */
 bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_problem *p);
 
-/** Write every number as a decimal. *sure becomes false if a ball contains numbers that round to different decimals. Returns NULL
- *  if memory is out. */
+/** Write every number as a decimal. *sure becomes false if numbers in a ball round differently. Returns NULL if memory is out. */
 jlt_ball_texts *jlt_ball_texts_create(bool *sure, const jlt_ball_problem *p);
 
 #endif

@@ -20,9 +20,8 @@ static slong size_of(const arb_poly_t poly)
     return most;
 }
 
-/* All roots of a polynomial with real coefficients and without the root 0; the imaginary parts of real roots are exactly zero. The
- * roots are scaled by a power of two, exactly, to the order of 1, where the iterations begin. Returns false if the precision does
- * not isolate them. */
+/* All roots of a real polynomial without the root 0; the imaginary parts of real roots are exactly zero. The roots are scaled by a
+ * power of two to the order of 1, where the iterations begin. Returns false if the precision does not isolate them. */
 static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
 {
     const slong degree = arb_poly_degree(poly), size = size_of(poly);

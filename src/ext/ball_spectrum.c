@@ -59,8 +59,7 @@ static jlt_status place(jlt_ball_problem *p)
     return arb_mat_is_finite(p->a) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
-/* Whether row `last` of w, the gradient of an integral, is a left null vector of A as far as the balls tell, and certainly
- * independent of the rows above it. */
+/* Whether row `last` of w, the gradient of an integral, may be a left null vector of A, and is independent of the rows above. */
 static bool forces_zero(const jlt_ball_problem *p, const arb_mat_t w, slong last)
 {
     arb_mat_t rows, row, transposed, gram, image;

@@ -21,11 +21,9 @@ typedef struct {
     const double *reach;                   /* shape (states,): how far from the states the equilibrium may lie */
     const char *const *integrals;          /* names of the integrals that hold at these parameters */
     size_t integral_count;
-    const signed char *const *reversors;   /* those that hold at these parameters: the sign +1 or -1 that each gives to every
-                                            * state, shape (states,) */
+    const signed char *const *reversors;   /* of each that holds: the signs of the states, +1 or -1, shape (states,) */
     size_t reversor_count;
-    struct jlt_exact_matrix *exact;        /* the equilibrium in exact numbers (ext/exact_matrix.h), whose polynomial is split into
-                                            * factors on demand; or NULL */
+    struct jlt_exact_matrix *exact;        /* the matrix in exact numbers, factored on demand (ext/exact_matrix.h); or NULL */
     long digits;                           /* decimal digits of the texts, at most JLT_BALL_TEXTS_DIGITS_MAX; 0: no texts */
 } jlt_ball_question;
 

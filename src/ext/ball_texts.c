@@ -23,8 +23,7 @@ static slong exponent_of(const arb_t x)
     return exponent;
 }
 
-/* |x| 10^(digits - 1 - exponent), rounded to the nearest integer. Returns false if the ball contains numbers that round
- * differently. */
+/* |x| 10^(digits - 1 - exponent), rounded to the nearest integer. Returns false if numbers in the ball round differently. */
 static bool scale(fmpz_t out, const arb_t x, slong digits, slong exponent)
 {
     const slong shift = digits - 1 - exponent, precision = arb_bits(x) + 4 * digits + 64;

@@ -1,6 +1,5 @@
-/** Exact real numbers in a tower of square roots over the rationals: sums, products and quotients of rationals and of
- *  successive square roots. A root is adjoined only if the field does not contain it, so a number is zero exactly if all its
- *  coordinates are. */
+/** Exact real numbers in a tower of square roots over the rationals: sums, products and quotients of rationals and of successive
+ *  square roots. Only roots outside the field are adjoined, so a number is zero exactly if its coordinates are. */
 #ifndef JLT_EXT_SURD_H
 #define JLT_EXT_SURD_H
 
@@ -23,8 +22,7 @@ typedef struct {
 
 typedef struct {
     unsigned count;
-    jlt_surd radicands[JLT_SURD_ROOTS_MAX]; /* root k is the square root of radicand k, which is positive and in the field of the
-                                             * roots before it */
+    jlt_surd radicands[JLT_SURD_ROOTS_MAX]; /* of root k: positive, in the field of the roots before it */
 } jlt_surd_field;
 
 jlt_surd_field *jlt_surd_field_create(void);      /* the rationals; returns NULL if memory is out */

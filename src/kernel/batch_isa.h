@@ -9,14 +9,12 @@
 /** Whether the processor and the operating system support the instruction set of these kernels. */
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels);
 
-/** The number of lanes, 2, 4 or 8, of the widest instruction set that runs here and that the environment variable JELLETT_LANES
- *  allows. */
+/** The number of lanes, 2, 4 or 8, of the widest instruction set that runs here and that JELLETT_LANES allows. */
 unsigned jlt_batch_isa_lanes(void);
 
 /** The widest batched kernels of a descriptor that run here with at most `lanes` lanes; lanes = 0 takes the bound from the
- *  environment variable JELLETT_LANES (2, 4 or 8), or no bound if it is not set. Returns NULL if the descriptor has no such
- *  kernels. Built-in descriptors always have kernels of 2 lanes; a descriptor that was compiled for one number of lanes has those
- *  of jlt_batch_isa_lanes(). */
+ *  environment variable JELLETT_LANES (2, 4 or 8; unset: no bound). Returns NULL if there are none. Built-in descriptors always
+ *  have kernels of 2 lanes; a descriptor that was compiled for one number of lanes has those of jlt_batch_isa_lanes(). */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
 /** Replicate the prepared values p, shape (kernels->prepared,), to all lanes of `vectors` vectors: the result, shape (vectors,

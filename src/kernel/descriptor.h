@@ -48,8 +48,7 @@ const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
  *  Returns false, with an empty list, if everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);
 
-/** Append the claim of this kind and name to such a list, unless it is proved or already listed. Does nothing if the table makes
- *  no such claim. */
+/** Append the claim of this kind and name to such a list, if the table makes it, and it is neither proved nor listed yet. */
 void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
 
 /* Find the state or parameter of this name. Returns false, and leaves *index, if there is none. */

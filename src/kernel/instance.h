@@ -10,11 +10,9 @@
 typedef struct {
     const jlt_descriptor *descriptor;
     double *params;   /* shape (param_count,), owned, in the table's units */
-    double *counted;  /* shape (param_count,), owned: the parameters in the units in which states are counted; root kernels take
-                       * these */
+    double *counted;  /* shape (param_count,), owned: parameters in the units of the states, for root kernels */
     double *prepared; /* shape (prepared_count,), owned, made from `counted` */
-    jlt_quantity *states; /* shape (state_count,), owned: those of the descriptor, with intervals and periods in the units in which
-                           * states are counted */
+    jlt_quantity *states; /* shape (state_count,), owned: the descriptor's, but with intervals and periods in the units used here */
 } jlt_instance;
 
 /** Bind a descriptor to parameters, which are checked against the table's conditions. Expressions of parameters alone are

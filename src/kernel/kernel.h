@@ -22,8 +22,7 @@ JLT_CHECKED jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, co
                                        const double *prepared);
 
 /** Evaluate a kernel that takes unprepared parameters, such as those of a family of equilibria.
- *  Out: out, shape (outputs,), untouched on failure. In: x, shape (count,), NULL where the kernel does not read it; params, shape
- *  (param_count,).
+ *  Out: out, shape (outputs,), untouched on failure. In: x, shape (count,), NULL if it is not read; params, shape (param_count,).
  *  Errors: as jlt_kernel_eval. */
 JLT_CHECKED jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, size_t outputs,
                                                 const double *x, size_t count, const double *params, size_t param_count);

@@ -26,9 +26,8 @@ typedef struct {
 } jlt_link;
 
 /** Find the shortest chain from one table to the other. Only tables that are built in or in `others` (NULL for none) may stand
- *  between the two. Returns whether there is a chain. Out: *link, empty if there is none; *broken, if there is none: a claim of
- *  the first table that would lead to the other, but is unproved or has parameters or levels that cannot be followed by name; or
- *  NULL. */
+ *  between the two. Returns whether there is a chain. Out: *link, empty if there is none; *broken, if there is none: a claim of the
+ *  first table that leads to the other, but is unproved, or whose parameters cannot be followed by name; or NULL. */
 bool jlt_link_find(jlt_link *link, const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to,
                    const jlt_way_tables *others);
 
@@ -45,8 +44,7 @@ const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim,
 bool jlt_link_computes(const jlt_link *link);
 
 /** Compute the parameters of the last table, out, shape (its param_count,), from those of the first, params, shape (its
- *  param_count,). The caller then replaces those whose source is JLT_SOURCE_LEVEL, which parameters do not determine. If both
- *  tables are the same, `out` is untouched. */
+ *  param_count,). The caller replaces those of source JLT_SOURCE_LEVEL. `out` is untouched if both tables are the same. */
 void jlt_link_params(const jlt_link *link, double *out, const double *params);
 
 #endif

@@ -1,5 +1,4 @@
-/** Evaluates the quantities that a table asks to be watched along orbits (`observe`), and the conditions under which its model
- *  holds (`valid`).
+/** Evaluates the quantities that a table declares by `observe`, and the conditions under which its model holds, by `valid`.
  *
  *  The caller passes states of any field of the model, in the units of its problem (kernel/units.h). They are converted to the
  *  table's units here; results are in the table's units. */
@@ -14,10 +13,9 @@ enum { JLT_OBSERVED_CONDITIONS_MAX = 256, JLT_OBSERVED_STATES_MAX = 256 }; /* bo
 
 typedef struct jlt_observed jlt_observed;
 
-/** Bind the observed quantities and conditions to parameters. Out: *observed, NULL on failure; destroy it with
- *  jlt_observed_destroy. In: of, the descriptor whose states will be passed in, which must not have an eliminated state; params,
- *  shape (param_count,), in the table's units; units, those of the states. Errors: as jlt_instance_create; UNSUPPORTED, too many
- *  states or conditions. */
+/** Bind quantities and conditions to parameters. Out: *observed, NULL on failure; destroy it with jlt_observed_destroy. In: of, the
+ *  descriptor of the states to be passed in, without an eliminated state; params, shape (param_count,), in the table's units;
+ *  units, those of the states. Errors: as jlt_instance_create; UNSUPPORTED, too many states or conditions. */
 JLT_CHECKED jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params,
                                            const jlt_units *units);
 void jlt_observed_destroy(jlt_observed *observed); /* legal on NULL */
@@ -30,10 +28,9 @@ const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed);
  *  there. Cost: one kernel; nothing is allocated. */
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x);
 
-/** The least value of the `valid` conditions at x, shape (states,): the model holds where it is positive. Returns NaN if all
- *  conditions that have a value are positive but one has none, so that the answer is unknown, and INFINITY if there are no
- *  conditions. Out: *condition, unless NULL: the index of the condition with the returned value; unchanged if the result is
- *  INFINITY. */
+/** The least value of the `valid` conditions at x, shape (states,): the model holds where it is positive. NaN if one has no value
+ *  and the others are positive; INFINITY if there are no conditions. Out: *condition, unless NULL: the index of that condition;
+ *  unchanged for INFINITY. */
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
 /** The value of one condition at x; the index must be below jlt_observed_conditions(). */

@@ -6,8 +6,7 @@
 #include "core/guard.h"
 #include "core/memory.h"
 
-/* Prepared values that are not finite leave some conditions without a value; the other conditions still count, so exceptions are
- * ignored. */
+/* Exceptions are ignored: if some prepared values are not finite, conditions that do not depend on them still count. */
 static void evaluate(double *values, const jlt_descriptor *descriptor, double *prepared, const double *params, const double *x)
 {
     jlt_guard guard;

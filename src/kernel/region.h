@@ -1,6 +1,5 @@
 /** Checks the conditions of a table's domain at given values: those of its `domain` records, and that no divisor of its equations
- *  is 0. Conditions that follow from intervals, signs and lifted roots are left to jlt_descriptor_check_state and
- *  jlt_descriptor_check_params. */
+ *  is 0. Intervals, signs and lifted roots are left to jlt_descriptor_check_state and jlt_descriptor_check_params. */
 #ifndef JLT_KERNEL_REGION_H
 #define JLT_KERNEL_REGION_H
 

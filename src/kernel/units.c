@@ -67,8 +67,7 @@ void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, un
     for (unsigned i = 0; i < count; i++) out[i] = ldexp(in[i], jlt_units_exponent(units, of[i].unit));
 }
 
-/* first_positive: the first parameter of this unit that is declared positive. largest: the largest state of this unit. Both are 0
- * if there is none. */
+/* The first parameter of this unit that is declared positive, and the largest state of this unit; each 0 if there is none. */
 static double first_positive(const double *params, const jlt_quantity *of, unsigned count, const char *unit)
 {
     for (unsigned i = 0; i < count; i++)

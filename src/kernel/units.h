@@ -13,9 +13,8 @@ typedef struct {
     int mass, length, time;
 } jlt_units;
 
-/** The exponent e such that a compound unit, formed from these units, is 2^e times the one formed from kg, m and s. `unit`
- *  reads "kg*m^2/s^2", "kg m^2", "1/(m*s^2)", "rad/s", "1" or "". Any name other than kg, m and s, such as rad, counts as the
- *  number 1. */
+/** The exponent e such that a compound unit formed from these units is 2^e times that from kg, m and s. `unit` reads "kg*m^2/s^2",
+ *  "kg m^2", "1/(m*s^2)", "rad/s", "1" or "". Any other name, such as rad, counts as 1. */
 int jlt_units_exponent(const jlt_units *units, const char *unit);
 
 /** Convert values, shape (count,), whose units are in of[i].unit: jlt_units_count from the table's units to these,
@@ -24,17 +23,15 @@ void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsi
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 
 /** Set the units of mass and length. The unit of mass makes the first parameter in kg that the table declares positive lie in [1,
- *  2), unless that parameter is more than 64 times the largest state in kg, since it may then have nothing to do with the extent
- *  of the motion: in that case, or if there is no such parameter, the unit makes that state lie in [1, 2). It is kg if there is
- *  neither. The unit of length is set likewise from quantities in m.
- *  params, of: shape (count,); x, states: shape (n,), n may be 0; in the table's units. */
+ *  2), unless that parameter is more than 64 times the largest state in kg, since it may then have nothing to do with the extent of
+ *  the motion: then, or if there is none, that state lies in [1, 2). It is kg if there is neither. The unit of length is set
+ *  likewise from quantities in m. params, of: shape (count,); x, states: shape (n,), n may be 0; in the table's units. */
 void jlt_units_of_sizes(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count, const double *x,
                         const jlt_quantity *states, unsigned n);
 
 /** The largest rate [1/s] that the sizes of the states suggest: a state whose unit contains s^p, p < 0, gives |x|^(-1/p) in these
- *  units of mass and length, so a velocity gives its size and an acceleration the square root of it. x, shape (count,), in the
- *  table's units; derivatives: how often x has been differentiated by time, so that the field itself can be passed with 1. Returns
- *  0 if no state has such a unit. */
+ *  units of mass and length, so a velocity gives its size, an acceleration the square root of it. x, shape (count,), in the
+ *  table's units; derivatives: how often x is differentiated by time, 1 for the field. Returns 0 if no state has such a unit. */
 double jlt_units_rate(const jlt_units *units, const double *x, const jlt_quantity *of, unsigned count, int derivatives);
 
 /** Set the unit of time so that half the square of this rate lies in [1, 4); does nothing if the rate is 0 or not finite. */

@@ -26,9 +26,8 @@ const jlt_descriptor *jlt_way_among(const jlt_way_tables *others, const char *sh
  *  tables; NULL if it is in neither. */
 const jlt_descriptor *jlt_way_target(const jlt_way *way, const jlt_way_tables *others);
 
-/** Whether the way is proved: its claim in the table `from`, and for a lift also the claim of the larger table, `target`, that
- *  it reduces to `from`. Out: *broken, if the way is not proved: the unproved claim, or NULL if the larger table makes no such
- *  claim. */
+/** Whether the way is proved: its claim in the table `from`, and for a lift also the reduction of the larger table, `target`, onto
+ *  `from`. Out: *broken, if the way is not proved: the unproved claim, or NULL if there is no claim. */
 bool jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, const jlt_way *way, const jlt_descriptor *target);
 
 /** The first condition of the way that x, shape (states of its field,), and params do not meet; NULL if all are met. If x is NULL,
@@ -41,9 +40,8 @@ const jlt_way_condition *jlt_way_broken(const jlt_way *way, const double *x, con
 const jlt_way *jlt_way_to(const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *table, const double *x,
                           const double *params);
 
-/** Map a state to the other table. Out: y, shape (way->coordinate_count,), without lifted roots; other, shape
- *  (way->param_count,), the parameters there. Errors: UNSUPPORTED, more than JLT_WAY_VALUES_MAX values; DOMAIN, an angle has no
- *  value at x; NONFINITE. */
+/** Map a state to the other table. Out: y, shape (way->coordinate_count,), without lifted roots; other, shape (way->param_count,),
+ *  the parameters there. Errors: UNSUPPORTED, too many values; DOMAIN, an angle has no value at x; NONFINITE. */
 JLT_CHECKED jlt_status jlt_way_follow(const jlt_way *way, double *y, double *other, const double *x, const double *params);
 
 /** Map the parameters alone. Out: other, shape (way->param_count,), possibly NaN or infinite. If x is NULL, parameters that are

@@ -12,13 +12,11 @@
 typedef struct {
     const jlt_descriptor *descriptor; /* a general field of at most JLT_LINEARIZATION_SIZE_MAX states */
     jlt_oracle *oracle;               /* oracle of the descriptor's table */
-    const char **params;              /* shape (params,): the exact value "p/q" that the double is a rounding of; NULL where the
-                                       * double is exact */
+    const char **params;              /* shape (params,): the exact value "p/q"; NULL where the double is exact */
     const char *x[JLT_LINEARIZATION_SIZE_MAX];        /* the same for states */
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX];  /* 1 for states that the caller gives and the family must not set */
     bool find;                                        /* the states are a guess: search for an equilibrium nearby */
-    size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* indices of the states to hold in the search, the most important first, and
-                                                       * their number */
+    size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* states to hold in the search, the most important first; their number */
     bool fast;                                        /* doubles are enough: compute no balls */
     long digits;                                      /* decimal digits of the texts to make; 0: none */
 } jlt_equilibrium_question;

@@ -208,8 +208,7 @@ static void classify(jlt_fixed_point *point, const jlt_top *top, double gamma3, 
         point->im[0] = sqrt(-root2);
         point->im[1] = -point->im[0];
     } else {
-        const double far = half_trace + copysign(sqrt(root2), half_trace); /* the smaller root from the product, without
-                                                                            * cancellation */
+        const double far = half_trace + copysign(sqrt(root2), half_trace); /* sums of one sign: no cancellation */
         point->re[0] = far;
         point->re[1] = far != 0 ? point->determinant / far : 0;
     }
@@ -238,8 +237,7 @@ static unsigned both_ways(jlt_fixed_point *out, const jlt_top *top, double gamma
     return 2;
 }
 
-/* v_nu^2 from the level, E or F0, that determines it with the smaller error, for omega3^2 = w2 with a relative error; 0 if it is 0
- * within that error. */
+/* v_nu^2 from E or F0, whichever has the smaller error, for omega3^2 = w2 with a relative error; 0 if it is 0 within its error. */
 static double slip_square(const jlt_balanced_levels *levels, const family_levels *at, double w2, double error)
 {
     const double by_E = (levels->E - at->E_w * w2) / at->E_v, by_F = (levels->F0 - at->F_w * w2) / at->F_v;
@@ -250,8 +248,7 @@ static double slip_square(const jlt_balanced_levels *levels, const family_levels
     return fabs(v2) <= fmin(error_E, error_F) ? 0 : v2;
 }
 
-/* G != 0: omega3 = G/G_w. Eliminating v_nu^2 between the levels of E and F0, and multiplying by u = gamma3^2, gives constant +
- * slope u = 0. */
+/* G != 0: omega3 = G/G_w. Eliminating v_nu^2 between E and F0, and multiplying by u = gamma3^2, gives constant + slope u = 0. */
 static unsigned tilted(jlt_fixed_point *out, const jlt_top *top, const jlt_balanced_levels *levels)
 {
     const family_levels equator = levels_at(top, 0), pole = levels_at(top, 1);
@@ -274,8 +271,7 @@ static unsigned tilted(jlt_fixed_point *out, const jlt_top *top, const jlt_balan
     return count;
 }
 
-/* G = 0: fixed points at the equator, with v_nu and omega3 from E and F0. Returns false if omega3 is 0, so that every gamma3 is
- * fixed. */
+/* G = 0: fixed points at the equator; E and F0 give v_nu and omega3. Returns false if omega3 is 0, when every gamma3 is fixed. */
 static bool equatorial(jlt_fixed_point *out, unsigned *count, const jlt_top *top, const jlt_balanced_levels *levels)
 {
     const family_levels at = levels_at(top, 0);

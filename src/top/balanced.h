@@ -23,8 +23,7 @@ typedef struct {
 /* The name of the built-in table whose motion is the flow on M^2. */
 extern const char jlt_balanced_table[];
 
-/** Whether the built-in tables claim, with proof, what these functions rely on. Out: *broken as for jlt_top_serves. If not, levels
- *  are NaN. */
+/** Whether the built-in tables prove what these functions rely on; else levels are NaN. Out: *broken as for jlt_top_serves. */
 bool jlt_balanced_serves(const jlt_claim **broken);
 
 /** The levels E, G, F0 and M of a state x, shape (JLT_TOP_STATES,). */
@@ -36,8 +35,7 @@ JLT_CHECKED jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const 
 /** v_slip >= 0 at (gamma3, psi) on the levels; NaN if M^2 has no point there. */
 double jlt_balanced_slip(const jlt_top *top, const jlt_balanced_levels *levels, double gamma3, double s, double psi);
 
-/** (gamma3, v_slip, psi) of a state, and the state at such coordinates. s = sqrt(1 - gamma3^2) is passed separately to keep its
- *  digits near a pole. */
+/** (gamma3, v_slip, psi) of a state, and the state at such coordinates. s, passed separately, keeps its digits near a pole. */
 void jlt_balanced_from_state(const jlt_top *top, double *gamma3, double *v_slip, double *psi, const double *x);
 void jlt_balanced_to_state(const jlt_top *top, const jlt_balanced_levels *levels, double *x, double gamma3, double s,
                            double v_slip, double psi);

@@ -191,8 +191,7 @@ static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course
     return JLT_PORTRAIT_WANDERING;
 }
 
-/* Follow one orbit in one direction of time. The plotted line is interrupted where psi jumps, or where v_slip changes sign, which
- * leads to the other half. */
+/* Follow one orbit in one direction of time. The plotted line breaks where psi jumps, or v_slip changes sign. */
 static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *start, int direction, size_t number)
 {
     const jlt_question question = { .model = r->model, .params = r->params, .start = start };

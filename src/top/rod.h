@@ -43,13 +43,11 @@ JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, c
 /** The rotation number: turns of (v_nu, v_tau) per period of gamma3. */
 double jlt_rod_rotation(const jlt_rod *rod);
 
-/** The model's state x, shape (state_count,), at time t after the start, of either sign. Cost: a few quadratures over part of a
- *  period.
+/** The model's state x, shape (state_count,), at time t after the start, of either sign. Cost: a few quadratures.
  *  Errors: NONFINITE, t; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t);
 
-/** Whether the model's table has a record that leads to the table whose equations the quadratures solve. Conditions and proofs are
- *  not looked at. */
+/** Whether the model's table has a record that leads to the table whose equations the quadratures solve. Proofs are not checked. */
 bool jlt_rod_is_known(const jlt_descriptor *model);
 
 /* A one-line description of the quadratures, for lists of tiers. */

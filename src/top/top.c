@@ -73,8 +73,7 @@ double jlt_top_sine(double gamma3)
     return sqrt(fmax(0, (1 - gamma3) * (1 + gamma3))); /* a gamma3 from integration may exceed 1 by rounding */
 }
 
-/* The field of a variant in the time in which s is a state; NULL if it is missing or does not have the expected states and
- * sizes. */
+/* The field of a variant in the time in which s is a state; NULL if it is missing, or of other states or sizes. */
 static const jlt_descriptor *find_field(const char *variant)
 {
     const jlt_descriptor *field = jlt_descriptor_find(JLT_DEFAULT_MODEL, variant, lifting, NULL);

@@ -44,8 +44,7 @@ double jlt_top_integral(const jlt_top *top, const char *variant, const char *nam
 /** The way from JLT_DEFAULT_MODEL to the table of this name, both in the time in which s is a state; NULL if there is none. */
 const jlt_way *jlt_top_way(const char *model);
 
-/** Whether JLT_DEFAULT_MODEL makes this claim and it is proved. Out: *broken: the claim, if it is made but not proved, else
- *  NULL. */
+/** Whether JLT_DEFAULT_MODEL makes this claim and it is proved. Out: *broken: the claim if made but unproved, else NULL. */
 bool jlt_top_claims(const jlt_claim **broken, const char *kind, const char *name);
 
 /** Whether the way to the table `model` exists and is proved, and so are the integrals `names`, a list that ends with NULL. Out:

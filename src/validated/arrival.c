@@ -22,8 +22,7 @@ void jlt_arrival_clear(jlt_arrival *self)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
 
-/* Whether the step h, unless it is the last, exceeds 2^-22 of the whole time. Shorter steps mean that enclosures grow faster than
- * the set can be carried. */
+/* Whether the step h, unless it is the last, exceeds 2^-22 of the whole time: shorter ones mean that enclosures grow too fast. */
 static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
 {
     arf_t least;
@@ -64,8 +63,7 @@ static void rate(arb_t out, const jlt_step *step, unsigned i)
     else arb_zero(out);
 }
 
-/* Enclose the crossing. y: encloses all solutions from x over span = [-d, d], d about twice what the crossing needs; tau: its
- * time. */
+/* Enclose the crossing: its time tau, and in y all solutions from x over span = [-d, d], d about twice what the crossing needs. */
 static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_srcptr x, unsigned n, unsigned column,
                         const arb_t level, int direction)
 {
@@ -93,8 +91,7 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
         arb_add(y + i, x + i, f, bits);
         mag_mul_2exp_si(size, arb_radref(y + i), -20);
         mag_add(arb_radref(y + i), arb_radref(y + i), size);
-        if (mag_is_zero(arb_radref(y + i))) mag_set_ui_2exp_si(arb_radref(y + i), 1, -bits); /* so that a state that stays 0 lies
-                                                                                              * in the interior */
+        if (mag_is_zero(arb_radref(y + i))) mag_set_ui_2exp_si(arb_radref(y + i), 1, -bits); /* a state that stays 0 lies inside */
     }
     for (unsigned attempt = 0; attempt < 4 && !inside; attempt++) {
         jlt_step_evaluate(step, y);

@@ -32,8 +32,7 @@ void jlt_arrival_clear(jlt_arrival *self);
 /** Enclose the arrival of all starts of a box. In: start, shape (dim,), dim that of the step's formulas; the section x[column] =
  *  level; instant > 0, exact, near the crossing; direction, the sign of the crossing. On failure *self is not meaningful.
  *  Errors: NO_PROGRESS, also if steps become shorter than 2^-22 of `instant`; DOMAIN, as jlt_step_advance, or the crossing is not
- *  proved to lie in the table's domain; NO_CONVERGENCE, a unique transversal crossing is not proved; ARG, more than
- *  JLT_ARRIVAL_VALIDS_MAX conditions. */
+ *  proved to lie in the table's domain; NO_CONVERGENCE, a unique transversal crossing is not proved; ARG, too many conditions. */
 JLT_CHECKED jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr start, unsigned column, const arb_t level,
                                            const arf_t instant, int direction);
 

@@ -146,15 +146,13 @@ static jlt_certificate_report add_symmetry(json_t *shown, const char *kind, cons
     return report;
 }
 
-/* Whether a kind admits orbits that close only up to periods of states. The other kinds compare states of mirror images, or of
- * curves from a saddle, as numbers. */
+/* Whether a kind admits orbits that close only up to periods of states. The other kinds compare states as numbers. */
 static bool serves_turns(const char *kind)
 {
     return strcmp(kind, "cycle") == 0 || strcmp(kind, "obstruction") == 0 || strcmp(kind, "sink") == 0;
 }
 
-/* Prove the cycle, and for its kind what else the certificate says of it; returns a new object `shown`, NULL unless the report is
- * GOOD. */
+/* Prove the cycle, and what else its kind of certificate says; returns a new object `shown`, NULL unless the report is GOOD. */
 static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_given *given,
                            jlt_cycle *cycle)
 {
@@ -275,9 +273,8 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     return shown;
 }
 
-/* Whether every root and logarithm of the table is proved to have a value, which certificates of orbits require: periods of
- * states, integrals and reversors are those of a table that is defined on its whole domain. Proofs of equilibria show it
- * themselves, over their box. */
+/* Whether every root and logarithm of the table is proved to have a value. Certificates of orbits require it, since proofs of
+ * periods, integrals and reversors assume it; those of equilibria prove it themselves, over their box. */
 static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict otherwise, const char *kind, const jlt_descriptor *d)
 {
     const jlt_claim *doubted = strcmp(kind, "equilibria") == 0 ? NULL : jlt_descriptor_doubted_field(d);

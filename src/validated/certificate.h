@@ -16,8 +16,7 @@
  *  `homoclinic`: it is a saddle whose manifolds cross transversally, at a point that a reversor fixes.
  *  `symmetric`: it is its own mirror image under a reversor.
  *  `elliptic`: it is symmetric, elliptic, and stable by a twist.
- *  `equilibria`: the trace of the linearization has one sign on a family of equilibria over a box; its `given` and `shown` are in
- *  given_family.h. */
+ *  `equilibria`: the trace of the linearization has one sign on a family of equilibria over a box; see given_family.h. */
 #ifndef JLT_VALIDATED_CERTIFICATE_H
 #define JLT_VALIDATED_CERTIFICATE_H
 

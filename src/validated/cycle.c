@@ -229,8 +229,7 @@ void jlt_cycle_result_clear(jlt_cycle_result *result)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
 }
 
-/* Whether a power of D, found by repeated squaring, is proved to shrink all vectors, so that all eigenvalues lie inside the unit
- * circle. */
+/* Whether a power of D, by repeated squaring, is proved to shrink all vectors: all eigenvalues lie inside the unit circle. */
 static bool contracts(const arb_mat_t D, slong bits)
 {
     enum { SQUARINGS = 16 };

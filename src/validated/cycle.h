@@ -57,8 +57,7 @@ typedef struct {
     arb_t period, trace, determinant, matrix_determinant; /* determinant: from the divergence; matrix_determinant: from D */
     acb_struct multiplier[2];       /* both if there are two, the first if there is one, else 0 */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX]; /* lower bounds of the model's conditions along the orbit */
-    bool sink;                      /* proved: all multipliers are inside the unit circle; if there are three or more, because a
-                                     * power of D shrinks all vectors */
+    bool sink;                      /* all multipliers are proved to lie inside the unit circle */
     bool saddle;                    /* proved: two real multipliers, one inside and one outside the unit circle */
 } jlt_cycle_result;
 
@@ -70,13 +69,11 @@ JLT_CHECKED jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_quest
 void jlt_cycle_destroy(jlt_cycle *cycle); /* legal on NULL */
 
 /** Choose coordinates on the levels: kept, shape (states - 1 - level_count,), ascending indices of states, such that the other
- *  states follow best from the integrals near the point y, shape (states - 1,). Errors: DOMAIN, the integrals' gradients are
- *  dependent. */
+ *  states follow best from the integrals near the point y, shape (states - 1,). Errors: DOMAIN, the gradients are dependent. */
 JLT_CHECKED jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y);
 
 /** Improve a guess by Newton's method at the midpoints; nothing is rigorous here. In/out: y, shape (legs, states - 1), and
- *  instants, shape (legs,), exact, the times at which the legs are near the section again. Errors: as jlt_arrival_compute;
- *  NO_CONVERGENCE. */
+ *  instants, shape (legs,), exact, when each leg is near the section again. Errors: as jlt_arrival_compute; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsigned legs, const unsigned *kept);
 
 /** Estimate, to first order, how far from y the orbits lie for all values of parameters and levels: |M G(y)| of krawczyk.h. Out:

@@ -44,8 +44,7 @@ bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, 
 /** Whether a state is one of the kept coordinates. */
 bool jlt_cycle_map_is_kept(const jlt_cycle *self, unsigned state, const unsigned *kept);
 
-/** Gradients of the integrals at y by the unknowns, shape (level_count, unknowns); values of the integrals, shape (level_count,),
- *  or NULL. */
+/** Gradients of the integrals by the unknowns at y, shape (level_count, unknowns); their values, shape (level_count,), or NULL. */
 void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr values, arb_srcptr y);
 
 #endif

@@ -14,8 +14,7 @@ void jlt_elliptic_result_clear(jlt_elliptic_result *result)
     jlt_normal_form_clear(&result->form);
 }
 
-/* Whether the linear part of the Taylor map is consistent with the cycle, which was computed from sets: equal traces, and
- * determinant 1. */
+/* Whether the linear part of the Taylor map is consistent with the cycle computed from sets: equal traces, determinant 1. */
 static bool agrees(arb_srcptr map, const arb_t trace, slong bits)
 {
     arb_t value;

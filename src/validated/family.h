@@ -28,8 +28,7 @@ typedef enum {
     JLT_FAMILY_ZERO,    /* refuted: the trace is 0 at `point` */
     JLT_FAMILY_CHANGES, /* refuted: it is > 0 at `point`, < 0 at `other` */
     JLT_FAMILY_OUTSIDE, /* no point of the box is proved to be in the table's domain */
-    JLT_FAMILY_LEFT     /* undecided in the box from `point` to `other`: `limit` boxes are used up, or all its sides have been
-                         * halved 30 times */
+    JLT_FAMILY_LEFT     /* undecided in the box from `point` to `other`: `limit` boxes, or 30 halvings of all sides, are used up */
 } jlt_family_verdict;
 
 typedef struct {

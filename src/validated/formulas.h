@@ -2,8 +2,7 @@
  *  its divergence, the conditions under which the model holds, the conditions of its domain, and integrals with their gradients.
  *
  *  They are compiled from the table's text in the descriptor by the passes that make ball kernels, and can be interpreted in any
- *  arithmetic. A free parameter is one whose value is an interval: it becomes a state of rate 0, so that dependence on it stays
- *  correlated. */
+ *  arithmetic. A free parameter is one whose value is an interval: it becomes a state of rate 0, which keeps correlations. */
 #ifndef JLT_VALIDATED_FORMULAS_H
 #define JLT_VALIDATED_FORMULAS_H
 
@@ -35,8 +34,7 @@ JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_de
 void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 
 /* Indices of outputs of `variation`: */
-unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column); /* derivative of f_row by state or free
-                                                                                       * parameter number `column` */
+unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column); /* d f_row/d state or free parameter */
 unsigned jlt_formulas_divergence(const jlt_formulas *self);
 unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);  /* condition number `index` of the model */
 unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index); /* quantity number `index` that is positive in the domain */

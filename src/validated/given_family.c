@@ -176,8 +176,7 @@ static double number_of(const fmpq *x)
     return out;
 }
 
-/* Write a point, or if `to` is not NULL a box, by the coordinates that are ranges in `given`; "its only point" if there are
- * none. */
+/* Write a point, or if `to` is not NULL a box, by the coordinates with ranges in `given`; "its only point" if there is none. */
 static void write_point(FILE *out, const jlt_given_family *self, const fmpq *from, const fmpq *to)
 {
     const char *between = "";

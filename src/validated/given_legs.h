@@ -20,8 +20,7 @@ bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *questio
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question);
 
-/** Set boxes of radius 0 and instants from points on the section, x, shape (count, states), and times, T, shape (count,). Release
- *  with jlt_given_legs_clear. */
+/** Set boxes of radius 0 and instants from points on the section, x (count, states), and times, T (count,); clear afterwards. */
 void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
                           const double *T);
 

@@ -11,8 +11,7 @@ struct jlt_jets {
     unsigned degree, terms; /* of the polynomials; each of their `terms` coefficients is a time series */
     size_t size;
     bool *series;           /* (size,): whether the value depends on states */
-    size_t *partner;        /* (size,): for a cosine, the index of the values of the sine of its argument, and the reverse; else
-                             * 0 */
+    size_t *partner;        /* (size,): for a cosine, where the sine of its argument is, and the reverse; else 0 */
     arb_ptr values;         /* states, (dim, terms, length); the program's values, (size, terms, length); then the partners */
     size_t count;           /* number of balls in values */
     arb_ptr slopes;         /* (length,): w(p) a_p, see slope() */

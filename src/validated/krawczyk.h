@@ -19,8 +19,7 @@ typedef struct {
     void *context;
 } jlt_krawczyk;
 
-/** Compute an exact matrix M close to the inverse of DG's midpoint, both of shape (n, n). Returns false if the midpoint may be
- *  singular. */
+/** Compute an exact M close to the inverse of DG's midpoint, both of shape (n, n). Returns false if that may be singular. */
 bool jlt_krawczyk_invert(arb_mat_t M, const arb_mat_t DG, slong bits);
 
 /** Improve a guess by Newton's method at midpoints, until a correction is below 2^-accuracy; nothing is rigorous here. In/out: y,

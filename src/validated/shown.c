@@ -6,8 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Relative margin of bounds as written, so that a replay with another version of Arb, or in another order of operations, is not
- * refused for the last bits. */
+/* Relative margin of bounds as written: a replay with another version of Arb, or order of operations, may differ in last bits. */
 static const double ROOM = 1e-5;
 
 /* The ball is written with twice its radius. */
@@ -43,8 +42,7 @@ json_t *jlt_shown_lower_bound(const arf_t bound)
     if (arf_is_nan(bound)) return json_string("-inf");
     value -= ROOM * fabs(value);
     arb_init(read);
-    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are not above the bound: by at most a unit of the last
-                                         * digit, 1e-4 of the value */
+    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until not above the bound: by at most 1e-4 of the value */
         snprintf(text, sizeof text, "%.5g", value);
         arb_set_str(read, text, 64);
         arb_get_ubound_arf(arb_midref(read), read, 64);

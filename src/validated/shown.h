@@ -6,8 +6,7 @@
 #include "validated/given.h"
 #include "validated/homoclinic.h"
 
-/** The object `shown` of a cycle; a new reference, NULL if memory is out. with_reversor: the theorem rests on the table's reversor
- *  too. */
+/** The object `shown` of a cycle; a new reference, NULL if memory is out. with_reversor: the theorem uses the reversor. */
 json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, bool with_reversor);
 
 /** {"reversor": STATES, "type": TEXT, "rotation": BALL}, "rotation" only if the cycle is elliptic; STATES are the names of the
@@ -18,12 +17,10 @@ json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *g
 json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *given);
 
 /** The object `shown` of the saddle, with "homoclinic": "start", the distance along the frame's first direction at which the orbit
- *  begins; "first", its point there; "point", the symmetric one; "tangent" of the unstable manifold there; "conditions" along the
- *  orbit. */
+ *  begins; "first", its point there; "point", the symmetric one; "tangent" of the unstable manifold there; "conditions". */
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given);
 
-/** {"middle": DECIMAL, "radius": DECIMAL} around a ball of twice the radius, so that a replay may differ in the last bits; a new
- *  reference. */
+/** {"middle": DECIMAL, "radius": DECIMAL}, doubling the ball's radius so that a replay may differ in last bits; a new reference. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits);
 
 /** A decimal of five digits that is at most the lower bound `bound`, "-inf" for NaN; and one that is at least the upper bound. A

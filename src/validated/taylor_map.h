@@ -15,8 +15,7 @@
 enum { JLT_TAYLOR_MAP_DEGREE = 3, JLT_TAYLOR_MAP_TERMS = 10 };
 
 /** Out: map, shape (2, terms), of the kept states, in the order of jets.h. In: cycle, PROVED from these instants, with two
- *  multipliers; kept, shape (2,). Errors: as jlt_arrival_compute, jlt_transport_carry; DOMAIN, the levels do not determine the
- *  other states. */
+ *  multipliers; kept, shape (2,). Errors: as jlt_arrival_compute, jlt_transport_carry; DOMAIN, levels do not give the others. */
 JLT_CHECKED jlt_status jlt_taylor_map_compute(jlt_cycle *of, arb_ptr map, const jlt_cycle_result *cycle, arb_srcptr instants,
                                               const unsigned *kept);
 

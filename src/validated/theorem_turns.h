@@ -1,6 +1,5 @@
 /** Writes the phrases of a theorem about the periods by which states have grown at the end of legs ("turns", see given.h).
- *  Uniqueness is claimed for these numbers of each leg only: other numbers give other equations. Nothing is written if no leg has
- *  turns. */
+ *  Uniqueness is claimed for these numbers of each leg only. Nothing is written if no leg has turns. */
 #ifndef JLT_VALIDATED_THEOREM_TURNS_H
 #define JLT_VALIDATED_THEOREM_TURNS_H
 

@@ -32,8 +32,7 @@ void jlt_transport_destroy(jlt_transport *transport)
     free(transport);
 }
 
-/* Shorten h until the step has a rough enclosure, and a remainder not far above the tolerance. Returns false if no length
- * serves. */
+/* Shorten h until the step has a rough enclosure, and a remainder not far above the tolerance. Returns false if none serves. */
 static bool validate(jlt_rough *around, arf_t h)
 {
     const double slack = 8, tolerance = (double)around->accuracy.tolerance;

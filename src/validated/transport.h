@@ -20,8 +20,7 @@ JLT_CHECKED jlt_status jlt_transport_create(jlt_transport **transport, const jlt
 void jlt_transport_destroy(jlt_transport *transport); /* legal on NULL */
 
 /** Carry x, shape (dim, terms), in place for a time > 0, given as a ball; the free parameters after the states stay unchanged. The
- *  table's domain is not checked here, but where the orbit is proved. Errors: NO_PROGRESS, no step that was tried can be
- *  validated. */
+ *  table's domain is not checked. Errors: NO_PROGRESS, no step can be validated. */
 JLT_CHECKED jlt_status jlt_transport_carry(jlt_transport *self, arb_ptr x, const arb_t time);
 
 /** jlt_transport_expand computes the Taylor coefficients of the solution through x, to order 3 at least; jlt_transport_series is
