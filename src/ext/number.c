@@ -13,7 +13,7 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* One unsigned decimal from *at, into value * 10^exponent; false when there is none. */
+/* Read one unsigned decimal at *at as digits * 10^exponent, and move *at past it. Returns false if there is none. */
 static bool read_decimal(fmpz_t digits, long *exponent, const char **at, const char *end)
 {
     char buffer[JLT_NUMBER_LENGTH_MAX + 1];
@@ -77,7 +77,8 @@ static bool read_plain(fmpq_t value, const char *text, size_t length)
     return good;
 }
 
-/* |value| = p/q rounded to 53 bits: with 2^54 <= p*2^k/q < 2^56 the integer quotient and a sticky bit decide exactly. */
+/* Round value = p/q to 53 bits. With a shift such that 2^54 <= 2^shift |p|/q < 2^56, the bits of the integer quotient beyond the
+ * first 53, and whether there is a remainder, decide the rounding exactly. */
 static jlt_status round_nearest(double *result, const fmpq_t value)
 {
     fmpz_t p, quotient, remainder;
@@ -132,7 +133,7 @@ static void set_double(fmpq_t out, double value)
     fmpq_canonicalise(out);
 }
 
-/* pi, -pi, 2*pi, 2*pi/3, pi/2: the double that it is. */
+/* Read pi, -pi, 2*pi, 2*pi/3, pi/2 and the like; out is the double that double arithmetic gives. */
 static bool read_multiple_of_pi(fmpq_t out, const char *text, size_t length)
 {
     static const double pi = 3.14159265358979323846;

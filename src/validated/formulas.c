@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Derivative by a state, or by a free parameter, in the field's symbols. */
+/* The derivative by a state or a free parameter, in the field's symbols. */
 static ttc_id partial(const jlt_formulas *self, ttc_field *field, ttc_id expression, unsigned column)
 {
     const uint32_t by = column < self->states ? self->model->states[column]
@@ -35,7 +35,7 @@ static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
     return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
 }
 
-/* A divisor without what it has of lifted roots, which are positive for as long as time goes on. */
+/* The divisor with lifted roots divided out: these are positive at every finite time. */
 static ttc_id without_lifted(const ttc_field *field, ttc_id divisor)
 {
     ttc_graph *graph = field->graph;
@@ -60,7 +60,8 @@ static bool is_lifted(const ttc_field *field, uint32_t symbol)
     return false;
 }
 
-/* Its records and the states' intervals, as far as lifted roots do not see to them. Returns as add_domain does. */
+/* Collect records `domain` and distances from the ends of intervals, except those that are positive as long as the lifted roots
+ * are. Returns as add_domain. */
 static unsigned add_watched(ttc_field *field, ttc_id *ids)
 {
     ttc_watched *list;
@@ -72,7 +73,7 @@ static unsigned add_watched(ttc_field *field, ttc_id *ids)
     return good ? (unsigned)count : UINT_MAX;
 }
 
-/* The same in the table's own time, all of them. */
+/* Collect all of them, in the table's own time. Returns their number. */
 static unsigned add_region(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
@@ -89,9 +90,9 @@ static unsigned add_region(const jlt_formulas *self, ttc_field *field, ttc_id *i
     return count;
 }
 
-/* What is positive in the domain: its records, the states' intervals, radicands of all roots, arguments of all logarithms, squares
- * of what these and the field divide by. Returns how many there are; they are made where ids is not NULL. UINT_MAX: memory is
- * out. */
+/* Collect the quantities that are positive in the domain: records `domain`, distances from the ends of intervals, radicands of
+ * roots, arguments of logarithms, and squares of the divisors of these and of the field. Returns their number, UINT_MAX if memory
+ * is out; they are built only if ids is not NULL. */
 static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
@@ -172,7 +173,7 @@ static const ttc_time *time_of(const ttc_model *model, const char *name)
     return NULL;
 }
 
-/* time: NULL, the table's own. */
+/* time: NULL for the table's own. */
 static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time, const unsigned *free_params,
                          unsigned free_count, const char *const *levels, unsigned level_count)
 {

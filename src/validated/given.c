@@ -88,7 +88,7 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
            || jlt_refuse(problem, "section: no value");
 }
 
-/* A descriptor lists integrals that are so everywhere: not `when` or `modulo` something alone. */
+/* Whether the descriptor lists an integral, as it does those that hold without `when` or `modulo`. */
 static bool is_listed(const jlt_descriptor *d, const char *integral)
 {
     for (unsigned i = 0; i < d->integral_count; i++)
@@ -96,7 +96,7 @@ static bool is_listed(const jlt_descriptor *d, const char *integral)
     return false;
 }
 
-/* Levels of integrals that are proved, whatever the parameters. */
+/* Read levels of integrals that are proved for all parameters. */
 static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;
@@ -168,8 +168,8 @@ bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_
     return true;
 }
 
-/* Boxes as wide as orbits spread, and half as much again, for what is not of first order; none is much less wide than the widest.
- * Those of all legs are alike, so that of an orbit that is its own mirror image their images are as well. */
+/* Set radii of boxes to 1.5 times the first-order spread of orbits, to allow for higher orders, but at least 5 % of the widest.
+ * The boxes of all legs have equal radii, so if an orbit is its own mirror image, the boxes are mapped to each other too. */
 static jlt_status widen(jlt_given *self, unsigned legs)
 {
     const slong width = (slong)self->question.descriptor->state_count - 1, n = width * (slong)legs;
@@ -192,7 +192,7 @@ done:
     return st;
 }
 
-/* Numbers that are no binary fractions are balls too, though not meant as such. */
+/* Whether parameters or levels are written as intervals. Numbers that are no binary fractions are balls too, but do not count. */
 static bool has_intervals(const jlt_given *self, json_t *given)
 {
     bool has = self->question.free_count > 0;
@@ -208,7 +208,7 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
 {
     const jlt_descriptor *d = self->question.descriptor;
     json_t *names = json_array();
-    jlt_cycle_question middle; /* where parameters and levels are intervals, at their middles */
+    jlt_cycle_question middle; /* the question with parameters and levels at their midpoints */
     arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     const bool spreads = !(radius > 0) && has_intervals(self, given);

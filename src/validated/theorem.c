@@ -78,7 +78,7 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
               "balls that hold for all of them.", out);
 }
 
-/* The sum of the legs' instants, as it stands in doubles. */
+/* The sum of the legs' instants, in doubles. */
 static double way(const json_t *legs)
 {
     double sum = 0;
@@ -205,7 +205,7 @@ typedef enum {
     END
 } sentence;
 
-/* What each kind says, in this order. */
+/* The sentences of each kind, in their order. */
 static const struct {
     const char *kind;
     sentence sentences[10];
@@ -227,7 +227,7 @@ bool jlt_theorem_is_kind(const char *kind)
     return false;
 }
 
-/* Where the table has more than one reversor, which. */
+/* Names the reversor if `given` does. */
 static void write_saddle(FILE *out, const subject *s)
 {
     const json_t *flipped = json_object_get(json_object_get(s->given, "homoclinic"), "reversor");
