@@ -40,8 +40,8 @@ typedef struct {
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_symmetric_line *lines; /* shape (line_count,): symmetric orbits are looked for on these as well; borrowed */
     size_t line_count;
-    void (*progress)(void *context, size_t done, size_t all, size_t found); /* called after every 1000 starts of the grid or so, with
-                                                                               those done; NULL: not called */
+    void (*progress)(void *context, size_t done, size_t all, size_t found); /* called after every 1000 starts of the grid or so;
+                                                                               NULL: not called */
     void *context;
 } jlt_orbits_options;
 

@@ -16,7 +16,7 @@ typedef struct {
 typedef struct {
     jlt_flow flow;
     const jlt_instance *project; /* its instance, where lanes restore integrals; NULL: they do not */
-    double unit[JLT_BATCH_STATES_MAX]; /* states of lanes times these are what its conditions take */
+    double unit[JLT_BATCH_STATES_MAX]; /* its conditions take the states of lanes times these */
 } jlt_section_flows_entry;
 
 /* All zero: no flows. */
@@ -41,7 +41,7 @@ JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_
 /** How many conditions of the model are watched along orbits. */
 unsigned jlt_section_flows_conditions(const jlt_flow *flow);
 
-/** Why orbits of this flow go alone, a clause such as "the section's state is an angle"; NULL: they go in lanes. */
+/** Returns why orbits of this flow cannot go in lanes, a clause such as "the section's state is an angle"; NULL: they can. */
 const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 
 /** Kernels with `valid_values` for its conditions, of the instruction set of these kernels; NULL: there are none. */
