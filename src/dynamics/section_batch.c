@@ -49,16 +49,16 @@ struct jlt_section_batch {
     } reading;
 };
 
-/* Most steps of a lane in one return: 400 at a tolerance of 1e-12, where returns take some 40; fewer at looser ones, 100 at least.
- * A creeping orbit takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
+/* Most steps of a lane in a return: 400 at a tolerance of 1e-12, where returns take some 40; fewer at looser ones, 100 at least. A
+ * creeping orbit takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
 static size_t most_steps(double tolerance)
 {
     const double steps = 400 * pow(tolerance / 1e-12, -0.2);
     return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
 }
 
-/* The relative rate below which the end at a pole is known at once: the square of the remaining distance is below a hundredth of the
- * tolerance (integrate/approach.h). At their limit of stability explicit methods may keep errors up: ten tolerances at least. */
+/* The relative rate below which the end at a pole is known at once: the square of the remaining distance is below a hundredth of
+ * the tolerance (integrate/approach.h). Ten tolerances at least: explicit methods at their stability limit keep such errors up. */
 static double rest_at_pole(double tolerance) { return fmax(0.01 * sqrt(tolerance), 10 * tolerance); }
 
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,

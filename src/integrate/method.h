@@ -2,7 +2,7 @@
  *
  *  Each method keeps its estimate of a step's error below tolerance * share * max(|x_i|, scale_i), in its own norm (see its
  *  file). Some estimates are more cautious than others, and errors of steps add up, so each method has a share of its own,
- *  which was measured: after ten returns of the regular orbits of (5.1) the error is about the tolerance by every method. */
+ *  which is measured: after ten returns of regular orbits the error is about the tolerance by every method. */
 #ifndef JLT_INTEGRATE_METHOD_H
 #define JLT_INTEGRATE_METHOD_H
 

@@ -7,15 +7,15 @@
  *  are negative. A near miss has a positive one and leaves.
  *
  *  t_end - t = integral of w dtau = w/mu up to the order that jlt_approach neglects, and the orbit is at its end when that is
- *  below the tolerance. To wait until the way left itself vanishes would be to wait in vain: where the rates differ much, an
- *  explicit method steps at its limit of stability and holds the fast states at some tens of tolerances. */
+ *  below the tolerance. The remaining displacement itself may never get so small: where the rates differ much, an explicit method
+ *  steps at its limit of stability and holds the fast states at some tens of tolerances. */
 #ifndef JLT_INTEGRATE_POLE_H
 #define JLT_INTEGRATE_POLE_H
 
 #include "integrate/approach.h"
 
 typedef struct {
-    bool ends;         /* attracted, and what is left of the way is known below the tolerance */
+    bool ends;         /* the orbit is attracted, and the remaining displacement is known to the tolerance */
     double mu;         /* decay rate of the root, in tau, > 0 */
     double t_end;      /* when ends */
     jlt_approach approach; /* when ends */
