@@ -227,7 +227,7 @@ enum { POINTS = 5 };
 /* Whether the reversor does no more than change signs of coordinates, at POINTS points of the section; sets `mirror` to these. */
 static bool changes_signs(jlt_chart_section *self, const signed char *signs)
 {
-    static const double same = 1e-9; /* of a coordinate, or its period */
+    static const double same = 1e-9; /* relative to the coordinate, or its period */
     const unsigned angles = 8;
     const size_t all = jlt_chart_section_probes(self, angles);
     unsigned seen = 0;

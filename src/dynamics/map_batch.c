@@ -218,7 +218,7 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
     return 0;
 }
 
-/* Follow the orbit of a lane that ended before its return on to that, alone. */
+/* Follow the orbit of a lane that ended early on to its return, alone. */
 static void go_on(worker *self, size_t lane)
 {
     double *varied = self->starts + lane * self->batch->columns, t = 0;
@@ -252,8 +252,8 @@ static bool is_due(const worker *self, size_t point, size_t number)
     return number < (self->each != NULL ? self->each[point] : self->returns);
 }
 
-/* Fill lanes with the varied states at which those of the points first .. first + count - 1 start that are due; a point without a
- * state gets the lift's status. Returns the number of lanes. */
+/* Fill lanes with the varied states of those of the points first .. first + count - 1 that are due; a point without a state gets
+ * the lift's status. Returns the number of lanes. */
 static size_t lift(const worker *self, size_t first, size_t count, size_t number)
 {
     const jlt_map_images *out = self->out;

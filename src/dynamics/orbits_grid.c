@@ -39,7 +39,7 @@ static void clear_newton(grid_search *self)
     self->count = self->points = self->bytes = 0;
 }
 
-/* Polish an orbit that Newton found by the map itself, and add it, unless it is known. The points are rounded first, as their last
+/* Unless an orbit that Newton found is known, polish it by the map itself, and add it. The points are rounded first, as their last
  * digits depend on the instruction set. */
 static jlt_status keep(grid_search *self, const jlt_newton *newton)
 {

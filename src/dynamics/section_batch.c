@@ -58,13 +58,13 @@ static size_t most_steps(double tolerance)
 }
 
 /* The relative rate below which the end at a pole is known at once: the square of the remaining distance is below a hundredth of
- * the tolerance (integrate/approach.h). Ten tolerances at least: explicit methods at their stability limit keep such errors up. */
+ * the tolerance (integrate/approach.h). Ten tolerances at least: explicit methods at their stability limit make errors of a few. */
 static double rest_at_pole(double tolerance) { return fmax(0.01 * sqrt(tolerance), 10 * tolerance); }
 
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
 {
-    /* From root_floor on the flow's own method judges whether an orbit ends at a pole; few that do not reach root_least. */
+    /* Below root_floor the flow's own method judges whether an orbit ends at a pole; few orbits that do not reach root_least. */
     static const double root_floor = 1e-9, root_least = 1e-12;
     jlt_section_batch *self = NULL;
     jlt_status st = JLT_OK;

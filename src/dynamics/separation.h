@@ -28,7 +28,8 @@ typedef struct {
     unsigned threads;  /* 0 and 1: the caller's alone */
     bool by_mirror;    /* the chart's reversor is proved: where a start and its mirror image are both starts, the backward orbit of
                           one is not followed, but taken to be the mirror image of the forward orbit of the other. Half the cost on
-                          a symmetric grid. Where orbits end at the edge of a domain, or of the model, all are followed */
+                          a symmetric grid. Where orbits may end at the edge of a domain, or as a condition of the model breaks, all
+                          are followed */
 } jlt_separation_options;
 
 /** Count the cells visited. Out: out, with room for 48 rows: one for each power of two of returns below options->returns, and one

@@ -14,7 +14,7 @@
 typedef struct {
     double base[JLT_CHART_DIM_MAX]; /* a point of the line; its mirrored coordinate must be 0, or half a period of an angle, which
                                        is not checked */
-    unsigned free;                  /* the coordinate that runs */
+    unsigned free;                  /* the coordinate that varies along the line */
     double low, high;
     size_t samples;                 /* >= 2, evenly spread over [low, high] */
 } jlt_symmetric_line;

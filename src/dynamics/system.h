@@ -66,7 +66,7 @@ void jlt_system_destroy(jlt_system *self); /* NULL is legal */
 /** A family of systems in one value, with the system and the map of the value that was asked for last. Set `system` and `map`
  *  to NULL before use. */
 typedef struct {
-    jlt_status (*make)(void *context, jlt_system **out, double value); /* destroyed by the family */
+    jlt_status (*make)(void *context, jlt_system **out, double value); /* the family destroys *out */
     void *context;
     double value;
     jlt_system *system;

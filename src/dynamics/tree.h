@@ -1,4 +1,4 @@
-/** The tree of periodic orbits as a value runs: a branch, the branches that begin at its bifurcations, and so on. */
+/** The tree of periodic orbits as a parameter or level varies: a branch, the branches that begin at its bifurcations, and so on. */
 #ifndef JLT_DYNAMICS_TREE_H
 #define JLT_DYNAMICS_TREE_H
 

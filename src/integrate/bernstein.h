@@ -1,4 +1,4 @@
-/** Zeros of a polynomial on [0, 1], all of them, by its Bernstein form. */
+/** Finds all zeros of a polynomial on [0, 1], by its Bernstein form. */
 #ifndef JLT_INTEGRATE_BERNSTEIN_H
 #define JLT_INTEGRATE_BERNSTEIN_H
 

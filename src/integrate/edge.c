@@ -184,8 +184,8 @@ static void rates(double rate[2], const jlt_stepper *stepper, const jlt_event *e
     rate[1] = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
 }
 
-/* Whether the cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its error, for which part
- * of its terms of second and third order stand: the error is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2. */
+/* Whether the cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its error, estimated as
+ * 1/32 of its terms of second and third order: it is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2. */
 static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
     double rate[2];

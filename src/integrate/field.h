@@ -42,7 +42,7 @@ typedef struct {
     jlt_domain domain;             /* which orbits do not leave */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
-    unsigned sized;                /* leading states in whose scale 1 stands for jlt_field_size of an orbit's start; 0: none */
+    unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
 /** The size of an orbit, below which its states count as small. largest: the largest |state| at its start, the root left out. The

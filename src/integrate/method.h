@@ -20,10 +20,10 @@ struct jlt_method {
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
     void (*destroy)(jlt_stepper *self);         /* legal when create failed */
     jlt_status (*start)(jlt_stepper *self);     /* x and f changed: forget the past, set h_next when it is 0 */
-    /* One accepted step of length <= limit (> 0): sets h, h_next, x, x_low, f, x_start, f_start. */
+    /* Make one accepted step of length <= limit (> 0): sets h, h_next, x, x_low, f, x_start, f_start. */
     jlt_status (*step)(jlt_stepper *self, double limit);
     jlt_status (*dense)(jlt_stepper *self);     /* fill dense and dense_degree (>= 3) for the last step */
-    /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
+    /* Compute the state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
      * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
     /* These two make a step far from an event cheap; one of them may be NULL. variation: an upper estimate of the total

@@ -72,7 +72,7 @@ bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
     return true;
 }
 
-/* Whether the remaining displacement is less than an orbit must go beyond a section to cross it. */
+/* Whether the remaining displacement is less than jlt_locate_noise, so that no crossing can follow. */
 static bool is_near(const jlt_stepper *stepper, double *limit)
 {
     jlt_approach approach;
