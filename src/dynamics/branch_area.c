@@ -69,8 +69,7 @@ static joint *joints_of(size_t *joint_count, const jlt_manifold *curve, const do
 static double cross(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /* Collect the joints through which the piece from joint k is interpolated, nearest first: corners, and the ends of the fundamental
- * domain, where the parametrization jumps by O(seed); but no requested points, nor joints that almost coincide. Returns their
- * number. */
+ * domain, where the parametrization jumps by O(seed); no requested points, nor joints that almost coincide. Returns how many. */
 static unsigned corners_about(size_t *corners, const joint *list, size_t joint_count, size_t k)
 {
     const double apart = 1e-3 * (list[k + 1].sigma - list[k].sigma);

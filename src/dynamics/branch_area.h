@@ -4,8 +4,7 @@
 
 #include "dynamics/manifold.h"
 
-/** Area along a branch from its first requested point to another one, in section coordinates, not scaled, with that first point as
- *  origin. */
+/** Area along a branch from its first requested point, the origin, to another one, in section coordinates, not scaled. */
 typedef struct {
     double at[2]; /* displacement of the point, added up along the branch: angles are not wrapped */
     double area;  /* integral of (x dy - y dx)/2 along the branch */

@@ -29,8 +29,7 @@ struct jlt_chart {
                                             every integer k; 0: it is no angle */
     unsigned solved_count;               /* states that the levels determine, and which they are */
     unsigned solved[JLT_INVARIANTS_MAX];
-    unsigned roots;                      /* how many of the last states are lifted roots, which follow from the others; counted on
-                                            plane sections and their levels alone */
+    unsigned roots;                      /* on planes and their levels: how many of the last states are lifted roots */
     const jlt_quantity *bounds;          /* (states,): a lift lies within their open intervals; NULL: anywhere */
     const jlt_domain *domain;            /* whose conditions hold at a lift; NULL: none */
     bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
@@ -89,8 +88,7 @@ bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_d
  *  (states,). */
 void jlt_chart_turn_back(const jlt_chart *self, double *x);
 
-/** Do the same, and bring every state that is both a coordinate and an angle into (-period/2, period/2]. For plane sections and
- *  their levels. */
+/** The same; also bring all coordinates that are angles into (-period/2, period/2]. For plane sections and their levels. */
 void jlt_chart_wrap_state(const jlt_chart *self, double *x);
 
 /** Whether a state is a coordinate of a plane section, or of its levels: neither the section's own, nor solved for, nor a root. */
@@ -116,8 +114,7 @@ void jlt_chart_scaled(const jlt_chart *self, double *out, const double *q);
 void jlt_chart_unscaled(const jlt_chart *self, double *out, const double *q);
 void jlt_chart_scaled_slope(const jlt_chart *self, double *out, const double *slope);
 
-/** Euclidean length, scaled, of the rates of the coordinates and of x[column] at the state x with velocity f, shape (states,)
- *  each. */
+/** Scaled length of the rates of the coordinates and of x[column], at the state x with the velocity f, both of shape (states,). */
 double jlt_chart_speed(const jlt_chart *self, const double *x, const double *f);
 
 /** Euclidean length of jlt_chart_difference, scaled. */

@@ -12,8 +12,7 @@ typedef struct {
 } jlt_chart_counted;
 
 /** Make the chart from `told`, kept by reference. unit: shape (told->states,), binary exponents of the flow's units of states, 0
- *  for angles; coordinate: shape (told->dim,), those of units of coordinates, which become the chart's `unit` and its initial
- *  `scale`. */
+ *  for angles; coordinate: shape (told->dim,), those of coordinates, for the chart's `unit` and its first `scale`. */
 void jlt_chart_counted_init(jlt_chart_counted *out, const jlt_chart *told, const int *unit, const int *coordinate);
 
 #endif

@@ -14,9 +14,8 @@ static unsigned unknowns(const jlt_chart *base) { return base->solved_count + ba
 static const double met = 1e-13;     /* a level is met to this part of the size of its integral's terms: rounding */
 static const double singular = 1e-13; /* singular values below this part of the largest count as 0 */
 
-/* Out: off, F - value of every level, shape (count,); sizes, of its terms, to first order, shape (count,); by_solved, gradients by
- * the unknowns, shape (count, count); by_all, unless NULL, by all states, shape (count, states). Returns the largest
- * |F - value|/size. */
+/* Out: off, F - value of every level, (count,); sizes, of its terms, to first order, (count,); by_solved, gradients by the
+ * unknowns, (count, count); by_all, unless NULL, by all states, (count, states). Returns the largest |F - value|/size. */
 static double look(const jlt_chart_level *self, double *off, double *sizes, double *by_solved, double *by_all, const double *x)
 {
     const unsigned n = self->base.states, count = unknowns(&self->base);

@@ -41,8 +41,7 @@ unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordi
 void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
 
 /** Points to try in search of some point of the section: those of the grid in scattered order, so that a hit comes early; then
- *  points around the table's starts and around the middle of the intervals, at distances of many orders of magnitude. _probes: how
- *  many; _probe: point `index`. */
+ *  others around the table's starts and the middle of the intervals, at distances of all sizes. _probes: how many; _probe: one. */
 size_t jlt_chart_section_probes(const jlt_chart_section *self, unsigned angles);
 void jlt_chart_section_probe(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
 

@@ -94,8 +94,7 @@ static jlt_status deliver(const runner *self, const bracket *b, const place *fro
     return sink(context, &point);
 }
 
-/* Whether the branch has gone through an orbit of half the period: the difference of the points half a period apart has reversed
- * its direction. */
+/* Whether the branch has gone through an orbit of half the period: the points half a period apart have changed sides. */
 static bool halves(const runner *self, const jlt_continuation_point *before, const jlt_continuation_point *after)
 {
     const unsigned d = self->d;
@@ -175,8 +174,7 @@ static bool closes(const runner *self, const place *from, double step, const jlt
     return false;
 }
 
-/* Find the next place, halving *step until it follows the branch. Returns false if none does: *end then says why; or *st is
- * NOMEM. */
+/* Find the next place, halving *step until it follows the branch. Returns false if none does; *end, or *st = NOMEM, says why. */
 static bool next_place(const runner *self, place *next, double *step, unsigned *iterations, const place *here, jlt_status *st,
                        jlt_continuation_end *end)
 {

@@ -131,8 +131,7 @@ done:
 }
 
 /* By how much sigma of a point is less on `other`, the same branch with another seed: the logarithm of the seeds' ratio, as far as
- * the branch is straight, and a term of the size of the seed, the same all along the branch, measured at a point few returns
- * away. */
+ * the branch is straight, and a term of the size of the seed, the same everywhere, which is measured where few returns lead. */
 static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;

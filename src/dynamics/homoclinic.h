@@ -36,9 +36,8 @@ JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *coun
                                            const jlt_branch *stable_branch, bool mirrored, jlt_map_batch *fine,
                                            jlt_map_batch *coarse);
 
-/** Make the crossings of the images of two branches under their chart's reversor from the crossings of the branches, shape
- *  (count,); their points are as near to either branch as the residuals say. Out: *out, shape (count,), as by jlt_homoclinic_find.
- *  Errors: NOMEM. */
+/** Reflect the crossings of two branches, shape (count,), under their chart's reversor: they become those of the branches' images,
+ *  as near to either as their residuals say. Out: *out, shape (count,), as by jlt_homoclinic_find. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
                                               const jlt_chart *chart);
 

@@ -45,8 +45,8 @@ static bool step_frame(double *frame, double *growth, const double *slope, doubl
     return is_lost;
 }
 
-/* Make an orthonormal frame with no vector along an axis, or in a coordinate plane, by a reflection: a vector in an invariant
- * plane, or along a decoupled state, would never turn to the direction that grows most. */
+/* Make an orthonormal frame that favours no axis, by a reflection that maps no axis to an axis: a vector in an invariant plane, or
+ * along a decoupled state, would never turn to the direction that grows most. */
 static void begin_frame(double *frame, unsigned d)
 {
     double v[JLT_CHART_DIM_MAX], square = 0;

@@ -113,10 +113,9 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
 }
 
 /* A bound on a return's defect, whose terms are at most `part` of DP's size. Every step errs by one tolerance in every component,
- * relative to its size or that of the start; errors grow as tangent vectors do, at most by the ratio of their largest to their
- * smallest size. The rate f_c across the section, which the flux and the return time depend on, errs by its gradient times the
- * errors of states, much of f_c where the section is crossed slowly; tangent vectors then err by f/f_c times as much along the
- * flow. */
+ * relative to its size or that of the start; errors grow as tangent vectors do, at most by the ratio of their sizes' extremes. The
+ * rate f_c across the section, on which flux and return time depend, errs by its gradient times the states' errors, much of f_c on
+ * a slow crossing; tangent vectors then err by f/f_c times as much along the flow. */
 static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
 {
     const jlt_chart *chart = self->flow.chart;

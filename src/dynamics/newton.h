@@ -1,6 +1,5 @@
 /** Newton's method for all points of a periodic orbit at once (multiple shooting), a trial at a time: the caller supplies the
- *  images of the trial points, so that many searches can go on side by side. A step is halved until the residual falls; the search
- *  ends when that does not help. */
+ *  images of the trial points, so that many searches can go on side by side. Steps are halved until the residual falls. */
 #ifndef JLT_DYNAMICS_NEWTON_H
 #define JLT_DYNAMICS_NEWTON_H
 

@@ -16,7 +16,7 @@ typedef struct {
     bool looks_within;            /* steps are searched for a condition that holds at both ends, but not in between */
     jlt_section_least so_far;     /* before the last step */
     jlt_section_least end, dip;   /* of the last step: at its end; within it, where a condition is lost, */
-    double dip_theta;             /* at this fraction of the step; INFINITY: nowhere */
+    double dip_theta;             /* at this fraction of it; INFINITY: nowhere */
 } jlt_section_conditions;
 
 /** Forget all; to be called at the start of an orbit. */

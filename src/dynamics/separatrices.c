@@ -114,8 +114,7 @@ typedef struct {
     bool mirrored;
 } swept;
 
-/* List the crossings on branch k and on its mirror image, and their points on branch k itself. Returns how many: a crossing may be
- * listed twice. */
+/* List the crossings on branch k and on its mirror image, some of them on both, with their points on branch k. Returns how many. */
 static size_t gather(const jlt_separatrices *self, swept *list, double *sigma, double *q, int k)
 {
     size_t n = 0;

@@ -91,8 +91,7 @@ void jlt_surface_off_section(double *q, const jlt_system *system, const double *
 bool jlt_surface_is_low(const jlt_system *system, const double *q);
 jlt_fate jlt_surface_turned_at(const jlt_system *system);
 
-/** Set *level to the value of the first level, nearest to values[params], at which the section has states. Returns false if none is
- *  found. */
+/** Set *level to the value of the first level nearest to values[params] at which the section has states. Returns false if none. */
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level);
 
 #endif

@@ -11,8 +11,7 @@ typedef struct {
     jlt_section *both;  /* the flow's section, crossed in both directions */
     const jlt_symmetric_line *line;
     unsigned mirrored;
-    unsigned char held[JLT_CHART_DIM_MAX]; /* coordinates that Newton keeps: those fixed on the line, the mirrored one only if dim
-                                              is 2 */
+    unsigned char held[JLT_CHART_DIM_MAX]; /* coordinates that Newton keeps: fixed on the line, mirrored only if dim is 2 */
 } search;
 
 /* h_1 .. h_count along the orbit from u; NaN after its end. */

@@ -212,8 +212,7 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
     return JLT_OK;
 }
 
-/* Whether the reversor of a plane section keeps these integrals, to rounding, at all test points: if it changes one, it leads to
- * another level. */
+/* Whether the reversor of a plane section keeps these integrals at all test points, to rounding, and so leads to the same level. */
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)
 {

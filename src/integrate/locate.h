@@ -13,8 +13,7 @@ double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, cons
 /** The size relative to which x[column] - level is measured: |level|, or jlt_stepper_unit of the column if that is larger. */
 double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper);
 
-/** Compute the state x at theta by a partial step, the field f there, both (stride,), and g with its rate. Errors: those of partial
- *  steps. */
+/** Compute the state x at theta by a partial step, the field f there, both (stride,), and g with its rate. Errors: the step's. */
 JLT_CHECKED jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f,
                                         double *value, double *slope);
 

@@ -48,8 +48,7 @@ static bool is_slow(const jlt_stepper *stepper)
     return stepper_slower(stepper, jlt_rest_slow(stepper->asked));
 }
 
-/* Whether the orbit decays onto an equilibrium that is known well enough; limit gets it. A root that goes to 0 leads to a pole,
- * which is a different end. */
+/* Whether the orbit decays onto a known equilibrium; limit gets it. A root that goes to 0 leads to a pole, another kind of end. */
 static bool decays_to(jlt_approach *approach, const jlt_stepper *stepper, double *limit)
 {
     static const double weakest = 1e-5; /* a rate below this part of the fastest may be 0 */

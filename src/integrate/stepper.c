@@ -149,8 +149,7 @@ static jlt_status step_back(jlt_stepper *self)
 }
 
 /* Replace a step that led out of the domain at theta by one that ends before that, and within the tolerance of the domain's end if
- * the longer step's polynomial was good enough. Returns DOMAIN, at the step's start, where no such step can be made: that point is
- * at the end. */
+ * the longer step's polynomial was good enough. Returns DOMAIN, at the step's start, if that is so near that none can be made. */
 static jlt_status approach_edge(jlt_stepper *self, double theta)
 {
     jlt_status st = JLT_OK;
