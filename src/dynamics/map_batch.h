@@ -22,7 +22,8 @@ JLT_CHECKED jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow 
 void jlt_map_batch_destroy(jlt_map_batch *self); /* NULL is legal */
 
 /** Add a flow, whose points jlt_map_batch_apply_flows takes beside those of the others. It may differ from the first in parameters,
- *  levels and units alone. What it points to must live as long. Out: *index: 1, 2, ...; that of creation is 0. Errors: ARG, NOMEM. */
+ *  levels and units alone, else ARG. What it points to must live as long. Out: *index: 1, 2, ...; that of creation is 0. Errors:
+ *  ARG; NOMEM. */
 JLT_CHECKED jlt_status jlt_map_batch_add(jlt_map_batch *self, size_t *index, const jlt_flow *flow);
 
 /** Whether points are followed in lanes, by a batched method; if not, each is followed alone, by the flow's method. */
