@@ -49,7 +49,7 @@ const char *jlt_section_fate_name(jlt_fate fate);
 
 enum { JLT_FATE_TEXT_MAX = 72 };
 
-/** Write the fate's name, for invalid lost_NAME, where NAME is that of the condition that broke (jlt_observed_condition). */
+/** Write the fate's name; for invalid, lost_NAME, NAME being that of the condition that broke (jlt_observed_condition). */
 void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate, unsigned lost);
 
 /** Set *fate to what the status of a failed function means for the orbit. Returns false if it says nothing of the orbit (NOMEM). */

@@ -52,7 +52,7 @@ const jlt_kernel_batch *jlt_section_flows_watching(const jlt_flow *flow, const j
  *  In: kernels, those of lanes; watches, whether conditions are watched. */
 jlt_batch_case *jlt_section_flows_cases(jlt_section_flows *self, const jlt_kernel_batch *kernels, bool watches);
 
-/** The section of a thread, now one of this flow; *section is kept by the flows until the thread asks again. Errors: as
+/** Set *section to the section of a thread, made anew if it is of another flow; valid until the thread asks again. Errors: as
  *  jlt_section_create. Cost: a section's creation where the thread was at another flow. */
 JLT_CHECKED jlt_status jlt_section_flows_section(jlt_section_flows *self, jlt_section **section, unsigned thread, size_t flow);
 

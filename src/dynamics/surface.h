@@ -12,7 +12,7 @@
 #include "kernel/link.h"
 #include "kernel/way.h"
 
-/* Starts with the default values, by the names of the records: of a regular orbit, of a chaotic one, and near a saddle. */
+/* Starts that a section's table names, for its default values: on a regular orbit, on a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
 enum { JLT_SURFACE_COMPUTED = ~0u >> 1 }; /* in place of an index: the value is a parameter of the asked table that the section's
@@ -25,7 +25,7 @@ typedef struct jlt_surface {
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */
     const jlt_section_chart *section;
     jlt_link link;                    /* from the asked table to the section's */
-    unsigned count, params;           /* of values: the parameters stand first, levels after them */
+    unsigned count, params;           /* of values; how many are parameters, which come first; levels follow */
     const char *names[JLT_CHART_VALUES_MAX];   /* (count,) */
     double defaults[JLT_CHART_VALUES_MAX];     /* (count,); NaN where the tables have none */
     unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels, or
@@ -33,7 +33,7 @@ typedef struct jlt_surface {
 } jlt_surface;
 
 /** Find the section called `name`, or the first if that is NULL, in the asked table or one that proved claims link to it; others:
- *  tables beside those that are built in, NULL for none. *broken: NULL if that is found; else, if a claim would lead to a section
+ *  tables beside those that are built in, NULL for none. *broken: NULL if it is found; else, if a claim would lead to a section
  *  but is not proved, or its parameters and levels cannot be followed, that claim, and *out is the section all the same.
  *  Errors: UNSUPPORTED, no section, or one with more values than there is room for. */
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,

@@ -14,7 +14,7 @@ struct jlt_method {
     unsigned order;          /* of the accepted solution; 0: variable */
     unsigned dense_order;    /* local error of the polynomial is O(h^(dense_order + 1)); 0: variable */
     unsigned evaluations;    /* field evaluations per accepted step; 0: variable */
-    double share;            /* of the tolerance: what the error estimate of a step may be; a power of two */
+    double share;            /* part of the tolerance that the error estimate of a step may reach; a power of two */
     bool needs_jet;
     bool multistep;          /* uses past steps: moving the point restarts it at order 1 */
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */

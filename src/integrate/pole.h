@@ -1,6 +1,6 @@
 /** The end of an orbit at a pole, in regularised time.
  *
- *  With dt = w dtau, where w is s times what is not zero there, and the root s lifted to a state, the pole s = 0 is an
+ *  With dt = w dtau, where w is s times a factor that is not zero there, and the root s lifted to a state, the pole s = 0 is an
  *  invariant set, reached as tau -> infinity, and on it lie equilibria. An orbit that ends there decays onto one of them: s as
  *  exp(-mu tau) with mu = -s'/s, the other transverse states at rates of their own. The Jacobian at the equilibrium has the
  *  eigenvalue 0 along the set of equilibria and the rates across it; orbits nearby end there exactly when all the latter
