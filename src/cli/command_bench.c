@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Measuring is a program of its own, which takes the place of this one: it answers nothing that the others need. */
+/* Replaces this program by jellett-bench, a separate program because no other command needs what it measures. */
 static jlt_exit run(int argc, char **argv)
 {
     static const char *const places[] = { "jellett-bench", JLT_LIBEXEC "/jellett-bench" }; /* as built, as installed */

@@ -18,12 +18,12 @@ typedef struct {
     double radius, distance;
     jlt_assign_list spread;
     const char *family, *box;
-    unsigned long long typed; /* bits of own_options */
+    unsigned long long typed; /* bit i: own_options[i] was typed */
 } options;
 
 #define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, sink or symmetric"
 
-static const double tolerance = 1e-13; /* of the orbit in doubles */
+static const double tolerance = 1e-13; /* for finding the orbit in doubles */
 
 enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 
@@ -45,7 +45,8 @@ static const struct argp_option option_table[] = {
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
-/* The options that some kinds take alone, and which; no kind is part of another's name. */
+/* Options that only some kinds take, and which kinds these are. Kinds are looked up with strstr: no kind's name contains
+ * another's. */
 static const struct {
     int key;
     const char *option, *kinds;
@@ -69,7 +70,7 @@ static void note_typed(options *o, int key)
         if (own_options[i].key == key) o->typed |= 1ull << i;
 }
 
-/* An option that this kind does not take would be lost. */
+/* Refuse options that this kind does not take, which would otherwise have no effect. */
 static void check_typed(const options *o, const struct argp_state *state)
 {
     const jlt_motion_options *m = &o->motion;
@@ -167,7 +168,8 @@ static const char unshown[] = "not proved: the orbit near %s is not shown, with 
                               "leaves it, or comes so near its edge that these cannot be told apart (more digits, or less "
                               "--spread, may do)";
 
-/* By one reversor: an orbit homoclinic to the saddle at search->saddle in doubles, then in balls. x: room for its points. */
+/* For one reversor: find an orbit homoclinic to the saddle at search->saddle in doubles, then refine it in balls. x: room for its
+ * points. */
 static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *question, const jlt_reversor *reversor,
                                   const jlt_system *system, jlt_certify_search *search)
 {
@@ -181,7 +183,7 @@ static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *que
     return jlt_given_homoclinic_make(question, given, reversor, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
 }
 
-/* By the first reversor that serves. */
+/* Add the homoclinic orbit to the question, by the first proved reversor for which one is found. */
 static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
 {
     const jlt_descriptor *d = question->question.descriptor;
@@ -212,7 +214,7 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
-/* The question, with boxes around the orbit, refined in balls. */
+/* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, jlt_system *system)
 {
     double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX];
@@ -245,7 +247,7 @@ done:
     return code;
 }
 
-/* What to prove, and the table. */
+/* Make the question, for a family of equilibria or for an orbit. Out: *given, *d, its table; *system, for an orbit only. */
 static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_system **system, options *o)
 {
     const jlt_certify_family_options family = { o->family, o->box, o->limit, o->digits };

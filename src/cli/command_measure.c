@@ -195,7 +195,7 @@ static void write_csv(FILE *stream, const jlt_measure_finding *f, const request 
     }
 }
 
-/* What the table claims, held against what was computed. */
+/* Compare what the table claims with what was computed. */
 static jlt_exit judge(const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;

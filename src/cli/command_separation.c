@@ -150,7 +150,7 @@ static jlt_exit run(int argc, char **argv)
         const jlt_separation *row = &table[i];
         fprintf(common->table.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
                 row->backward, row->common);
-        /* empty where no cell is visited */
+        /* NaN, written as an empty field, if no cell is visited */
         jlt_csv_row(common->table.file, (const double[]){ row->overlap, row->mirror_overlap }, 2);
     }
     if (table[0].strayed > 0)

@@ -13,7 +13,7 @@ typedef struct jlt_shelf_form {
      * until `drop`. */
     void *(*begin)(jlt_exit *code, int argc, char **argv);
     bool (*are_enough)(void *const *runs, size_t count); /* whether more runs would gain nothing; count <= JLT_SHELF_RUNS */
-    void (*follow)(void *const *runs, size_t count);     /* do the common work, silently; where it fails, `finish` does it and reports */
+    void (*follow)(void *const *runs, size_t count);     /* do the common work; silent on failure, which `finish` reports */
     jlt_exit (*finish)(void *run);                       /* write the results */
     void (*drop)(void *run);                             /* free a run, finished or not */
 } jlt_shelf_form;
