@@ -9,7 +9,7 @@
 #include "integrate/rest.h"
 #include "kernel/descriptor.h"
 
-/* Parameters of the asked table among the values of the section. */
+/* Read the asked table's parameters from the values of the section. Returns false if one is not among them. */
 static bool read_params(double *params, const jlt_descriptor *asked, const jlt_system *system)
 {
     for (unsigned i = 0; i < asked->param_count; i++) {
@@ -78,7 +78,7 @@ void jlt_drift_whole_close(jlt_drift_whole *self)
     self->instance = NULL;
 }
 
-/* Whether the orbit comes to rest, and where. */
+/* Context of an observer that ends the orbit when it comes to rest, at `limit`. */
 typedef struct {
     jlt_rest_watch rest;
     double limit[JLT_WAY_VALUES_MAX];
