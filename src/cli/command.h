@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/** Exit statuses of the program, and of what commands are made of. A function that returns one has printed the reason on standard
- *  error wherever it is none of JLT_EXIT_DONE and JLT_EXIT_PLANNED; the caller cleans up and passes it on. */
+/** Exit statuses of the program, which the functions of commands return. One that returns neither JLT_EXIT_DONE nor
+ *  JLT_EXIT_PLANNED has printed the reason on standard error; the caller cleans up and passes the status on. */
 typedef enum {
     JLT_EXIT_DONE = 0,
     JLT_EXIT_FAILED = 1, /* a claim or a check does not hold */
@@ -18,7 +18,7 @@ typedef enum {
     JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out */
     JLT_EXIT_IO = 5,
     JLT_EXIT_PLANNED =
-        6 /* only inside the program: the plan has been printed, and nothing else is to be done; the program ends with 0 */
+        6 /* within the program only: the plan has been printed, and nothing else is to be done; the program ends with 0 */
 } jlt_exit;
 
 typedef struct {

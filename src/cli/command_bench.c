@@ -1,3 +1,4 @@
+/* `jellett bench`: replaces this program by jellett-bench, which measures speed against accuracy. */
 #include "cli/program.h"
 
 #include <errno.h>
@@ -5,7 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Replaces this program by jellett-bench, a separate program because no other command needs what it measures. */
 static jlt_exit run(int argc, char **argv)
 {
     static const char *const places[] = { "jellett-bench", JLT_LIBEXEC "/jellett-bench" }; /* as built, as installed */

@@ -1,3 +1,4 @@
+/* `jellett certify`: proves an orbit, or what a family of equilibria excludes, and writes the certificate. */
 #include "cli/certify_cycle.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"

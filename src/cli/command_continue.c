@@ -1,3 +1,4 @@
+/* `jellett continue`: follows a periodic orbit in a parameter or level, with its bifurcations. */
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
 #include "cli/swept.h"

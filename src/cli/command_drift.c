@@ -1,3 +1,4 @@
+/* `jellett drift`: how far integrals drift along an orbit, by every method. */
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/progress.h"
@@ -19,7 +20,6 @@ typedef struct {
     bool project;
 } options;
 
-/* What is followed and watched, and where results go. */
 typedef struct {
     jlt_drift drift;
     jlt_drift_whole whole;                 /* the model asked for in all its states, in which the levels are integrals */
@@ -123,7 +123,6 @@ static void write_slopes(const part *self)
     if (told > 0) fputc('\n', self->notes);
 }
 
-/* Follow the orbit by one method. */
 static void follow(part *self, const options *o)
 {
     const jlt_drift_whole *whole = &self->whole->whole;
@@ -159,7 +158,6 @@ static void pass_on(FILE *to, FILE **from, const char *const *text)
     *from = NULL;
 }
 
-/* Report the failure of one method. Returns the exit status for it. */
 static jlt_exit verdict(const part *self)
 {
     if (self->status == JLT_OK) return JLT_EXIT_DONE;

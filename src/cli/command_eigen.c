@@ -1,3 +1,4 @@
+/* `jellett eigen`: reports on an equilibrium, its matrix, characteristic polynomial, eigenvalues and stability. */
 #include "cli/eigen.h"
 
 #include "kernel/descriptor.h"

@@ -1,3 +1,4 @@
+/* `jellett fates`: how orbits of a section end, and the shares of each fate in a sweep. */
 #include "cli/fates_crowd.h"
 #include "cli/fates_table.h"
 #include "cli/motion_family.h"

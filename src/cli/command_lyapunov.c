@@ -1,3 +1,4 @@
+/* `jellett lyapunov`: Lyapunov exponents of an orbit with their convergence, or a chart of finite-time exponents. */
 #include "cli/lyapunov_chart.h"
 #include "cli/progress.h"
 #include "cli/shelf.h"
@@ -132,7 +133,6 @@ static jlt_exit draw_history(const options *o, const jlt_system *system)
     return jlt_plot_draw(&plot);
 }
 
-/* A run of the command. */
 typedef struct {
     options o;
     jlt_system *system;

@@ -1,3 +1,4 @@
+/* `jellett manifolds`: separatrices of a saddle, homoclinic points, their angles and lobes. */
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/swept.h"

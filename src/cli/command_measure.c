@@ -1,3 +1,4 @@
+/* `jellett measure`: the density of an invariant measure, from the divergence alone, or what excludes one. */
 #include "analysis/measure.h"
 #include "cli/plot.h"
 #include "cli/swept.h"

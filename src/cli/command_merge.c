@@ -1,3 +1,4 @@
+/* `jellett merge`: makes one table of what the shards of a study have computed. */
 #include <argp.h>
 #include <dirent.h>
 #include <errno.h>
@@ -229,7 +230,6 @@ static void note(merge *self, const jlt_shard_record *record)
     else if (record->status != JLT_EXIT_DONE && self->failed++ == 0) self->first_failed = record->piece;
 }
 
-/* Take all pieces in the order of the study. */
 static jlt_exit pass(merge *self, bool is_second)
 {
     const size_t pieces = jlt_gather_pieces(self->gather), each = pieces / self->outer;

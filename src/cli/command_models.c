@@ -1,3 +1,4 @@
+/* `jellett models`: lists the built-in models with their kernels, and the user's tables in the working directory. */
 #include "cli/table.h"
 
 #include "kernel/descriptor.h"

@@ -1,3 +1,4 @@
+/* `jellett orbits`: finds periodic orbits of the return map, with multipliers, type, symmetry and residual. */
 #include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"

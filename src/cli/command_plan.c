@@ -1,3 +1,4 @@
+/* `jellett plan`: prints which model answers a command, or each entry of a scene, and why. */
 #include <argp.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* `jellett run`: runs the commands of a scene. */
 #include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>

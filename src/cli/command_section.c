@@ -1,3 +1,4 @@
+/* `jellett section`: returns of orbits to a section, with fates and a picture. */
 #include "cli/section_run.h"
 #include "cli/shelf.h"
 #include "cli/swept.h"

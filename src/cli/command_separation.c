@@ -1,3 +1,4 @@
+/* `jellett separation`: whether attractor and repeller are apart, from the cells that orbits visit in both directions of time. */
 #include "cli/motion_many.h"
 #include "cli/swept.h"
 #include "dynamics/separation.h"

@@ -1,3 +1,4 @@
+/* `jellett simulate`: one orbit at given times, with drifts of integrals and observed quantities. */
 #include "cli/simulate.h"
 
 #include <math.h>
@@ -250,7 +251,6 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     if (r->session.common.points != NULL) jlt_simulate_point(r, row);
 }
 
-/* Say why the orbit cannot be followed beyond the last row. */
 static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {
     if (st == JLT_ERR_DOMAIN)

@@ -1,3 +1,4 @@
+/* `jellett sweep`: computes a study, or one shard of it. */
 #include <argp.h>
 #include <errno.h>
 #include <math.h>
@@ -98,7 +99,6 @@ typedef struct {
     char *names;    /* the columns of the first piece's rows */
 } sweep;
 
-/* The number of the piece at this position in the shard's order. */
 static size_t piece_at(const sweep *self, size_t position)
 {
     return jlt_deal_piece(position, self->rank.index - 1, self->rank.count);
@@ -140,7 +140,6 @@ static jlt_exit cannot_write(const sweep *self, jlt_status st)
                             strerror(errno));
 }
 
-/* Count a finished piece by its status. */
 static void note(sweep *self, jlt_exit status)
 {
     if (status == JLT_EXIT_INPUT) self->empty++; /* the command has no rows at this point of `over` */

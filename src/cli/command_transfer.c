@@ -1,3 +1,4 @@
+/* `jellett transfer`: transfer operators of the return map, their stationary densities, escape rates, and sets that mix slowly. */
 #include "cli/motion_many.h"
 #include "cli/motion_map.h"
 #include "cli/progress.h"
@@ -244,7 +245,6 @@ static jlt_exit examine(study *s, jlt_transfer_case *c, const jlt_transfer *tran
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "eigenvalues");
 }
 
-/* Make and examine the operators of all noises and widths of boxes. */
 static jlt_exit examine_all(study *s)
 {
     const options *o = s->o;

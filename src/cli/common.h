@@ -18,15 +18,15 @@ typedef struct {
     const char *output, *plot, *keep;
     const char *axes;  /* of the picture, as typed; NULL: none were named */
     jlt_look look;     /* of the picture */
-    bool lanes;        /* a table of the user's own is to be compiled with kernels on vectors as well */
+    bool lanes;        /* compile the user's own table with kernels on vectors as well */
     bool no_table;     /* the command's results are never a table of rows */
     const char *sweep; /* --sweep as typed; NULL: not given, or the command does its sweep by itself */
     const char *own_sweep; /* as typed, of a command that does its sweep by itself; NULL: not given */
     bool at_point;     /* this process computes one point of the sweep: its values are set, and rows go to standard output, without
                           files or pictures */
     bool plan;         /* print which model answers, and do nothing else: jellett plan COMMAND ... */
-    char *command;     /* as typed, owned */
-    char **argv;       /* the same, (argc,), in its order; owned, but not the texts */
+    char *command;     /* the command line as typed; owned */
+    char **argv;       /* its arguments, (argc,), in the order typed; the array is owned, the strings are not */
     int argc;
 
     /* set by jlt_common_write */
@@ -81,7 +81,7 @@ jlt_exit jlt_common_proved(const jlt_descriptor *field);
 /** Open self->table for rows and, with --plot, self->points for data of the picture. */
 jlt_exit jlt_common_write(jlt_common *self);
 
-/** Close both: the table's file gets its name, and the picture's data are in self->drawn. */
+/** Close both: the table's file is renamed to its path, and the picture's data are in self->drawn. */
 jlt_exit jlt_common_save(jlt_common *self);
 
 /** Print the plan of a command that integrates nothing. Returns JLT_EXIT_PLANNED. */

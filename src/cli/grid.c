@@ -74,7 +74,6 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
     return code;
 }
 
-/* Whether the list has an item NAME=... before `end`. */
 static bool is_named_before(const char *list, const char *end, const char *name)
 {
     const size_t length = strlen(name);
@@ -84,7 +83,6 @@ static bool is_named_before(const char *list, const char *end, const char *name)
     return false;
 }
 
-/* Read FIRST:COUNT, the part of a grid, into its first axis. */
 static jlt_exit read_part(jlt_grid_axis *first, const char *text, const char *option)
 {
     char copy[24] = "";

@@ -83,8 +83,8 @@ static bool is_solved_for(const jlt_motion_plane *p, size_t state)
     return false;
 }
 
-/* Set the periods: those that the table proves, except of states that are solved for, then those of --modulo. A state solved for on
- * levels cannot be an angle, as levels do not determine it modulo its period. */
+/* Set the periods: those that the table proves, then those of --modulo. States that are solved for get none: levels have many
+ * solutions for an angle. */
 static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
     size_t states[JLT_CHART_STATES_MAX], count;
@@ -116,7 +116,6 @@ static bool has_angles(const jlt_motion_plane *p, unsigned count)
     return false;
 }
 
-/* Find the table's integral of this name, which must be proved. */
 static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descriptor *d)
 {
     const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);

@@ -258,7 +258,6 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
     return JLT_EXIT_DONE;
 }
 
-/* Set parameters and levels to the defaults, then to what was typed. */
 static jlt_exit read_values(double *values, const jlt_motion_options *options, const jlt_surface *surface)
 {
     const jlt_assign_list *const lists[] = { &options->common.set, &options->level };

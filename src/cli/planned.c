@@ -106,7 +106,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
                           .candidates = { { .tier = { .name = "model", .dimension = system->instance->descriptor->state_count },
                                             .descriptor = system->instance->descriptor } } };
         jlt_tier whole;
-        jlt_tier_whole(&whole, asked); /* integrals are watched in all states */
+        jlt_tier_whole(&whole, asked); /* drifts of integrals are measured in the whole model */
         const jlt_question question = { .model = asked,
                                         .others = &others,
                                         .params = params,

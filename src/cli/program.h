@@ -1,11 +1,11 @@
-/** How a program begins and ends, whatever it does in between, and where it finds its companions. */
+/** What `jellett` and `jellett-bench` share: how a program begins and ends, and where it finds programs installed with it. */
 #ifndef JLT_CLI_PROGRAM_H
 #define JLT_CLI_PROGRAM_H
 
 #include "cli/command.h"
 
-/** Call it first: it opens standard descriptors that are closed, installs signal handlers, lets the
- *  program end with a message when memory is out in FLINT or GMP, and with an error when standard output could not be written. */
+/** Call it first. It opens standard descriptors that are closed, installs signal handlers, lets the program end with a message when
+ *  FLINT or GMP run out of memory, and with JLT_EXIT_IO when standard output could not be written. */
 jlt_exit jlt_program_begin(void);
 
 /* Run a command, with "jellett NAME" for argv[0]. Does not return if the command was interrupted: the program then ends by the

@@ -1,4 +1,4 @@
-/** The picture of a section: the points of all orbits, coloured by what became of them. */
+/** The picture of a section: the points of all orbits, coloured by the orbits' fates. */
 #ifndef JLT_CLI_SECTION_PICTURE_H
 #define JLT_CLI_SECTION_PICTURE_H
 

@@ -127,7 +127,6 @@ static size_t starts_of(const jlt_section_run *f)
     return motion->start_count + (motion->grid != NULL ? jlt_motion_grid_size(f->o->axes, f->system) : 0);
 }
 
-/* Read starts number first .. first + count - 1 into q, shape (count, dim). */
 static jlt_exit read_starts(const jlt_section_run *f, double *q, size_t first, size_t count)
 {
     jlt_exit code = JLT_EXIT_DONE;
@@ -225,7 +224,6 @@ static jlt_status share_batch(jlt_section_run *const *runs, const size_t *flow_o
     return JLT_OK;
 }
 
-/* Follow the first run, together with all that fit its batch. */
 static jlt_status follow_group(jlt_section_run *const *runs, size_t count)
 {
     const unsigned dim = runs[0]->system->flow.chart->dim;

@@ -134,7 +134,6 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     fputc('\n', plot->stream);
 }
 
-/* Draw a curve in the plane of two columns, with a mark at its start. */
 static void curve_in_plane(jlt_plot *plot, unsigned x, unsigned y)
 {
     fprintf(plot->stream, "$ROWS using %u:%u ", x, y);
@@ -215,7 +214,6 @@ jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
     return code;
 }
 
-/* Refuse axes of --axes whose column has no value in any row. */
 static jlt_exit check_shown(const jlt_simulate_request *r)
 {
     for (unsigned k = 0; r->session.common.axes != NULL && k < 2; k++)

@@ -203,7 +203,6 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
     return JLT_EXIT_DONE;
 }
 
-/* Choose the picture's columns from the names of all columns. */
 static jlt_exit choose(jlt_swept_rows *self)
 {
     char *text = strdup(self->names), *columns[COLUMNS_MAX];

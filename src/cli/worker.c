@@ -40,7 +40,6 @@ static bool receive_all(int line, void *data, size_t size)
     return got == (ssize_t)size;
 }
 
-/* What is sent to the child. */
 typedef struct {
     size_t piece;
     size_t alone; /* 0 or 1; a size_t, so that the structure has no padding */

@@ -13,7 +13,6 @@
 /* How many fields are formatted before they are written. */
 enum { FIELDS = 32 };
 
-/* A text, or null for none. */
 static json_t *text_or_null(const char *text)
 {
     /* json_string returns NULL for text that is not UTF-8, which file names may contain */

@@ -13,8 +13,8 @@ typedef struct {
     double value[JLT_COURSE_DRIFT_MAX]; /* |F - F(start)|/size at the last noted state */
 } jlt_course_drift;
 
-/** Begin at x, shape (states of the instance,), in its units. The size of an integral is max(|F(x)|, min(1, s)), where s is the sum
- *  of |dF/dx_j| times the largest |x_j|, so that the drift of a small motion is not measured against 1. Errors: NOMEM. */
+/** Begin at x, shape (states of the instance,), in its units. The size of an integral is max(|F(x)|, min(1, s)), where
+ *  s = (sum_j |dF/dx_j|) max_j |x_j|, so that the drift of a small motion is not measured against 1. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_instance *watch, const double *x);
 
 /** Set `value` from the integrals at x. */

@@ -19,7 +19,7 @@ typedef struct {
 /** Whether a table observes a quantity that the asked one does not. Returns false if table is NULL. */
 bool jlt_course_more_is_told(const jlt_descriptor *table, const jlt_descriptor *asked);
 
-/** Pass on to this leg, which must be open: at the first leg choose the quantities; at a later leg their values become NaN. In/out:
+/** Go on to this leg, which must be open: at the first leg choose the quantities; at a later leg their values become NaN. In/out:
  *  *self, all zeros before the first call. Errors: those of jlt_observed_create. */
 JLT_CHECKED jlt_status jlt_course_more_follow(jlt_course_more *self, const jlt_leg *leg, const jlt_descriptor *asked,
                                               const jlt_units *units);

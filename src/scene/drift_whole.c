@@ -111,8 +111,8 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
     const jlt_event section = { .column = whole->column, .level = whole->level, .direction = flow->direction };
     const jlt_invariants none = { .count = 0 };
     const jlt_options to_orbit = { .tolerance = flow->tolerance, .interrupt = flow->interrupt,
-                                   .max_steps = 100000, /* of one return, as on sections */
-                                   .invariants = project ? whole->invariants : none, /* they are looked at on the section */
+                                   .max_steps = 100000, /* for each return, as on sections */
+                                   .invariants = project ? whole->invariants : none, /* else they are evaluated at returns only */
                                    .project = project };
     rest_watch rest;
     double now[JLT_INVARIANTS_MAX];

@@ -63,7 +63,6 @@ done:
     return st;
 }
 
-/* Read which command an entry asks for. */
 static jlt_status read_what(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry)
 {
     const config_setting_t *what = config_setting_get_member(entry, "what");
@@ -117,7 +116,6 @@ done:
     return st;
 }
 
-/* Check the keys at the top level of the file. */
 static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *root)
 {
     static const char *const known[] = { "title", "model", "parameters", "levels", "accuracy", "compute", "over", "piece" };
@@ -150,7 +148,6 @@ static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *
     return JLT_OK;
 }
 
-/* Read the keys of a study: `piece` and `over`. */
 static jlt_status read_study(const jlt_value_reader *r, jlt_scene *scene, const config_setting_t *root)
 {
     static const jlt_key ranges = { "over", "over", JLT_KEY_RANGES, JLT_NAMES_PARAMS | JLT_NAMES_LEVELS, NULL };
