@@ -4,8 +4,8 @@
 
 #include "cli/motion.h"
 
-/** Check that no period typed with --modulo differs from the one that the table has for that state, since certificates count turns
- *  in the table's periods. States without a period in the table are not looked at: the certificate refuses their turns. */
+/** Check that --modulo gives no other periods than the table, in which certificates count turns. States without a period in the
+ *  table pass: the certificate refuses their turns. */
 jlt_exit jlt_certify_cycle_check(const jlt_system *system);
 
 /** Find the orbit that closes after `period` returns near q, shape (dim,). Out: *legs, its least number of returns; for each leg

@@ -27,7 +27,7 @@ static ttc_id find_section(const ttc_model *model, const char *name)
     return TTC_NONE;
 }
 
-/* Parse the table, find a value in it, and return its exact value "p/q", for the caller to free(); NULL: there is none. */
+/* The exact value "p/q" of an expression in a table's text; for free(). NULL: none. */
 static char *text_of(value_finder *find, const char *table, const char *name)
 {
     ttc_model *model = ttc_model_again(table, "table");
@@ -40,8 +40,7 @@ static char *text_of(value_finder *find, const char *table, const char *name)
     return text;
 }
 
-/* The exact value of a level or parameter: as typed, else the default of the first of these tables that has one; NULL: none. For
- * the caller to free(). */
+/* The exact value of a level or parameter: as typed, else the first default in these tables; for free(). NULL: none. */
 static char *value_of(const char *name, const jlt_motion_options *options, const char *const *tables, unsigned count)
 {
     const char *typed = jlt_assign_fraction(&options->level, name);
@@ -79,8 +78,8 @@ static ttc_id expression_of(const ttc_model *model, const char *claim, const cha
     return TTC_NONE;
 }
 
-/* The exact value of parameter `name` of the table to which a step leads, computed from params, the exact parameters (name: "p/q")
- * of the table where it begins. For the caller to free(); NULL: the value is not rational, or not given by an expression. */
+/* The exact value of parameter `name` after a step, computed from the exact parameters before it (name: "p/q"). For the caller to
+ * free(); NULL: it is not rational, or not given by an expression. */
 static char *compute(const jlt_link_step *step, const char *name, const json_t *params)
 {
     ttc_model *model = ttc_model_again(step->from->table, "table");
@@ -101,7 +100,7 @@ static char *compute(const jlt_link_step *step, const char *name, const json_t *
     return text;
 }
 
-/* The parameters (name: "p/q") of the table to which a step leads that have exact values; a new reference. */
+/* The parameters after a step that have exact values (name: "p/q"); a new reference. */
 static json_t *follow_step(const jlt_link_step *step, const json_t *params)
 {
     json_t *next = json_object();

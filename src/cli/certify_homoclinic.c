@@ -51,8 +51,8 @@ static jlt_status cross(double *value, double *T, const chase *self, const doubl
     return JLT_OK;
 }
 
-/* Follow the start at distance `away` for `returns` returns. Out: *value, the flipped state at the crossing after the last return;
- * unless x and T are NULL, the points, in the table's units, and times on the way. */
+/* Follow the start at distance `away`. Out: *value, the flipped state at the crossing after the last return; x and T, unless NULL,
+ * the points, in the table's units, and times on the way. */
 static jlt_status follow(double *value, double *x, double *T, const chase *self, double away, unsigned returns)
 {
     const unsigned states = self->search->states;
@@ -76,9 +76,8 @@ done:
     return st;
 }
 
-/* Find the wanted pair of neighbouring starts: pairs are numbered from 1 in the order in which the signs of their flipped states
- * first differ. Out: *returns, after how many returns they differ; *from and *to, the distances of the pair. NO_CONVERGENCE: there
- * are fewer pairs. */
+/* Find the wanted pair of neighbouring starts, numbered from 1 in the order in which the signs of their flipped states first
+ * differ. Out: the number of returns after which they do, and the distances of the pair. NO_CONVERGENCE: there are fewer pairs. */
 static jlt_status scan(const chase *self, unsigned *returns, double *from, double *to)
 {
     const double step = pow(fabs(self->growth), 2.0 / SAMPLES); /* over two returns, since a negative multiplier swaps the sides */

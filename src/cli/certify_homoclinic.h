@@ -14,13 +14,12 @@ typedef struct {
     double distance;       /* least distance of the orbit's first point from the saddle, in these coordinates */
 } jlt_certify_search;
 
-/** Follow starts along the unstable direction, over a fundamental domain of the squared map, and look where the state s that the
- *  reversor flips, beside the section's, vanishes at the crossing of the section, in either direction, that follows a return: the
- *  signs of s differ there at neighbouring starts, between which the zero is bisected. Orbits are numbered by returns, then by the
- *  distance of their starts. Out: x, shape (*legs, states), the points of the section, and T, shape (*legs,), the times from each
- *  to the next, and from the last one to the zero of s; both need room for JLT_CERTIFY_RETURNS_MAX rows. Errors: as jlt_map_apply;
- *  NO_CONVERGENCE, no such orbit is found, or the map has no saddle there; UNSUPPORTED, the section does not have two coordinates,
- *  or the reversor does not flip the section's state and exactly one other. */
+/** Follow starts along the unstable direction, over a fundamental domain of the squared map, until s, the state that the reversor
+ *  flips beside the section's, has different signs at neighbouring starts, at the crossing (in either direction) after a return;
+ *  then bisect for s = 0. Orbits are numbered by returns, then by distance. Out: x, shape (*legs, states), the points of the
+ *  section, and T, shape (*legs,), the times from each to the next, and from the last to s = 0; room for JLT_CERTIFY_RETURNS_MAX
+ *  rows. Errors: as jlt_map_apply; NO_CONVERGENCE, there is no such orbit, or no saddle; UNSUPPORTED, the section does not have two
+ *  coordinates, or the reversor does not flip the section's state and exactly one other. */
 JLT_CHECKED jlt_status jlt_certify_homoclinic_find(double *x, double *T, unsigned *legs, const jlt_flow *flow,
                                                    const jlt_certify_search *search);
 

@@ -273,8 +273,7 @@ static jlt_exit watch_proved(report *r)
                             d->model, left_out ? "other " : "");
 }
 
-/* Read the start, and choose the integrals to watch: the section's levels in all states of the model, else those proved in the
- * section's table. */
+/* Read the start, and choose the integrals: the section's levels, in the whole model, else those proved in the section's table. */
 static jlt_exit open_integrals(report *r, options *o)
 {
     const jlt_surface *surface = r->drift.system->surface;

@@ -125,8 +125,8 @@ static jlt_exit one_system(options *o, jlt_system *system, jlt_motion_map *map)
     return code == JLT_EXIT_DONE ? jlt_motion_failures(system, &sum.all.failures, sum.all.starts) : code;
 }
 
-/* Draw shares against the value that runs. Columns of $SHARES: the value; the share of low starts that turn over, or of all starts
- * that stay alive on a section without turns; its error; the share of low starts that turn over and keep contact all the way. */
+/* Draw shares against the value that runs. Columns of $SHARES: the value; the share of low starts that turn over (without turns: of
+ * all starts that stay alive); its error; the share of low starts that turn over in contact all the way. */
 static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt_grid_axis *axis)
 {
     const bool turns = jlt_shares_turn(system);

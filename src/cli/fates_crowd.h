@@ -35,8 +35,8 @@ typedef struct {
     size_t place_count, place_room;
     jlt_section_batch *batch;      /* of the systems that have starts in the block; NULL: none has */
     double *q;                     /* starts of the block, (count, dim) */
-    size_t *place_of, *index, *flow_of; /* (count,), of each start: its place, its number among those of its system, its flow */
-    size_t count, room, each, followed; /* starts in the block, at most and now; of the last system; followed before the block */
+    size_t *place_of, *index, *flow_of; /* (count,), of each start: its place, its number in its system, its flow */
+    size_t count, room, each, followed; /* starts in the block and at most; of the last system; followed so far */
 } jlt_fates_crowd;
 
 /** The grid of starts: --grid as typed, or, without --grid and --start, the default grid of a section that tables describe; NULL:
@@ -44,7 +44,7 @@ typedef struct {
 const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_system *system);
 
 /** Add a system with the same section as those before, or NULL where the levels have no state, and values (count,) for `done`. Its
- *  starts are collected, and followed whenever a block is full. With `done`, the system becomes the crowd's. Says what is wrong. */
+ *  starts are followed whenever a block is full. With `done`, the crowd owns the system. Says what is wrong. */
 jlt_exit jlt_fates_crowd_follow(jlt_fates_crowd *self, jlt_system *system, const double *values, size_t count);
 
 /** Follow the starts that are still waiting. After an interrupt only orbits that were followed to their end are counted, and `done`

@@ -90,8 +90,7 @@ static void meet(int signal_number, siginfo_t *about, void *unused)
     int none = 0;
 
     (void)unused;
-    /* A signal from the terminal (si_code > 0) goes to the whole process group, and so to the child; pass on only those from
-     * kill. */
+    /* A signal from the terminal (si_code > 0) reaches the child by itself, as it goes to the whole process group. */
     if (child > 0 && about->si_code <= 0) kill((pid_t)child, signal_number);
     if (__atomic_compare_exchange_n(&first, &none, signal_number, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST)) {
         clock_gettime(CLOCK_MONOTONIC, &raised_at);

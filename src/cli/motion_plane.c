@@ -287,8 +287,8 @@ done:
     return st;
 }
 
-/* Warn if the section's state is an angle that seems to run the other way, so that it never crosses in this --direction: the rate
- * has the wrong sign at two points of the section, the origin and one without symmetry. */
+/* Warn if the section's state is an angle that seems to cross only against --direction: its rate has the wrong sign at two points
+ * of the section, the origin and one without symmetry. */
 static void tell_other_way(const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;

@@ -213,8 +213,8 @@ static const jlt_descriptor *embedded_into(jlt_surface *surface, const jlt_descr
     return found;
 }
 
-/* Refuse, and name a larger table that has a section. That section is not taken: its parameters are what the embedding says, and
- * its orbits are not only those of the table asked for. */
+/* Refuse, and name a larger table with a section. It is not taken, since the embedding gives its parameters, and its orbits are not
+ * only those of the table asked for. */
 static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables *others, const char *name)
 {
     jlt_surface surface;
@@ -228,8 +228,8 @@ static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables 
                             asked->model, surface.section->name, larger->model);
 }
 
-/* Refuse a section whose table does not have exactly the conditions (`valid`) of the table asked for, if that has any: orbits are
- * followed in the section's table, which must tell where the model asked for ceases to hold. */
+/* Refuse a section whose table has other conditions (`valid`) than the table asked for, if that has any: orbits are followed in the
+ * section's table, which must tell where the model asked for ceases to hold. */
 static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;

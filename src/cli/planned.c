@@ -50,7 +50,7 @@ void jlt_planned_show(const jlt_plan *plan, const char *why)
 
 void jlt_planned_chosen(const jlt_plan *plan) { show_candidate(plan, plan->chosen, NULL); }
 
-/* Print whether the table asked for has this level as an integral, and whether that is proved, or as a parameter. */
+/* Print whether the level is an integral of the table asked for, and proved, or a parameter. */
 static void show_proof(const jlt_descriptor *asked, const char *level)
 {
     static const char *const words[] = { [JLT_PROVED] = "proved", [JLT_REFUTED] = "refuted", [JLT_UNSETTLED] = "not settled" };
@@ -62,7 +62,7 @@ static void show_proof(const jlt_descriptor *asked, const char *level)
 
 enum { LOOKED_AT = 1 << 20 }; /* the most points of a grid to lift */
 
-/* Print where orbits begin, and on how many points of a grid there is a state. Says why no orbit can begin at a start. */
+/* Print where orbits begin, and how many points of a grid are on the section. */
 static jlt_exit show_starts(const jlt_system *system, const jlt_motion_options *options)
 {
     const size_t starts = options->start_count;

@@ -187,8 +187,8 @@ static void leave_batch(jlt_section_run *f)
     f->company = NULL;
 }
 
-/* Add to the batch of the first run the flows of all other runs that fit. Out: flow_of, shape (count,), the number of each run's
- * flow, SIZE_MAX if it does not fit. Returns the number of starts of all that fit. */
+/* Add to the first run's batch the flows of all runs that fit. Out: flow_of, shape (count,), their numbers, SIZE_MAX where a run
+ * does not fit. Returns the number of starts of all that fit. */
 static size_t gather(jlt_section_run *const *runs, size_t *flow_of, size_t count)
 {
     size_t starts = starts_of(runs[0]);

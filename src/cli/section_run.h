@@ -17,8 +17,8 @@ typedef struct {
     bool project;
 } jlt_section_run_options;
 
-/* Counts for the closing messages: orbits followed; points of the grid without a state; rows written; orbits on which a condition
- * of the model breaks; orbits on which a condition has no value. */
+/* Counts for the closing messages. empty: points of the grid without a state; invalid, unknown: orbits on which a condition of the
+ * model breaks, or has no value. */
 typedef struct {
     size_t orbits, empty, rows, invalid, unknown;
     jlt_failures failures;

@@ -9,8 +9,7 @@
 
 enum { PANELS_MAX = 4 };
 
-/* The picture's columns are t, states, drifts, quantities that the table observes, and with --track what the larger table adds.
- * These functions return the index of the first of each kind. */
+/* The first column of each kind: t, states, drifts, what the table observes, and with --track what the larger table adds. */
 static unsigned first_drift(const jlt_simulate_request *r)
 {
     return 1 + r->session.descriptor->state_count;

@@ -234,8 +234,8 @@ void jlt_study_values(char *text, const jlt_grid_axis *axes, size_t count, size_
     }
 }
 
-/* The option that sets what the study runs over to its values at this point: --set=NAME=VALUE,... for parameters (params),
- * --level=... for levels; "" if there are none. For the caller to free; NULL: memory is out. */
+/* --set=NAME=VALUE,... for parameters (params) that the study runs over, or --level=... for levels, with their values at this
+ * point; "" if there are none. */
 static char *assignments(const jlt_study *self, size_t outer, bool params)
 {
     double values[JLT_STUDY_OVER_MAX];

@@ -45,8 +45,8 @@ typedef struct {
 
 /* ---- the command line of a point ---- */
 
-/* The hidden option that sets the axes that are parameters (params), or those that are levels, to their values. Out: *is_empty,
- * there are no such axes. For the caller to free; NULL: memory is out. */
+/* The hidden option that sets the axes that are parameters (params), or levels, to their values; *is_empty: there are none. NULL:
+ * no memory. */
 static char *assignments(bool *is_empty, const sweep *self, const double *values, bool params)
 {
     char digits[JLT_DIGITS_SIZE], *text = NULL;
@@ -67,8 +67,8 @@ static char *assignments(bool *is_empty, const sweep *self, const double *values
     return NULL;
 }
 
-/* The command line of a point, for jlt_command_free: the hidden options are added after all typed ones, so that they win, but
- * before a "--", behind which there are only operands. */
+/* The command line of a point: the hidden options come after all typed ones, so that they win, but before a "--", behind which are
+ * only operands. */
 static char **arguments(const void *context, size_t point, int *argc)
 {
     const sweep *self = context;

@@ -17,8 +17,8 @@ typedef struct {
 
 /** Do the sweep if common->sweep asks for one: compute all points and write their rows, or with `jellett plan` print the plan of
  *  the first point. Returns false if there is no sweep, or this process computes one of its points: the command then goes on.
- *  Otherwise returns true, and the command ends with *code: the status of an error that ended the sweep, else the largest exit
- *  status of the points. Of these a point that refuses its input (JLT_EXIT_INPUT) does not count, unless all do. */
+ *  Otherwise the command ends with *code: the status of an error that ended the sweep, else the largest status of the points, where
+ *  JLT_EXIT_INPUT counts only if no point has rows. */
 bool jlt_swept_done(jlt_exit *code, const jlt_swept_form *form, jlt_common *common);
 
 #endif

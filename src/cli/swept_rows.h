@@ -32,8 +32,8 @@ typedef struct {
 void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point);
 
 /** Take what the command wrote at a point: comments, column names, rows; text without column names is ignored. Comments that are
- *  not in the common header are written with the rows, marked with the point. Columns that the first point does not have are left
- *  out, and those that this point does not have stay empty; a message says so. */
+ *  not in the header stay with the rows. Columns that the first point lacks are left out, and those that this point lacks are
+ *  empty; a message says so. */
 jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text);
 
 /** Write what is still held, after all points. */

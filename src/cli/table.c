@@ -209,8 +209,8 @@ static bool stands_for(const jlt_descriptor *built_in, const char *model)
     return true;
 }
 
-/* Whether the built-in table with the digest of a way's target may be used here, so that its file need not be compiled: the way
- * holds, for a larger table that includes its reduction to `from` itself, and the table's own records hold beside `model` too. */
+/* Whether a built-in table may be used as a way's target: the way holds, which for a larger table includes its reduction to `from`
+ * itself, and the table's own records hold beside `model` too. */
 static bool may_stay(const jlt_descriptor *from, const jlt_way *way, const char *model)
 {
     const jlt_descriptor *built_in = jlt_way_target(way, NULL);

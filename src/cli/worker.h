@@ -15,8 +15,8 @@ typedef struct {
     int line;           /* socket to the child: requests go out, exit statuses come back; -1: there is no child */
     pid_t process;      /* the child */
     size_t computed;    /* pieces that this child was asked for */
-    size_t alone;       /* how many of the next pieces to compute one at a time: a child died while several were under way together,
-                           and any of them may be the cause */
+    size_t alone;       /* how many of the next pieces to compute one at a time: any of them may have ended a child that was
+                           computing several together */
     char *rows, *words; /* what the last piece wrote to standard output and standard error, each ended by a NUL; owned */
     size_t rows_size, words_size;
 } jlt_worker;
@@ -25,10 +25,10 @@ typedef struct {
 jlt_exit jlt_worker_open(jlt_worker *self, const jlt_work *work);
 void jlt_worker_close(jlt_worker *self);
 
-/** Compute a piece. Out: *status, the exit status of its command; *by, the signal that ended the child, in which case *status means
- *  nothing, else 0; self->rows and self->words. If a signal ends the child while several pieces are computed together, the piece is
- *  computed again by itself, so that a crash counts only for the piece that causes it. An exit status other than JLT_EXIT_DONE
- *  means that the worker failed, and says why. Cost: about 0.3 ms beside the command's own. */
+/** Compute a piece. Out: *status, its command's exit status; *by, 0, or the signal that ended the child, and then *status means
+ *  nothing; self->rows and self->words. If a signal ends the child while several pieces are under way, the piece is computed again
+ *  by itself, so that a crash counts only for its cause. Returns another status than JLT_EXIT_DONE if the worker itself failed, and
+ *  says why. Cost: about 0.3 ms beside the command's own. */
 jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece);
 
 #endif

@@ -41,8 +41,8 @@ static char *follow(const char *path)
     return NULL;
 }
 
-/* Create a file beside the target under an unused name, by open() and not mkstemp(): open() applies the umask, which a library
- * cannot read safely. Returns its descriptor; -1: errno says why. */
+/* Create a file beside the target under an unused name, by open(), not mkstemp(), so that the umask decides its mode. Returns
+ * its descriptor; -1: errno says why. */
 static int make_temporary(jlt_file *self)
 {
     const size_t room = strlen(self->target) + 8;

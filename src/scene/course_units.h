@@ -12,8 +12,8 @@ JLT_CHECKED jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, co
 
 /** Whether a tier computes the same motion in these units as in the table's. Out: *serves is true if its parameters, its
  *  coordinates of x, and the states to which these lead back are the same, bit for bit after conversion, and its field scales
- *  (`scales` in its descriptor); always for the asked table itself. In: x, shape (states of the asked model,), and params, both in
- *  the table's units. Errors: those of jlt_tier_open, except UNSUPPORTED in these units. */
+ *  (`scales` in its descriptor); and for the asked table itself. In: x, shape (states of the asked model,), and params, in the
+ *  table's units. Errors: those of jlt_tier_open, except UNSUPPORTED in these units. */
 JLT_CHECKED jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x,
                                               const jlt_units *units);
 

@@ -40,9 +40,9 @@ static void name_tier(jlt_tier *tier, const jlt_tier *of, const char *time, cons
     else snprintf(tier->name, sizeof tier->name, "%s_%s", name, suffix);
 }
 
-/* Add the tiers of a table: in the time in which its root is a state, and in t; one of them by name only. If the table has poles,
- * where the root vanishes, the first is chosen, as the root keeps its digits there. Else t is chosen: as a state of its own a root
- * drifts away from the square root of its radicand by rounding errors, which are relatively large where it is small. */
+/* Add the tiers of a table: in the time in which its root is a state, and in t; one of them by name only. With poles, where the
+ * root vanishes, the planner takes the first, in which the root keeps its digits there; else it takes t, since a root that is a
+ * state drifts from the square root of its radicand by rounding errors, which are relatively large where it is small. */
 static void add_forms(list *l, const jlt_tier *of)
 {
     const jlt_descriptor *table = of->table;

@@ -10,10 +10,10 @@
 
 typedef struct jlt_database jlt_database;
 
-/** Begin a database. In: path, an empty file or one that does not exist; form, the columns, of which the first `over` are those
- *  that the study runs over; form must outlive the database; study, its JSON. Out: *out, to be passed to jlt_database_finish or
- *  jlt_database_destroy; *message, the reason of a failure, for the caller to free(), else NULL. Errors: IO, NOMEM. With one
- *  version of SQLite the same calls give the same bytes. */
+/** Begin a database. In: path, an empty file, or none; form, the columns, the first `over` of which the study runs over; it must
+ *  outlive the database; study, its JSON. Out: *out, for jlt_database_finish or jlt_database_destroy; *message, the reason of a
+ *  failure, for the caller to free(), else NULL. Errors: IO, NOMEM. With one version of SQLite the same calls give the same
+ *  bytes. */
 JLT_CHECKED jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form,
                                            size_t over, const char *study);
 

@@ -6,12 +6,11 @@
 
 typedef struct jlt_gather jlt_gather;
 
-/** Read all files, shape (count,), and check every record. A file that is empty, or torn within its first record, counts as having
- *  no pieces; of a later torn record and what follows it nothing is taken. A piece that is in two files must have the same bytes in
- *  both. `paths` must outlive *out. Out: *out, for jlt_gather_destroy; *message, whole lines that say what is wrong, for the caller
- *  to free(), or NULL. Errors: IO, a file cannot be read; ARG, a file is not a shard or is of another study, or two copies of a
- *  piece differ; EMPTY, no file has a study; NOMEM. Memory: 32 bytes for each piece, and a descriptor for each file. Cost: every
- *  byte is read once. */
+/** Read all files, shape (count,), and check every record. A file that is empty, or torn within its first record, has no pieces; a
+ *  later torn record ends its file. A piece in two files must have the same bytes in both. `paths` must outlive *out. Out: *out,
+ *  for jlt_gather_destroy; *message, whole lines that say what is wrong, for the caller to free(), or NULL. Errors: IO, a file
+ *  cannot be read; ARG, a file is not a shard or is of another study, or two copies of a piece differ; EMPTY, no file has a study;
+ *  NOMEM. Memory: 32 bytes a piece, and a descriptor a file. Cost: every byte is read once. */
 JLT_CHECKED jlt_status jlt_gather_open(jlt_gather **out, char **message, const char *const *paths, size_t count);
 void jlt_gather_destroy(jlt_gather *self); /* NULL is legal */
 

@@ -62,8 +62,8 @@ static size_t variable_or(const char *name, size_t other)
     return variable(&value, name) ? value : other;
 }
 
-/* Find this process's task in a Slurm array, counted from 0, and the number of tasks; 0 of 1 outside an array. known: how many
- * tasks there must be, numbered from 1; 0: the array says. */
+/* Find this process's task in a Slurm array, counted from 0; 0 of 1 outside an array. known: how many tasks there are, numbered
+ * from 1; 0: the array says. */
 static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t known)
 {
     size_t id = 0;

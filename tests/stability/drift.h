@@ -39,10 +39,10 @@ static const drift_run drift_runs[] = {
 };
 enum { DRIFT_RUNS = sizeof drift_runs / sizeof *drift_runs };
 
-/* A bound on the drift of E. The error of ten returns is about one tolerance (test_equal_tolerances.c), so that of one return is
- * about a tenth; a return at least doubles the error of the last, which makes up for |grad E| < 5. So E drifts by at most a tenth
- * of the tolerance in each return, and randomly by rounding errors of 2^-53 in each of its 200 steps. With projection only a single
- * step counts: it adds at most its share of the tolerance to each state, and five times that to E. */
+/* A bound on the drift of E. The error of ten returns is about one tolerance (test_equal_tolerances.c), that of one about a tenth;
+ * a return at least doubles the error of the last, which makes up for |grad E| < 5. So a return adds at most a tenth of the
+ * tolerance, and random rounding errors of 2^-53 in each of its 200 steps. With projection only one step counts: it adds at most
+ * its share of the tolerance to each state, and five times that to E. */
 static inline double drift_bound(const drift_run *run, size_t returns)
 {
     const double n = (double)returns;
