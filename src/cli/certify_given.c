@@ -64,8 +64,8 @@ static jlt_exit put(json_t *object, const char *key, const char *name, char *tex
     return failed == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
-/* The expression that the table's record `claim`, a reduction or lift, gives for the target's parameter `name`; TTC_NONE: it gives
- * none, or a root. */
+/* The expression that the record `claim`, a reduction or lift, gives for the target's parameter `name`; TTC_NONE: none, or a
+ * root. */
 static ttc_id expression_of(const ttc_model *model, const char *claim, const char *name)
 {
     for (size_t i = 0; i < model->way_count; i++) {

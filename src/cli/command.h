@@ -76,7 +76,7 @@ typedef struct {
 /* Open the stream. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
 
-/* Close the stream: all that was written is in `text`, `size` bytes, from now on. Errors: NOMEM. */
+/* Close the stream; `text` then has all that was written, `size` bytes. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_close(jlt_command_output *output);
 
 /* Whether a path means standard output: NULL and "-" do. */

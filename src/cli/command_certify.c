@@ -46,8 +46,7 @@ static const struct argp_option option_table[] = {
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
-/* Options that only some kinds take, and which kinds these are. Kinds are looked up with strstr: no kind's name contains
- * another's. */
+/* Options that only some kinds take, and these kinds, which are looked up with strstr: no kind's name contains another's. */
 static const struct {
     int key;
     const char *option, *kinds;
@@ -169,8 +168,7 @@ static const char unshown[] = "not proved: the orbit near %s is not shown, with 
                               "leaves it, or comes so near its edge that these cannot be told apart (more digits, or less "
                               "--spread, may do)";
 
-/* For one reversor: find an orbit homoclinic to the saddle at search->saddle in doubles, then refine it in balls. x: room for its
- * points. */
+/* For one reversor: find an orbit homoclinic to search->saddle in doubles, then refine it in balls. x: room for its points. */
 static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *question, const jlt_reversor *reversor,
                                   const jlt_system *system, jlt_certify_search *search)
 {

@@ -257,8 +257,7 @@ static jlt_exit pass(merge *self, bool is_second)
 
 /* ---- outputs ---- */
 
-/* The comment lines of CSV and NumPy files: the command, what the study runs over, and the study in JSON. For the caller to
- * free. */
+/* The comment lines of CSV and NumPy files: the command, what the study runs over, and the study in JSON; for free(). */
 static char *make_header(const merge *self)
 {
     const char *name, *over = json_string_value(json_object_get(self->study, "over"));

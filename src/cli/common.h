@@ -87,8 +87,7 @@ jlt_exit jlt_common_save(jlt_common *self);
 /** Print the plan of a command that integrates nothing. Returns JLT_EXIT_PLANNED. */
 jlt_exit jlt_common_still(void);
 
-/** Check that none of these assignments, given by `option`, names what the sweep runs over. Ends the program with status 2
- *  otherwise. */
+/** Check that none of these assignments, given by `option`, names what the sweep runs over; if one does, end with status 2. */
 void jlt_common_not_swept(const jlt_common *self, const jlt_assign_list *list, const char *option);
 
 /** Check, before anything is computed, that --output, --plot, --keep and one more option (path NULL: not given) name different

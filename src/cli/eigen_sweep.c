@@ -22,8 +22,7 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
     return code;
 }
 
-/* Memory that the processes of a sweep share. They are processes, not threads, since FLINT's numbers and ARPACK's state do not
- * allow threads here. */
+/* Memory that the processes of a sweep share. Threads would not do: FLINT's numbers and ARPACK's state do not allow them. */
 typedef struct {
     size_t next;            /* the next row to compute, changed atomically */
     unsigned char *is_done; /* shape (points,): whether a row is computed */

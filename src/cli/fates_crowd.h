@@ -39,8 +39,8 @@ typedef struct {
     size_t count, room, each, followed; /* starts in the block and at most; of the last system; followed so far */
 } jlt_fates_crowd;
 
-/** The grid of starts: --grid as typed, or, without --grid and --start, the default grid of a section that tables describe; NULL:
- *  none. */
+/** The grid of starts: --grid as typed, or, without --grid and --start, the default grid where tables describe the section, or
+ *  NULL. */
 const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_system *system);
 
 /** Add a system with the same section as those before, or NULL where the levels have no state, and values (count,) for `done`. Its
@@ -48,7 +48,7 @@ const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_sys
 jlt_exit jlt_fates_crowd_follow(jlt_fates_crowd *self, jlt_system *system, const double *values, size_t count);
 
 /** Follow the starts that are still waiting. After an interrupt only orbits that were followed to their end are counted, and `done`
- *  is not called any more. */
+ *  is not called again. */
 jlt_exit jlt_fates_crowd_finish(jlt_fates_crowd *self);
 
 /** The counts of the last system. */

@@ -6,8 +6,7 @@
 #include "dynamics/shares.h"
 
 /** Write the names of the columns, and the row of the orbit that began at q (dim,): coordinates of its start, fate, t_end,
- *  quantities at its end, and with --contact report the least value of the model's conditions. Angles are within half a period of
- *  0. */
+ *  quantities at its end, with --contact report the least of the model's conditions; angles lie within half a period of 0. */
 void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const jlt_system *system);
 void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jlt_system *system, const double *q,
                          const jlt_fates_end *end);

@@ -37,8 +37,7 @@ void jlt_interrupt_hold(void);
 void jlt_interrupt_release(void);
 
 /** Register a file that is being written; unregister it. Call both while signals are held. If the program is ended because the
- *  second has passed, its whole rows so far are saved; if a signal ends the program at once, the file is removed. At most 8
- *  files. */
+ *  second has passed, its whole rows so far are saved; if a signal ends the program at once, it is removed. At most 8 files. */
 void jlt_interrupt_remember(const jlt_file *file);
 void jlt_interrupt_forget(const jlt_file *file);
 

@@ -1,5 +1,4 @@
-/** Output files of a merged study: CSV, a structured NumPy array, or SQLite, by the path's ending. Each file is written whole or
- *  not at all. */
+/** Output files of a merged study: CSV, a structured NumPy array, or SQLite, by the path's ending; written whole or not at all. */
 #ifndef JLT_CLI_MERGED_H
 #define JLT_CLI_MERGED_H
 
@@ -36,8 +35,7 @@ bool jlt_merged_row(jlt_merged *self, const jlt_table_form *form, char *const *f
 /** Finish the file, and rename it to its path. */
 jlt_exit jlt_merged_close(jlt_merged *self);
 
-/** Release everything, and remove the temporary file of an output that jlt_merged_close has not finished. Legal when zeroed, and
- *  twice. */
+/** Release everything, and remove an output that jlt_merged_close has not finished. Legal when zeroed, and twice. */
 void jlt_merged_discard(jlt_merged *self);
 
 #endif

@@ -18,8 +18,7 @@ typedef struct {
 } jlt_motion_family;
 
 /** Open the family. In: system, the one that the options describe; both must outlive the family. axes, shape (count,): what runs;
- *  only the names are read. option: the option that named them, for messages. *out must not move in memory; clear it in any
- *  case. */
+ *  only the names are read. option: the option that named them, for messages. *out must not move; clear it in any case. */
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
                                 const jlt_grid_axis *axes, size_t count, const char *option);
 void jlt_motion_family_clear(jlt_motion_family *family);

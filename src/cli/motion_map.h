@@ -34,8 +34,7 @@ void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot);
 /** Write a palette for the values, and the colour box with this label. */
 void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label);
 
-/** Write "plot ...": the grid as an image, whose size in bytes does not grow with the number of cells, and other starts as
- *  points. */
+/** Write "plot ...": the grid as an image, whose size in bytes does not grow with its cells, and other starts as points. */
 void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot);
 
 #endif

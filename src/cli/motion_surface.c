@@ -127,8 +127,7 @@ static jlt_exit refuse_renamed(const jlt_surface *surface, const jlt_claim *clai
                             surface->table->model, surface->table->states[surface->section->column].name, surface->section->level);
 }
 
-/* Refuse a section that rests on an unproved claim: its levels must be integrals, and its table must stand for the one asked
- * for. */
+/* Refuse a section that rests on an unproved claim: its levels must be integrals, and its table stand for the asked one. */
 static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
@@ -164,8 +163,7 @@ static bool tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, co
     return true;
 }
 
-/* Print the claims of a table that would lead to a section but are not proved or cannot be followed. Returns whether there are
- * any. */
+/* Print the claims of a table that would lead to a section but are not proved or not followed. Returns whether there are any. */
 static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way_tables *others)
 {
     bool is_lost = false;
@@ -285,8 +283,7 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
 
 enum { ALONG = 3 }; /* points of a grid, from its lowest corner to its highest */
 
-/* Choose the units of the problem from the points where orbits begin. Malformed starts are skipped: reading them later reports
- * it. */
+/* Choose the units of the problem from the points where orbits begin. Malformed starts are skipped, and reported later. */
 static jlt_status count_from_starts(jlt_system *system, const jlt_motion_options *options)
 {
     const jlt_chart *chart = system->flow.chart;

@@ -28,8 +28,7 @@ extern const struct argp jlt_session_argp;
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
 void jlt_session_end(jlt_session *self);
 
-/** Open the model and check the parameters. Sets descriptor; params, shape (param_count,); and others, to the tables with fewer
- *  states. */
+/** Open the model and check the parameters. Sets descriptor; params, shape (param_count,); others, to tables with fewer states. */
 jlt_exit jlt_session_open(jlt_session *self);
 
 /** Set others to tables with more states too; compiling these takes longer than anything else. */

@@ -9,8 +9,8 @@ enum { JLT_SHELF_RUNS = 256 };
 /** How runs of a command are computed together: all are begun, then their common work is done, then each is finished. What a run
  *  writes must not depend on the others. */
 typedef struct jlt_shelf_form {
-    /* Do everything before the first output, and return the run; NULL: the run has ended already, with status *code. argv must live
-     * until `drop`. */
+    /* Do everything before the first output. Returns the run; NULL: it has ended, with status *code. argv must live until
+     * `drop`. */
     void *(*begin)(jlt_exit *code, int argc, char **argv);
     bool (*are_enough)(void *const *runs, size_t count); /* whether more runs would gain nothing; count <= JLT_SHELF_RUNS */
     void (*follow)(void *const *runs, size_t count);     /* do the common work; silent on failure, which `finish` reports */

@@ -74,8 +74,7 @@ static void curve(jlt_plot *plot, unsigned column, unsigned series, const char *
     fputc('\'', plot->stream);
 }
 
-/* Place the key beside a panel, one of `panels`; in a low panel its lines are closer together, and if that is not enough
- * smaller. */
+/* Place the key beside a panel, one of `panels`; in a low panel its lines are closer together, or even smaller. */
 static void key(jlt_plot *plot, unsigned entries, unsigned panels)
 {
     const double letter = jlt_look_points(plot->look), height = 0.6 * plot->look->height * 72 / 2.54 / panels / letter;

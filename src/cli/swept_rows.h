@@ -1,5 +1,4 @@
-/** The table of a sweep: the rows of all points under one header, each row with the values of its point in front; and the picture
- *  of two of its columns. */
+/** The table of a sweep, the rows of all points under one header, each with the values of its point in front; and its picture. */
 #ifndef JLT_CLI_SWEPT_ROWS_H
 #define JLT_CLI_SWEPT_ROWS_H
 

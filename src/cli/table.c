@@ -126,8 +126,7 @@ static struct {
 } loaded[LOADED_MAX];
 static size_t loaded_count;
 
-/* Find a loaded table. Out: *descriptor, if it was loaded with the same `lanes`, else NULL. Returns the digest of its text; NULL:
- * it was not loaded. */
+/* Find a loaded table. Out: *descriptor, if it was loaded with the same `lanes`, else NULL. Returns its digest; NULL: none. */
 static const char *find_loaded(const jlt_descriptor **descriptor, const char *table, bool lanes)
 {
     const char *sha256 = NULL;

@@ -7,8 +7,7 @@
 
 #include "core/status.h"
 
-/** A function that writes one row to `stream`. With several threads it is called concurrently, with a different stream for each
- *  thread. */
+/** A function that writes one row to `stream`. Several threads may call it at once, each with its own stream. */
 typedef void (*jlt_writer_text)(FILE *stream, void *context, const void *row);
 
 typedef struct {
