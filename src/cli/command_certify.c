@@ -1,3 +1,4 @@
+/* `jellett certify`: proves an orbit, or what a family of equilibria excludes, and writes the certificate. */
 #include "cli/certify_cycle.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
@@ -19,12 +20,12 @@ typedef struct {
     double radius, distance;
     jlt_assign_list spread;
     const char *family, *box;
-    unsigned long long typed; /* bits of own_options */
+    unsigned long long typed; /* bit i: own_options[i] was typed */
 } options;
 
 #define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, pole, sink or symmetric"
 
-static const double tolerance = 1e-13; /* of the orbit in doubles */
+static const double tolerance = 1e-13; /* for finding the orbit in doubles */
 
 enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 
@@ -47,7 +48,7 @@ static const struct argp_option option_table[] = {
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
-/* The options that some kinds take alone, and which; no kind is part of another's name. */
+/* Options that only some kinds take, and these kinds, which are looked up with strstr: no kind's name contains another's. */
 static const struct {
     int key;
     const char *option, *kinds;
@@ -73,7 +74,7 @@ static void note_typed(options *o, int key)
 
 static bool has_section(const char *kind) { return strcmp(kind, "equilibria") != 0 && strcmp(kind, "pole") != 0; }
 
-/* An option that this kind does not take would be lost. */
+/* Refuse options that this kind does not take, which would otherwise have no effect. */
 static void check_typed(const options *o, const struct argp_state *state)
 {
     const jlt_motion_options *m = &o->motion;
@@ -176,7 +177,7 @@ static const char unshown[] = "not proved: the orbit near %s is not shown, with 
                               "leaves it, or comes so near its edge that these cannot be told apart (more digits, or less "
                               "--spread, may do)";
 
-/* By one reversor: an orbit homoclinic to the saddle at search->saddle in doubles, then in balls. x: room for its points. */
+/* For one reversor: find an orbit homoclinic to search->saddle in doubles, then refine it in balls. x: room for its points. */
 static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *question, const jlt_reversor *reversor,
                                   const jlt_system *system, jlt_certify_search *search)
 {
@@ -190,7 +191,7 @@ static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *que
     return jlt_given_homoclinic_make(question, given, reversor, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
 }
 
-/* By the first reversor that serves. */
+/* Add the homoclinic orbit to the question, by the first proved reversor for which one is found. */
 static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
 {
     const jlt_descriptor *d = question->question.descriptor;
@@ -221,7 +222,7 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
-/* The question, with boxes around the orbit, refined in balls. */
+/* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, jlt_system *system)
 {
     double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX];
@@ -254,7 +255,7 @@ done:
     return code;
 }
 
-/* What to prove, and the table. */
+/* Make the question, for a family of equilibria or for an orbit. Out: *given, *d, its table; *system, for an orbit only. */
 static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_system **system, options *o)
 {
     const jlt_certify_family_options family = { o->family, o->box, o->limit, o->digits };
