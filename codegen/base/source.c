@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A pipe or a device may have no end, and to open one may wait for ever. NULL after a report. */
+/* Open a regular file; others are refused: pipes and devices may block or never end. Returns NULL after reporting an error. */
 static FILE *open_regular(const char *path, ttc_diagnostics *diagnostics)
 {
     struct stat status;
@@ -49,7 +49,8 @@ char *ttc_source_read(const char *path, size_t *length, ttc_diagnostics *diagnos
     return text;
 }
 
-/* Bytes of the UTF-8 sequence at `at`, 0 when there is none (overlong forms, surrogates and beyond U+10FFFF excluded). */
+/* Length in bytes of the UTF-8 sequence at `at`, of which `left` bytes remain; 0 if it is invalid (overlong forms, surrogates and
+ * code points beyond U+10FFFF are). */
 static size_t sequence_length(const unsigned char *at, size_t left)
 {
     unsigned char c = at[0];
