@@ -28,7 +28,7 @@ typedef uint32_t ttc_id;
 #define TTC_NONE ((ttc_id)0)
 
 enum {
-    TTC_EXPONENT_LIMIT = 64, /* as written in a table */
+    TTC_EXPONENT_LIMIT = 64, /* as written in a table; the parser checks it */
     TTC_POWER_LIMIT = 256,   /* of a base in a product, as derivatives and substitutions make larger exponents */
     TTC_COEFFICIENT_BITS = 4096,  /* of a numerator or denominator */
     TTC_DEPTH_LIMIT = 1024,       /* nodes of the longest chain of parts within parts */
@@ -102,8 +102,9 @@ ttc_id ttc_substitute(ttc_graph *graph, ttc_id id, ttc_symbol_map map, void *con
 ttc_id ttc_derivative(ttc_graph *graph, ttc_id id, ttc_symbol_map slope, void *context);
 
 /** Substitution and derivative that follow definitions of symbols: definition(context, symbol) gives the node that a symbol
- *  stands for, or TTC_NONE; its id must be smaller than that of the symbol's node. value(context, symbol, v), or slope, then
- *  gives the replacement, or the derivative, of the symbol; v is the result for its definition, TTC_NONE where it has none.
+ *  stands for, or TTC_NONE; its id must be smaller than that of the symbol's node. value(context, symbol, v) then gives the
+ *  replacement of the symbol, and slope(context, symbol, v) its derivative, or TTC_NONE as above; v is the result for its
+ *  definition, TTC_NONE where it has none.
  *  Cost: one visit to each reachable node, definitions included. */
 typedef ttc_id (*ttc_symbol_definition)(void *context, uint32_t symbol);
 typedef ttc_id (*ttc_symbol_value)(void *context, uint32_t symbol, ttc_id definition_value);
