@@ -17,8 +17,7 @@ typedef enum {
 ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
                                     size_t count);
 
-/** Find rational weights, shape (count,), with which `angle` is a linear combination of the basis. Returns false if there are none.
- *  */
+/** Find rational weights, shape (count,), of `angle` as a linear combination of the basis. Returns false if there are none. */
 bool ttc_angle_weigh(ttc_ring *ring, fmpq *weights, const ttc_ratio *angle, const ttc_ratio *basis, size_t count);
 
 /** Choose a basis over the rationals among the angles such that, where possible, the others are integer combinations of it. It is

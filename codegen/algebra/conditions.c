@@ -104,8 +104,7 @@ unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polyno
     return signs;
 }
 
-/* Returns true if the list has a condition that implies this one. Conditions in the list are never strengthened instead, as the
- * list may be rewound to any mark. */
+/* Returns true if a condition of the list implies this one. None is strengthened, as the list may be rewound to any mark. */
 static bool has(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient,
                 bool is_denominator)
 {

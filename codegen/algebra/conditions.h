@@ -31,7 +31,7 @@ void ttc_conditions_init(ttc_conditions *conditions, ttc_valuation *valuation);
 void ttc_conditions_clear(ttc_conditions *conditions);
 
 /* Require that ratio > 0, >= 0, != 0 or = 0, and that its denominator is not zero. The expression may have a value where the
- * denominator of its normal form vanishes: that no point is found excludes none there, see ttc_conditions_at_denominator. */
+ * denominator of its normal form vanishes: finding no point does not exclude points there, see ttc_conditions_at_denominator. */
 void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
 /* ttc_conditions_add for -ratio. */

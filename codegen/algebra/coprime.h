@@ -18,8 +18,7 @@ typedef struct {
 ttc_coprime *ttc_coprime_create(ttc_ring *ring); /* NULL, and the ring failed, when memory is out */
 void ttc_coprime_destroy(ttc_coprime *base); /* legal on NULL */
 
-/* Refine the base until the ratio is, up to its sign, a product of powers of its elements. The ratio is not zero and has no
- * generators. */
+/* Refine the base until the ratio, not zero and without generators, is a product of powers of its elements, up to sign. */
 void ttc_coprime_include(ttc_coprime *base, const ttc_ratio *a);
 
 /* Write the exponents of a ratio that was included, divided by `divisor`, to a column of a matrix with a row for each element. */

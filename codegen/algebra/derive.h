@@ -1,5 +1,4 @@
-/** Derivatives of a model's expressions along a direction, for the prover alone: kernels are made by other code, so that a proof
- *  does not rest on what it checks. */
+/** Derivatives of a model's expressions, for the prover alone: kernels are made by other code, which proofs must not rest on. */
 #ifndef TTC_DERIVE_H
 #define TTC_DERIVE_H
 

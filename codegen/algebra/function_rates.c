@@ -1,8 +1,7 @@
 /* Rates of change of cosines, exponentials and logarithms, from the rates of their arguments. */
 #include "algebra/valuation_state.h"
 
-/* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. Sines are roots of 1 - cos^2, whose rates ttc_ratio_derive knows.
- * */
+/* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. Sines, roots of 1 - cos^2, are left to ttc_ratio_derive. */
 static void function_rate(ttc_valuation *valuation, ttc_ratio *out, uint32_t symbol, const ttc_ratio *rates)
 {
     const ttc_model *model = ttc_valuation_model(valuation);

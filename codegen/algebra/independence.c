@@ -24,8 +24,7 @@ static void mark(const ttc_ring *ring, unsigned char *used, const fmpz_mpoly_t p
         if (fmpz_mpoly_degree_si(polynomial, v, ring->context) > 0) used[v] = 1;
 }
 
-/* Fill in a usage. Squares contain only earlier generators, so that one sweep from the last to the first finds all variables.
- * Returns false when memory is out. */
+/* Fill in a usage, from the last generator to the first, as squares contain only earlier ones. Returns false when memory is out. */
 static bool survey(usage *u, const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     unsigned char *used = calloc(ring->variable_count + 1, 1), *direct = calloc(ring->variable_count + 1, 1);

@@ -3,10 +3,9 @@
  *  A nonzero polynomial is a nonzero function, or number, if its variables are algebraically independent. Parameters and states
  *  are; cosines, exponentials and logarithms are independent over the complex numbers if their exponents are linearly, and their
  *  arguments multiplicatively, independent modulo constants (J. Ax, On Schanuel's conjectures, Ann. of Math. 93, 1971; the
- *  structure theorem of Risch). The independence of transcendental numbers is known in few cases only: exponentials of algebraic
- *  numbers that are linearly independent over the rationals (Lindemann and Weierstrass); a single one of pi and the logarithms of
- *  rational numbers; linear forms in several of these (A. Baker, Linear forms in the logarithms of algebraic numbers,
- *  Mathematika 13, 1966). */
+ *  structure theorem of Risch). The independence of transcendental numbers is known in few cases: exponentials of algebraic numbers
+ *  that are linearly independent over the rationals (Lindemann and Weierstrass); a single one of pi and logarithms of rationals;
+ *  linear forms in several of these (A. Baker, Linear forms in the logarithms of algebraic numbers, Mathematika 13, 1966). */
 #ifndef TTC_INDEPENDENCE_H
 #define TTC_INDEPENDENCE_H
 

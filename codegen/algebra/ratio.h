@@ -110,8 +110,7 @@ char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); N
 void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);
 
 /** A square root of `radicand`: the positive one, or one of either sign if positive = false. If the radicand is a square in the
- *  field, which is decided exactly, out is an element of the field; otherwise `variable`, or a spare one if variable < 0, becomes a
- *  generator. */
+ *  field, which is decided exactly, out is in the field; otherwise `variable`, a spare one if < 0, becomes a generator. */
 void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive);
 
 /** Derivative of a along a direction. slopes, shape (variable_count,): the rate of each variable; those of generators are ignored

@@ -19,8 +19,7 @@ static bool is_positive(const ttc_ring *ring, slong variable)
     return positive;
 }
 
-/* The common sign of all terms, 1 or -1, if their coefficients have it and odd powers are of positive variables only; otherwise 0.
- * */
+/* The common sign of all terms if coefficients show it, and odd powers are of positive variables only; otherwise 0. */
 static int sign_of(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     int sign = 0;

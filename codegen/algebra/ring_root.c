@@ -1,5 +1,4 @@
-/* Square roots of ratios. A root that is no element of the field becomes a generator, so that generators stay independent modulo
- * squares. */
+/* Square roots of ratios. A root outside the field becomes a generator, so that generators are independent modulo squares. */
 #include "algebra/ratio.h"
 
 #include <flint/fmpz_vec.h>
@@ -237,7 +236,7 @@ static void check_radicand(ttc_ring *ring, const ttc_ratio *radicand)
     ttc_ratio_init(ring, &negative);
     ttc_ratio_init(ring, &root);
     ttc_ratio_scale(ring, &negative, radicand, ring->minus_one);
-    /* The opposite of the square of a quotient is excluded: it says nothing where the quotient's denominator vanishes. */
+    /* The root of the opposite must not be a quotient, which says nothing where its denominator vanishes. */
     if (ttc_ratio_is_zero(ring, radicand)) ttc_ring_fail(ring, TTC_RING_ROOT_OF_ZERO);
     else if (ttc_ratio_sign(ring, radicand) < 0
              || (field_root(ring, ring->generator_count, &root, &negative)

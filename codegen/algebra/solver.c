@@ -151,8 +151,7 @@ static void state_pi(question *q, Z3_ast pi)
     Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, "355/113", q->real)));
 }
 
-/* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals as far as they give a
- * state one sign. */
+/* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals if they give a sign. */
 static void state_signs(question *q)
 {
     const ttc_ring *ring = q->point->ring;
@@ -246,8 +245,7 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
 
 static void release(void *solver) { Z3_del_context(solver); }
 
-/* One context for each ring, so that answers depend on questions about this ring alone. It is kept with the ring, because creating
- * one takes longer than most answers. */
+/* One context for each ring: answers depend on questions about this ring alone. Creating one takes longer than most answers. */
 static Z3_context context_of(ttc_ring *ring)
 {
     if (ring->solver == NULL) {

@@ -120,8 +120,7 @@ static bool reserve_memo(ttc_valuation *v)
     return true;
 }
 
-/* out += the parts of a sum from `first` to `end`. Long sums are added in halves: every addition computes gcds, which cost more for
- * ratios with many terms. */
+/* out += the parts of a sum from `first` to `end`. Long sums are added in halves, as gcds cost more for ratios of many terms. */
 static void add_parts(ttc_valuation *v, ttc_ratio *out, ttc_id id, size_t first, size_t end)
 {
     ttc_ratio value;

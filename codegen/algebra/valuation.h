@@ -2,8 +2,8 @@
  *
  *  A symbol is free (a variable of the ring), bound to an expression, or bound to a square root. Functions follow from their
  *  definitions: cosines and sines of angles that are linearly independent over the rationals are variables with c^2 + s^2 = 1,
- *  those of integer combinations of these angles follow by the addition theorems; so do exponentials, and logarithms with
- *  multiplicatively independent arguments are variables.
+ *  those of integer combinations of these angles follow by the addition theorems; likewise exponentials of independent exponents,
+ *  and logarithms of multiplicatively independent arguments, are variables from which others follow.
  *
  *  A plain valuation evaluates bound expressions in itself, so that `when a = b, b = 1` means a = b = 1, and a circle is an error.
  *  A map (base != NULL) evaluates them in its base: it is the model at an image point, or another model seen from the base. */
@@ -15,8 +15,7 @@
 
 typedef struct ttc_valuation ttc_valuation;
 
-/* A valuation has spare symbols beyond those of the model, numbered from symbol_count on, for example to complete squares; and
- * spare variables for them and for roots. */
+/* Spare symbols, numbered from the model's symbol_count on, such as to complete squares; and variables for them and for roots. */
 enum { TTC_SPARE_SYMBOLS = 4, TTC_SPARE_VARIABLES = 12 };
 
 /** Create a ring with one variable for each symbol of `model` that is no let, and spare ones, and the plain valuation in it.
@@ -53,14 +52,12 @@ void ttc_evaluate(ttc_valuation *valuation, ttc_ratio *out, ttc_id id);
  *  ring fails with ANGLE or ANGLE_FRACTION. */
 void ttc_valuation_angle(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *angle, bool is_sine);
 
-/** The exponential of an exponent, or the logarithm of an argument, that follows from those which the table names; for others the
- *  ring fails. */
+/** The exponential of an exponent, or logarithm of an argument, that follows from those of the table; for others the ring fails. */
 void ttc_valuation_exp(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *exponent);
 void ttc_valuation_log(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *argument);
 
-/** Add the rates of functions that have a value or are used by bound symbols to rates, shape (variable_count,), which has those of
- *  the states, by the chain rule. A function may be expressed through one that the table defines after it, so that rates are
- *  computed repeatedly until none changes. */
+/** Add the rates of functions that have a value or that bound symbols use, by the chain rule, to rates, shape (variable_count,),
+ *  which has those of the states. Repeated until none changes, as a function may follow from one that the table defines later. */
 void ttc_valuation_add_function_rates(ttc_valuation *valuation, ttc_ratio *rates);
 
 void ttc_valuation_pi(ttc_valuation *valuation, ttc_ratio *out); /* fails where the table has no pi */

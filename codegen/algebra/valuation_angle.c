@@ -31,8 +31,7 @@ static void set_quarter_turn(ttc_valuation *v, ttc_ratio *out)
     fmpq_clear(half);
 }
 
-/* The relation of an angle to the basis and the quarter turn, whose multiple is the last one. multiples: shape (basis_count + 1,).
- * */
+/* The relation of an angle to the basis and, by the last multiple, the quarter turn. multiples: shape (basis_count + 1,). */
 static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ratio *angle)
 {
     ttc_angle_relation relation = TTC_ANGLE_FREE;
@@ -114,8 +113,7 @@ static void find_basis(ttc_valuation *v)
         ttc_ratio_init(v->ring, angles + i);
         ttc_evaluate(v, angles + i, v->model->symbols[cosines[i]].definition);
     }
-    /* Angles that are in the basis already were used by the expression of a bound state; they are fixed, and keep their variables.
-     * */
+    /* Angles in the basis at this point were used by the expression of a bound state; they are fixed, and keep their variables. */
     for (size_t i = 0; i < count; i++) {
         if (!in_basis(v, cosines[i])) continue;
         const uint32_t cosine = cosines[fixed];
@@ -159,8 +157,7 @@ static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiple
     ttc_ratio_clear(v->ring, &cosine);
 }
 
-/* cos or sin of any angle in a plain valuation. cosine: the symbol that joins the basis if the angle is independent of it; with
- * NO_SYMBOL the ring fails then. */
+/* cos or sin of an angle in a plain valuation. cosine: the one that joins the basis if the angle is independent, or NO_SYMBOL. */
 static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angle, bool is_sine, uint32_t cosine)
 {
     if (!v->has_basis) find_basis(v);
@@ -185,9 +182,8 @@ void ttc_valuation_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angl
     value_at_angle(v, out, angle, is_sine, NO_SYMBOL);
 }
 
-/* Before the sine of a bound cosine, evaluate those of all unbound ones. 1 - cos^2 may be the same for both: the sine evaluated
- * first becomes a generator, and the other is plus or minus it by a choice. An unbound one must be first, as its angle gives its
- * sign. */
+/* Before the sine of a bound cosine, evaluate those of unbound ones. 1 - cos^2 may be the same for both: the first sine becomes a
+ * generator, the other is plus or minus it by a choice. An unbound one must be first, as its angle gives its sign. */
 static void meet_free_sines(ttc_valuation *v, uint32_t cosine)
 {
     ttc_ratio sine;

@@ -1,5 +1,4 @@
-/* Creation of a valuation: its ring, with a name for each variable, and the functions that compute values of each kind of symbol.
- * */
+/* Creation of a valuation: its ring, with a name for each variable, and the table of functions that compute values of symbols. */
 #include "algebra/valuation_state.h"
 
 #include <stdlib.h>

@@ -14,8 +14,7 @@ static bool in_list(const uint32_t *list, size_t count, uint32_t symbol)
     return false;
 }
 
-/* The ratio that represents a symbol of a basis in linear relations: the exponent of an exponential, the angle of a cosine, a
- * logarithm itself. */
+/* The ratio that represents a symbol in linear relations: the definition of an exponential or cosine, a logarithm itself. */
 static void column(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &v->model->symbols[symbol];
@@ -77,8 +76,7 @@ static void join(ttc_valuation *v, uint32_t symbol, const ttc_ratio *exponent)
     free(symbols);
 }
 
-/* The table's exponentials whose exponents contain no exponentials and logarithms; the others join the basis when they are
- * evaluated. */
+/* The table's exponentials whose exponents contain no exponentials and logarithms; others join the basis when evaluated. */
 static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
 {
     const ttc_model *model = v->model;
@@ -99,8 +97,7 @@ static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
 }
 
 /* Choose the basis among all plain exponentials at once, so that of exp(a) and exp(2 a) it gets the one of which the other is a
- * power. Exponentials that are in the basis already were used by the expression of a bound state, and stay. Exponents that are zero
- * are left out: their exponential is 1. */
+ * power. Exponentials in it at this point were used by the expression of a bound state, and stay. exp(0) = 1 is left out. */
 static void find_exponentials(ttc_valuation *v)
 {
     const size_t most = v->model->symbol_count;
@@ -151,8 +148,7 @@ static void product(ttc_valuation *v, ttc_ratio *out, const uint32_t *symbols, c
     ttc_ratio_clear(v->ring, &factor);
 }
 
-/* The exponential of any exponent in a plain valuation. symbol: the one that joins the basis if the exponent is independent of it;
- * with NO_SYMBOL the ring fails then. */
+/* The exponential in a plain valuation. symbol: the one that joins the basis if the exponent is independent of it, or NO_SYMBOL. */
 static void value_at_exponent(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *exponent, uint32_t symbol)
 {
     size_t count;

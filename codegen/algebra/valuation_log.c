@@ -331,8 +331,7 @@ static bool value_of_product(comparison *c, ttc_ratio *out, uint32_t symbol)
     return again;
 }
 
-/* The logarithm of any argument in a plain valuation. symbol: the one that joins the basis if the argument is independent of it;
- * with NO_SYMBOL the ring fails then. */
+/* The logarithm in a plain valuation. symbol: the one that joins the basis if the argument is independent of it, or NO_SYMBOL. */
 static void value_at_argument(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argument, uint32_t symbol)
 {
     if (v->ring->status != TTC_RING_OK) return;

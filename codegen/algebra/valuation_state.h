@@ -54,8 +54,7 @@ void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
  * true if they were evaluated by this call, so that the caller should try again. */
 bool ttc_valuation_meet(ttc_valuation *v);
 
-/* Returns true if a function of the table may join a basis before its value is used: it is not withheld, and its definition has a
- * value. */
+/* Returns true if a function may join a basis before its value is used: it is not withheld, and its definition has a value. */
 bool ttc_valuation_may_join(ttc_valuation *v, uint32_t symbol);
 
 /* ttc_ring_trust for a basis of symbols, shape (count,): cosines and exponentials stand for their definitions, logarithms for

@@ -1,7 +1,6 @@
 /** A real point of a ring, given by rational values of its free variables, and rigorous evaluation of conditions at it.
  *
- *  Roots and functions follow from the free variables. Signs are decided exactly if all values used are rational, and otherwise
- *  by balls that exclude zero. */
+ *  Roots and functions follow from the free variables. Signs are decided exactly if all values are rational, else by balls. */
 #ifndef TTC_WITNESS_H
 #define TTC_WITNESS_H
 

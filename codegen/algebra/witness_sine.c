@@ -1,5 +1,4 @@
-/* Signs of sines that are plus or minus an earlier root, as ring->choices selects; proofs cover both. At a point only one is the
- * sine of the angle. */
+/* Signs of sines that are plus or minus an earlier root, by ring->choices: proofs cover both, at a point only one is right. */
 #include "algebra/witness.h"
 
 enum { PRECISION = 128 };

@@ -2,8 +2,7 @@
 #ifndef TTC_EXHAUSTION_H
 #define TTC_EXHAUSTION_H
 
-/** Make FLINT and GMP call `handler` when an allocation fails; it must not return. Call this first in main, before either library
- *  allocates anything. */
+/** Make FLINT and GMP call `handler`, which must not return, when an allocation fails. Call this before they allocate anything. */
 void ttc_exhaustion_handle(void (*handler)(void));
 
 #endif

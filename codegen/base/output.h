@@ -18,15 +18,13 @@ typedef struct {
 
 void ttc_output_clear(ttc_output *output); /* legal on a zeroed set */
 
-/* Add an empty file to the set and return its text, valid until the next file is added; NULL when memory is out or the path is
- * already in the set. */
+/* Add an empty file and return its text, valid until the next file is added; NULL when memory is out or the path is taken. */
 ttc_text *ttc_output_add(ttc_output *output, const char *path);
 
-/** Write every file below `folder`; this folder and the folders within paths are created where they are missing. Each file is first
- *  written and flushed under a temporary name; only when all are on disk are they renamed to their places. A file whose content is
- *  unchanged is not touched. On failure the former files are put back and created folders removed; *restored says if that
- *  succeeded. Returns 0, or the errno of the failure, with the path it concerns in *where (borrowed from the set, or from
- *  `folder`). */
+/** Write every file below `folder`, and create this folder and those within paths if missing. Each file is first written and
+ *  flushed under a temporary name; only when all are on disk are they renamed to their places. A file whose content is unchanged is
+ *  not touched. On failure former files are put back and created folders removed; *restored says if that succeeded.
+ *  Returns 0, or the errno of the failure, with the path it concerns in *where (borrowed from the set, or from `folder`). */
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored);
 
 /* Open /dev/null in place of standard input, output and error where these are closed, so that no other file takes their

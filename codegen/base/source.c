@@ -49,8 +49,7 @@ char *ttc_source_read(const char *path, size_t *length, ttc_diagnostics *diagnos
     return text;
 }
 
-/* Length in bytes of the UTF-8 sequence at `at`, of which `left` bytes remain; 0 if it is invalid (overlong forms, surrogates and
- * code points beyond U+10FFFF are). */
+/* Bytes of the UTF-8 sequence at `at`, with `left` bytes remaining; 0 if invalid (overlong, a surrogate, or beyond U+10FFFF). */
 static size_t sequence_length(const unsigned char *at, size_t left)
 {
     unsigned char c = at[0];

@@ -4,8 +4,7 @@
 
 #include "base/text.h"
 
-/** Path of the compiler that $CC names, else of cc, looked up in $PATH; the caller frees it. NULL if there is none, or no memory.
- *  */
+/** Path of the compiler that $CC names, else of cc, looked up in $PATH, for the caller to free. NULL: not found, or no memory. */
 char *ttc_compiler_find(void);
 
 /** Add the options that determine the object code, each followed by a blank. lanes: as below. */

@@ -257,8 +257,7 @@ ttc_id ttc_subtract(ttc_graph *graph, ttc_id a, ttc_id b)
     return ttc_sum(graph, terms, weights, 2);
 }
 
-/* Content of a sum, with the sign of its first term. Products divide their sums by it, so that 2*a + 2*b and a + b have
- * the same base a + b in a product. */
+/* Content of a sum, with the sign of its first term. Products divide it out, so that 2*a + 2*b and a + b have one base there. */
 static bool content(ttc_graph *graph, const ttc_node *n, fmpq_t c)
 {
     fmpq_set(c, n->coefficients);

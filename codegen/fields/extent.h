@@ -24,7 +24,7 @@ ttc_extent ttc_extent_of_signs(unsigned char signs);
 ttc_extent ttc_extent_negate(ttc_extent a);
 ttc_extent ttc_extent_add(ttc_extent a, ttc_extent b);
 ttc_extent ttc_extent_multiply(ttc_extent a, ttc_extent b);
-/* a^exponent, tighter than the product of a with itself: even powers are not negative. For exponent < 0 the value is not zero. */
+/* a^exponent, tighter than a product: even powers are not negative. For exponent < 0 the value is taken to be nonzero. */
 ttc_extent ttc_extent_power(ttc_extent a, long exponent);
 ttc_extent ttc_extent_root(ttc_extent radicand);
 /* The intersection; a if the two have no sign in common. */

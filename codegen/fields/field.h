@@ -65,8 +65,7 @@ typedef enum {
 } ttc_field_status;
 
 /** Create the field of a variant, a time and an elimination; each may be NULL. On success the caller owns *out; otherwise *out is
- *  NULL, and the graph's error stays set unless it is a division by zero. The field adds nodes to the graph of the model, which
- *  must outlive it. */
+ *  NULL, and the graph keeps its error unless it is a division by zero. The model, to whose graph it adds, must outlive it. */
 ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const ttc_variant *variant,
                                   const ttc_time *time, const ttc_elimination *elimination);
 void ttc_field_destroy(ttc_field *field); /* legal on NULL */
@@ -82,7 +81,7 @@ ttc_id ttc_field_specialise(ttc_field *field, ttc_id expression);
  *  and functions by the chain rule. Derivatives of units are units where they are sums. */
 ttc_id ttc_field_partial(ttc_field *field, ttc_id expression, size_t position);
 
-/* Add a symbol that stands for the expression: a unit if this is a sum. Returns its node; TTC_NONE when memory is out. */
+/* Add a unit that stands for a sum, and return its node. Other expressions are returned as they are; TTC_NONE: memory is out. */
 ttc_id ttc_field_add_unit(ttc_field *field, const char *name, ttc_id expression);
 
 /** Compute the right-hand sides rhs, shape (state_count,), in a form in which terms with the same unit as denominator are one
@@ -105,8 +104,7 @@ bool ttc_field_is_constant(const ttc_field *field, ttc_id expression);
  * functions. Cost: one visit to each node; results are stored. */
 ttc_extent ttc_field_extent(ttc_field *field, ttc_id expression);
 
-/* Returns true if the claim's conditions `when` hold identically under the field's variant. Conditions on states, and conditions
- * `modulo`, are never implied. */
+/* Returns true if the claim's `when` holds identically under the field's variant; on states, or with `modulo`, it never does. */
 bool ttc_field_implies(ttc_field *field, const ttc_claim *claim);
 
 #endif

@@ -83,8 +83,7 @@ static void make_rhs(ttc_field *field)
     }
 }
 
-/* The status after a failure. A definition that becomes zero is replaced by the number 0, so that the graph reports division by it.
- * */
+/* The status after a failure. A definition that becomes zero is replaced by 0, so that the graph reports division by it. */
 static ttc_field_status status_of(ttc_graph *graph)
 {
     ttc_graph_status error = ttc_graph_error(graph);

@@ -20,8 +20,7 @@ bool ttc_signature_same(const ttc_signature *a, const ttc_signature *b); /* comp
 /* Returns true if all terms of a sum have the same sign at every state; true for an expression that is not a sum. */
 bool ttc_is_like_signed(ttc_scratch *scratch, ttc_id id);
 
-/* Write the terms of a sum with their coefficients, and its constant if it is not 0, to terms, shape (TTC_TERMS_LIMIT,). Returns
- * their number; 0 if there are too many. */
+/* Write the terms of a sum, its constant among them, to terms, shape (TTC_TERMS_LIMIT,). Returns their number; 0: too many. */
 size_t ttc_terms_of(ttc_graph *graph, ttc_id *terms, ttc_id sum);
 
 /* The product of the common factors of all terms, each with its least exponent, and of all denominators, each with its greatest

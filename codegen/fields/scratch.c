@@ -33,8 +33,7 @@ ttc_scratch *ttc_scratch_of(ttc_field *field)
     return NULL;
 }
 
-/* Copy a node from one graph to another, parts first; the recursion is bounded by TTC_DEPTH_LIMIT. images: copies, by id in `from`.
- * */
+/* Copy a node from one graph to another, parts first; TTC_DEPTH_LIMIT bounds the recursion. images: copies, by id in `from`. */
 static ttc_id carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *images)
 {
     ttc_kind kind = ttc_kind_of(from, id);

@@ -26,8 +26,7 @@ void ttc_scratch_destroy(ttc_scratch *scratch); /* legal on NULL */
 ttc_id ttc_scratch_import(ttc_scratch *scratch, ttc_id id);
 ttc_id ttc_scratch_export(ttc_scratch *scratch, ttc_id id);
 
-/* The definition, in the scratch graph, of a symbol of this role: UNIT, its sum; ROOT, its radicand. TTC_NONE for any other node.
- * */
+/* The definition, in the scratch graph, of a symbol of this role: UNIT, its sum; ROOT, its radicand; TTC_NONE for other nodes. */
 ttc_id ttc_scratch_definition(ttc_scratch *scratch, ttc_id symbol, ttc_role role);
 
 ttc_extent ttc_scratch_extent(ttc_scratch *scratch, ttc_id id);

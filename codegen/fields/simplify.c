@@ -22,8 +22,7 @@ static bool identities_of(ttc_field *field, uint32_t symbol, identity *list)
                             : ttc_scale(graph, first.id, first.coefficient);
     ttc_id b = ttc_scale(graph, last.id, last.coefficient);
     ttc_id square = ttc_power(graph, s->node, 2);
-    /* Each node has a statement or declarator of its own: within an expression C leaves the order of evaluation open, and ids
-     * depend on it. */
+    /* One new node in each declarator or statement: C leaves the order within an expression open, and ids depend on it. */
     ttc_id b_over_a = ttc_divide(graph, b, a), square_over_a = ttc_divide(graph, square, a);
     ttc_id a_over_b = ttc_divide(graph, a, b), square_over_b = ttc_divide(graph, square, b);
     list[0] = (identity){ b_over_a, square_over_a };

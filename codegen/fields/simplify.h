@@ -4,9 +4,8 @@
 
 #include "fields/field.h"
 
-/** Merge pairs of terms of a sum by a root r with a radicand of two terms, r^2 = A + B: t + t B/A = t r^2/A,
- *  t - t r^2/A = -t B/A, t - t r^2/B = -t A/B. Only the terms of the sum itself are merged, not those of sums within it.
- *  Returns TTC_NONE if the graph fails. */
+/** Merge pairs of terms of a sum by a root r with a radicand of two terms, r^2 = A + B: t + t B/A = t r^2/A, t - t r^2/A = -t B/A,
+ *  t - t r^2/B = -t A/B. Terms of sums within the sum are not merged. Returns TTC_NONE if the graph fails. */
 ttc_id ttc_simplify_roots(ttc_field *field, ttc_id sum);
 
 /** Rewrite a sum in which terms of opposite signs may nearly cancel so that fewer or none can: terms are put over their common

@@ -4,8 +4,7 @@
 
 #include <stdlib.h>
 
-/* Bound on the attempts at other forms in one field. The tables of this project need some hundreds each. Sums that come after the
- * limit stay as they are. */
+/* Bound on attempts in one field, after which sums stay as they are. The tables of this project need some hundreds each. */
 enum { ATTEMPT_LIMIT = 20000 };
 
 /* The terms of a sum. `members` are the indices of the terms that are being rewritten. */
@@ -142,8 +141,7 @@ static bool choose_class(trial *t, size_t first)
     return cancels && t->member_count < t->count;
 }
 
-/* Rewrite all terms, else a class of terms (see choose_class), else a pair: the first of these that gives a better form. Returns
- * TTC_NONE if none does. */
+/* Rewrite all terms, else a class of terms, else a pair: the first that gives a better form. Returns TTC_NONE if none does. */
 static ttc_id improve(trial *t, ttc_id sum)
 {
     ttc_id better = TTC_NONE;

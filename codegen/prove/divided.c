@@ -5,8 +5,7 @@
 
 #include <stdlib.h>
 
-/* Flags, by divisor of the table, of those that the claim alone brings in, for free(); NULL if there are none, or if the question
- * is not asked of this claim. */
+/* Flags, by divisor of the table, of those that the claim alone brings in, for free(); NULL: none, or not asked of this claim. */
 static unsigned char *divisors_of(ttc_task *task, const ttc_subcase *leaf)
 {
     const bool is_given = task->role == TTC_DIVIDES_VARIANT && task->claim->when.count > 0; /* asked without `when` */

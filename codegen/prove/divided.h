@@ -9,8 +9,7 @@
  *  has no points when these are disregarded. *at then receives such a point, for free(), or NULL if none was found. */
 bool ttc_divided_by_zero(ttc_task *task, const ttc_subcase *leaf, char **at);
 
-/* For a leaf of which no point is known: returns true if the claim has a divisor that is zero if functions in it depend on each
- * other, which is not excluded. */
+/* For a leaf without a known point: returns true if the claim has a divisor that may be zero by unknown relations of functions. */
 bool ttc_divided_perhaps(ttc_task *task, const ttc_subcase *leaf);
 
 #endif

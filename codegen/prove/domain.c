@@ -53,8 +53,7 @@ static bool owner_counts(const ttc_task *task, const ttc_divisor *d, ttc_domain_
     return false;
 }
 
-/* Returns true for roots and logarithms that belong to the domain, whether or not they are used: all but those after one under
- * test. */
+/* Returns true for roots and logarithms of the domain, which need not be used: all but those after one under test. */
 static bool is_in_domain(const ttc_task *task, uint32_t symbol)
 {
     const ttc_symbol_kind kind = task->model->symbols[symbol].kind;
@@ -256,7 +255,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
                 entry->name);
         }
         if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) add_root(task, c, i, &value);
-        /* Evaluating the sine adds its root to the ring, and so that a bound cosine lies between -1 and 1. */
+        /* Evaluating the sine adjoins the root of 1 - C^2, which is real only if a bound cosine C lies between -1 and 1. */
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
         if (entry->kind == TTC_COSINE && symbol_counts(model, support, i)) ttc_domain_add_angle(task, c, i);

@@ -24,8 +24,7 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
 /* Require of the expression to which `map` binds a root that it is positive and its square is the radicand. */
 void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry);
 
-/* Require that, evaluated in `map`, no divisor of this role and owner is zero, nor any of a definition whose symbol is flagged in
- * `used`. */
+/* Require that, in `map`, no divisor of this role and owner is zero, nor any of the definitions whose symbols `used` flags. */
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where);
 

@@ -72,7 +72,7 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
     ttc_ratio_clear(task->ring, &root);
 }
 
-/* Require the domain records on symbols under test whose last root in question is symbol `last`, with those before it taken as
+/* Require the domain records on symbols under test whose last root in question is symbol `last`, taking it and those before it as
  * shown; last = 0: the records without such a root. */
 static void require_regions(ttc_task *task, uint32_t last)
 {

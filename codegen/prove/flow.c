@@ -59,8 +59,7 @@ static bool varies_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state)
     return varies;
 }
 
-/* Returns true if a derivative by some free state is nonzero in form: a ratio that uses states may be constant, such as
- * sqrt(2 x)/sqrt(x) or exp(x + a)/exp(x). */
+/* A ratio that uses states may be constant, such as sqrt(2 x)/sqrt(x): returns true if some derivative is nonzero in form. */
 static bool varies(ttc_task *task, const ttc_ratio *ratio)
 {
     const ttc_model *model = task->model;

@@ -98,8 +98,7 @@ static void put_off(cover *c)
     task->remainder = task->point = NULL;
 }
 
-/* Prove the claim on one leaf, for each sign of roots whose radicand became a square. If the claim is already not settled, further
- * leaves may still refute it. */
+/* Prove the claim on one leaf, for each sign of roots whose radicand became a square. If not settled, it may still be refuted. */
 static void visit(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
@@ -179,7 +178,7 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     size_t kept = c->task->kept, skipped = c->skipped;
     descend_apart(c, &solved);
     degenerate.is_degenerate = true;
-    /* The degenerate part may be all that a component has of real points, unless the solved part was kept and has known points. */
+    /* The degenerate part may hold all real points of a component, unless the solved part was kept and has known points. */
     degenerate.is_orphan |= !is_no_component(c->task, &solved) && (c->task->kept == kept || c->skipped > skipped);
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
     ttc_id itself = ttc_subcase_expression(c->task, factor);

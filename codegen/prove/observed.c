@@ -65,9 +65,8 @@ void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record
         if (divides(model, record) && index-- == 0) return;
 }
 
-/* Require that a divisor is not zero on a whole part of the domain, nor at all states for some parameters. A root or function of
- * states and parameters together counts as moving with the states: exp(k*x) - 1, zero at k = 0 alone, passes, as points around have
- * values. */
+/* Require that a divisor is not zero on a whole part of the domain, nor at all states for some parameters. A function of states and
+ * parameters counts as moving with the states: exp(k*x) - 1, zero at k = 0 alone, passes, as points around have values. */
 static void require_values(ttc_task *task, const ttc_ratio *divisor)
 {
     if (ttc_ratio_is_zero(task->ring, divisor)) {

@@ -18,12 +18,10 @@ typedef struct {
 size_t ttc_observed_count(const ttc_model *model);
 void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record); /* index < ttc_observed_count(model) */
 
-/* Flags, by divisor of the table, of those that the record, and not the equations, brings in, for free(); NULL when memory is out.
- * */
+/* Flags, by divisor of the table, of those that the record brings in beside the equations, for free(); NULL when memory is out. */
 unsigned char *ttc_observed_divisors(const ttc_model *model, const ttc_observed *record);
 
-/** The prover of record number claim.family: no divisor is zero on a whole part of the domain, nor at all states for any parameters
- *  of the domain. */
+/** The prover of record claim.family: no divisor is zero on a whole part of the domain, nor at all states for some parameters. */
 void ttc_prove_observed(ttc_task *task);
 
 #endif

@@ -21,8 +21,7 @@ void ttc_pole_drop(const ttc_pole_end *end, fmpz_mpoly_t out, const fmpz_mpoly_t
 /* Returns true if a polynomial is a multiple of way. */
 bool ttc_pole_has_factor(const ttc_pole_end *end, const fmpz_mpoly_t polynomial);
 
-/* out = the polynomial with the state replaced by its end; roots in it stay as they are. Computed as the resultant with
- * way = b x + c, divided by (-b)^degree. */
+/* out = the polynomial with the state at its end, but roots as they are: its resultant with way = b x + c over (-b)^degree. */
 void ttc_pole_put_state(const ttc_pole_end *end, ttc_ratio *out, const fmpz_mpoly_t polynomial);
 
 /* Returns true if a polynomial, and radicands of roots in it, are shown not to be zero with the state at its end: because they
@@ -39,8 +38,7 @@ bool ttc_pole_is_followed(const ttc_pole_end *end, const fmpz_mpoly_t polynomial
 void ttc_pole_find_vanishing(ttc_pole_end *end);
 
 /* The limit of a ratio at the end, and its value, unless it is not followed. lifted: NULL, or flags of roots that vanish; the limit
- * is then GOES_TO_ZERO only if the numerator lies in the ideal of way and these roots, so that it vanishes at least as fast as they
- * do. */
+ * is then GOES_TO_ZERO only if the numerator lies in the ideal of way and these roots, and so vanishes as fast as they do. */
 ttc_pole_limit ttc_pole_follow(const ttc_pole_end *end, ttc_ratio *value, const ttc_ratio *ratio, const bool *lifted);
 
 #endif

@@ -9,20 +9,17 @@
 
 #include "read/model.h"
 
-/** Reads the table, `target`, that a claim of `model` names; the caller destroys it. Returns NULL if there is none or it has
- *  errors; `diagnostics` may say why. */
+/** Reads the table `target` that a claim of `model` names, for the caller to destroy. NULL on failure; diagnostics may say why. */
 typedef ttc_model *(*ttc_resolver)(void *context, const ttc_model *model, const char *target,
                                    ttc_diagnostics *diagnostics);
 
-/* Read the table `target`, FILE.tt, in the folder of the file `of`. Returns NULL on failure; diagnostics say why, or memory is out.
- * */
+/* Read the table `target`, FILE.tt, in the folder of the file `of`. Returns NULL after a report, or when memory is out. */
 ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics *diagnostics);
 
 /* The resolver that reads FILE.tt beside the model's own file; context is ignored. */
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics);
 
-/** Call the resolver, which may be NULL. If it reads nothing, returns NULL, and reason, `size` bytes, has "WHAT FILE could not be
- *  read: why". */
+/** Call the resolver, if not NULL. On failure returns NULL, and reason, `size` bytes, is "WHAT FILE could not be read: why". */
 ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file,
                        char *reason, size_t size);
 
@@ -44,7 +41,7 @@ typedef struct {
     char *point;       /* proved: a point of the domain that meets the claim's conditions; refuted: one at which it is false */
     char *note;        /* of a measure: where its density is positive and smooth, zero, negative, or has poles; else NULL */
     bool has_smooth_density; /* a proved measure whose density is positive and smooth on the whole domain */
-    bool relies_on_solver;   /* only the solver for real arithmetic states that some point does not exist */
+    bool relies_on_solver;   /* that some point does not exist rests on the solver for real arithmetic alone */
     double seconds;
 } ttc_proof;
 
@@ -65,8 +62,7 @@ bool ttc_prove(const ttc_model *model, ttc_resolver resolver, void *context, ttc
                ttc_proof_report **report);
 void ttc_proof_report_destroy(ttc_proof_report *report); /* legal on NULL */
 
-/** Returns true if a quantity is proved to have the same value at points that differ by the periods which the table claims. The
- *  periods themselves are assumed. */
+/** Returns true if a quantity is proved to be equal at points that differ by claimed periods; the periods are taken for granted. */
 bool ttc_prove_turns(const ttc_model *model, ttc_id quantity);
 
 /** A run proves the claims of a model one by one, so that a caller can bound the resources of each. A claim on which others rest

@@ -17,8 +17,7 @@ static void prove_root(ttc_task *task)
 
 static void prove_nothing(ttc_task *task) { (void)task; }
 
-/* Check in a task of its own, without the substitutions, that the variant's expressions have values except at points that others
- * surround. */
+/* Check, in a task without the substitutions, that the variant's expressions have values except at points that others surround. */
 static void look_at_values(ttc_task *task)
 {
     const ttc_claim values = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = task->claim->place,
@@ -95,8 +94,7 @@ static void look_at_slope(ttc_task *task)
     task->is_lifted = true;
 }
 
-/* With the solution in place of the state, the integral has the level's value, and the rate of the solution is that of the state.
- * */
+/* With the solution in place of the state, the integral has the level's value, and the solution has the state's rate. */
 static void prove_elimination(ttc_task *task)
 {
     const ttc_elimination *elimination = elimination_of(task);

@@ -1,5 +1,4 @@
-/** Derived claims: what records other than claims state (roots, logarithms, variants, times, eliminations, poles, and the records
- *  of observed.h), as claims of their own. */
+/** Derived claims: what roots, logarithms, variants, times, eliminations, poles and the records of observed.h state. */
 #ifndef TTC_PROVE_DERIVED_H
 #define TTC_PROVE_DERIVED_H
 

@@ -28,8 +28,7 @@ static void trace(ttc_task *task, ttc_ratio *out)
     ttc_ratio_clear(task->ring, &entry);
 }
 
-/* Require that the states of the family meet the conditions of their records, and of roots and logarithms that depend on them, for
- * all values of the free symbols. */
+/* Require that states of the family, and roots and logarithms that depend on them, meet the conditions of their records. */
 static void require_records(ttc_task *task)
 {
     for (uint32_t i = 0; i < task->model->symbol_count && ttc_task_open(task); i++) {

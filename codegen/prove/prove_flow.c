@@ -19,8 +19,7 @@ static bool is_known_to_move(ttc_task *task, ttc_id expression)
     return known;
 }
 
-/* Require that an integral is known to depend on the states: that its form does is not enough if functions may depend on each
- * other. */
+/* Require that an integral is known to depend on the states: its form may contain functions whose relations are unknown. */
 static void require_moving(ttc_task *task, const ttc_ratio *value)
 {
     const ttc_claim *claim = task->claim;

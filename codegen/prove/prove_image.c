@@ -47,8 +47,7 @@ static bool bind_angle(ttc_task *task, ttc_valuation *map, uint32_t cosine, cons
     return true;
 }
 
-/* Bind a symbol to a root. The root may also be zero, which a generator of the ring never is: the claim is not settled unless this
- * is excluded. */
+/* Bind a symbol to a root. Not settled unless it is excluded that the root is zero, which a generator of the ring never is. */
 static bool bind_root(ttc_task *task, ttc_valuation *map, uint32_t symbol, ttc_id square, uint32_t *spares)
 {
     const char *name = ttc_valuation_model(map)->symbols[symbol].name;
@@ -102,8 +101,7 @@ void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *c
     if (!ok) ttc_task_unsettle(task, "out of memory, or more than %d angles and roots", TTC_SPARE_SYMBOLS);
 }
 
-/* q = atan2(A, B) means A cos q - B sin q = 0 and A sin q + B cos q > 0. Where the first holds, the second expression is zero only
- * if A and B are. */
+/* q = atan2(A, B) means A cos q - B sin q = 0 and A sin q + B cos q > 0; given the first, the second is zero only if A = B = 0. */
 static void return_angle(ttc_task *task, ttc_ratio *a, ttc_ratio *b, uint32_t cosine, const char *name, bool where_angles)
 {
     enum { COSINE, SINE, ACROSS, ALONG, COUNT };

@@ -9,13 +9,11 @@
 void ttc_prove_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id);
 
 /** Bind the states and parameters of the other table, in `map`, to what the image gives for them in the task's model. Adds the
- *  conditions that every angle has a value; requires that radicands are positive. The claim is not settled if no point is known
- *  that meets the conditions. */
+ *  condition that angles have values; requires that radicands are positive. Not settled if no point is known that meets these. */
 void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image);
 
-/** In a task of the other table, with the model evaluated in `map`: require that the image of the model's point has, in state
- *  number `state`, the value at the task's own point. where_angles: add the condition that an angle has a value, instead of
- *  requiring it. */
+/** In a task of the other table, with the model evaluated in `map`: require that the image of the model's point has in state number
+ *  `state` the task's own value. where_angles: that an angle has a value is added as a condition, not required. */
 void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image, size_t state,
                       bool where_angles);
 

@@ -6,7 +6,7 @@
 
 typedef struct {
     FILE *stream;
-    bool only_positive; /* no zero, pole or negative value was found, and all are excluded */
+    bool only_positive; /* zeros, poles and negative values are excluded so far */
 } description;
 
 /* Add `what` to the description unless it is excluded that value, or -value if `negative`, stands in this relation to zero. */

@@ -131,8 +131,7 @@ static void add_direction(ttc_task *task, ttc_valuation *lifted)
     ttc_ratio_clear(task->ring, &product);
 }
 
-/* Require that the lift of the point's image under the way back is the point itself. The condition on the direction is added only
- * when this is not evident. */
+/* Require that the lift of the point's image is the point itself. The condition on the direction is added only if it is needed. */
 static void require_same(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *model = task->model, *chart = ttc_valuation_model(map);

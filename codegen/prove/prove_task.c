@@ -92,8 +92,7 @@ static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *valu
     }
 }
 
-/* Add that roots which have entered the ring since the domain was made are positive, and that square roots by which levels were
- * solved are real. */
+/* Add that roots adjoined since the domain was made are positive, and that square roots by which levels were solved are real. */
 static void add_new_roots(ttc_task *task)
 {
     ttc_ratio value;
@@ -114,8 +113,7 @@ static void add_new_roots(ttc_task *task)
 
 static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED; }
 
-/* Conditions are on normal forms, whose denominators may vanish where the original expressions have values. Returns true if there
- * are no points there either. */
+/* Denominators of normal forms may vanish where the expressions have values: returns true if there are no points there either. */
 static bool looked_everywhere(ttc_task *task, ttc_witness *point)
 {
     bool everywhere = true, again = true;

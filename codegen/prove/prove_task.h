@@ -80,8 +80,7 @@ void ttc_task_enter_map(ttc_task *task, ttc_valuation *map);
 void ttc_task_leave_map(ttc_task *task);
 bool ttc_task_open(const ttc_task *task); /* true while nothing is against the claim, and the ring has not failed */
 
-/** Search for a point of the leaf, at which a ratio, unless NULL, stands in this relation to zero. *text, unless NULL, gets the
- *  point. */
+/** Search for a point of the leaf at which a ratio, unless NULL, stands in this relation to zero. text: NULL, or gets the point. */
 ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
 /* Returns true unless it is known that the leaf has no points: a root adjoined since may have the sign that leaves none. */
 bool ttc_task_may_have_point(ttc_task *task);

@@ -1,6 +1,5 @@
-/** Symbols of which a task has to show that they meet their own conditions, which it must not assume meanwhile. Under test are
- *  those of task->tested, and the root or logarithm task->tested_root with all after it; in question are roots and logarithms that
- *  depend on symbols under test. */
+/** Symbols whose own conditions a task has to show, and must not assume. Under test are those of task->tested, and roots and
+ *  logarithms from task->tested_root on; in question are roots and logarithms that depend on symbols under test. */
 #ifndef TTC_QUESTION_H
 #define TTC_QUESTION_H
 
@@ -15,7 +14,7 @@ bool ttc_question_depends(const ttc_task *task, ttc_id id);
 /* Returns true if a symbol is in question: a root or logarithm that depends on symbols under test, not before task->shown. */
 bool ttc_question_has(const ttc_task *task, uint32_t symbol);
 
-/* The last symbol in question that an expression uses, 0 if none; and true if there is one: where it is real is then not known. */
+/* The last symbol in question that an expression uses, 0 if none; and true if there is one: the expression may then not be real. */
 uint32_t ttc_question_last(const ttc_task *task, ttc_id id);
 bool ttc_question_uses_root(const ttc_task *task, ttc_id id);
 

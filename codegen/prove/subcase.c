@@ -26,8 +26,7 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial)
     return sum;
 }
 
-/* The price of solving for a variable: states are cheapest, then parameters and levels, then cosines; 0: it cannot be solved for.
- * */
+/* The price of solving for a variable: lowest for states, then parameters and levels, then cosines; 0: it cannot be solved for. */
 static slong price_of(ttc_task *task, slong variable)
 {
     size_t symbol = ttc_valuation_symbol(task->field, variable);

@@ -23,7 +23,7 @@ typedef struct {
     size_t relation_count;                         /* number of levels solved so far */
     bool own_solved;                               /* the invariant's own level is among these */
     bool is_degenerate;                            /* a goal is that the leading coefficient of another level vanishes */
-    bool is_orphan;                                /* moreover, where that does not vanish, no real points may be known */
+    bool is_orphan;                                /* moreover, it may vanish at all real points of a component */
     ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
     ttc_id leads[TTC_SUBCASE_RELATIONS_MAX];        /* leading coefficients by which solutions divide, not zero here */
     size_t lead_count;

@@ -14,8 +14,7 @@ void ttc_tangent_gradient(ttc_task *task, const ttc_tangent *t, ttc_ratio *row, 
     ttc_ratio_clear(task->ring, &partial);
 }
 
-/* out[k * stride] = the derivative, by free state k, of the value that the symbol `node` has in the field. slopes: as of
- * find_slopes. */
+/* out[k * stride] = the derivative by free state k of the value of the symbol `node`. slopes: as of find_slopes. */
 static void add_rates(ttc_task *task, ttc_ratio *out, size_t stride, ttc_id node, ttc_ratio *const *slopes, size_t columns)
 {
     ttc_ratio value;

@@ -1,5 +1,5 @@
-/** The tangent space of a leaf at fixed parameters: directions along its free states in which bound symbols other than states,
- *  parameters and cosines, stay equal to their expressions. */
+/** The tangent space of a leaf at fixed parameters: directions along its free states in which bound symbols follow
+ *  their expressions: a parameter or level stays constant, a cosine agrees with its angle. */
 #ifndef TTC_TANGENT_H
 #define TTC_TANGENT_H
 

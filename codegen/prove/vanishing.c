@@ -15,8 +15,7 @@ bool *ttc_vanishing_moves(ttc_task *task)
     return moves;
 }
 
-/* Remove from a polynomial all terms whose monomial in the moving variables is that of its first term. same = their sum divided by
- * this monomial: a coefficient. */
+/* Remove from a polynomial all terms with the first term's monomial in moving variables. same = their sum divided by it. */
 static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t polynomial, const bool *moves)
 {
     const fmpz_mpoly_ctx_struct *context = task->ring->context;

@@ -1,8 +1,7 @@
 /** A model: the content of one table, with names resolved and all expressions in one graph.
  *
- *  Everything is plain data, which later passes read and never change. A symbol is identified by its index in `symbols`, which is
- *  also its number in the graph, a claim by its index in `claims`. Lists are in the order of the table. The length of each array is
- *  the count declared beside it. */
+ *  Everything is plain data, which later passes read and never change. A symbol is identified by its index in `symbols`, also its
+ *  number in the graph, a claim by its index in `claims`. Lists are in the order of the table; the count of each is beside it. */
 #ifndef TTC_MODEL_H
 #define TTC_MODEL_H
 
@@ -143,9 +142,8 @@ typedef struct {
 
 typedef enum { TTC_GIVEN_PLAIN, TTC_GIVEN_ANGLE, TTC_GIVEN_ROOT } ttc_given_form;
 
-/* The map of this table's points to those of another table. The claim holds the expressions: two of its `entries` for each name,
- * (A, B) for an angle atan2(A, B), (radicand, 1) for a root, (value, 1) otherwise; and in its `members`, for each of `levels`, the
- * integral whose value it is. */
+/* A map of this table's points to those of another table. The claim holds two of its `entries` for each name, (A, B) for an angle
+ * atan2(A, B), (radicand, 1) for a root, (value, 1) otherwise; and in `members` for each level the integral whose value it is. */
 typedef struct {
     char **names; /* states, roots and parameters of the other table, in the order of the record */
     ttc_given_form *forms;
@@ -310,8 +308,7 @@ bool ttc_claim_is_unnamed(const ttc_claim *claim);
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);
 
-/* The symbol of the indeterminate of characteristic polynomials. Finding it by name may give a quantity of the table named lambda.
- * */
+/* The indeterminate of characteristic polynomials; looking up its name may give a quantity of the table that is called lambda. */
 uint32_t ttc_model_lambda(const ttc_model *model);
 
 /* The name of the table's file without its folder; borrowed. */
@@ -342,8 +339,7 @@ bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_diviso
 /* Add to the flags `used`, shape (symbol_count,), recursively the symbols that definitions of flagged symbols name. */
 void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
 
-/** Partial derivative with respect to a state (or parameter), through definitions by the chain rule. Lets remain
- *  symbols in the result. */
+/** Partial derivative by a state (or parameter), through definitions by the chain rule. Lets remain symbols in the result. */
 ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
 
 /** Rate of an expression along the flow of the table's equations, which must be complete. Each term of an equation is multiplied
@@ -356,8 +352,7 @@ ttc_id ttc_model_inside(const ttc_model *model, uint32_t state, bool is_high);
 /* The right-hand side of equation number k: the sum of its terms. */
 ttc_id ttc_model_field(const ttc_model *model, size_t k);
 
-/* Returns true for the kinds of claims that are about a family of equilibria and have its name: trace, charpoly, obstructs, matrix,
- * leftnull. */
+/* Returns true for claims about a family of equilibria, which have its name: trace, charpoly, obstructs, matrix, leftnull. */
 bool ttc_claim_speaks_of_family(ttc_claim_kind kind);
 
 const char *ttc_claim_kind_name(ttc_claim_kind kind); /* as written in the table: "integral", ... */

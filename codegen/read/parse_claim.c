@@ -255,8 +255,7 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
     return true;
 }
 
-/* Returns true if the record begins with the claim's name. That of a symmetry is optional, with a colon after it; a reversor has
- * none. */
+/* Returns true if a name follows the keyword. That of a symmetry is optional, with a colon after it; a reversor has none. */
 static bool has_name(const ttc_parser *parser, ttc_claim_kind kind)
 {
     if (!is_map(kind)) return true;

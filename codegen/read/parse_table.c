@@ -87,8 +87,7 @@ static bool defines_by_expression(ttc_keyword keyword)
            || keyword == TTC_KEYWORD_LOG || keyword == TTC_KEYWORD_OBSERVE;
 }
 
-/* Store divisors and uses of the record in the model. Their owner is what the record added to the model; `before` has the counts
- * before it. */
+/* Store divisors and uses of the record in the model. Their owner is what it added to the model since the counts were `before`. */
 static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
 {
     ttc_model *model = parser->model;

@@ -61,8 +61,7 @@ typedef struct {
     size_t measured, measured_capacity; /* last node for which this number is known; allocated length */
 } ttc_parser;
 
-/* Tokens. _at returns true if the current token is the given one; _accept also reads it then; _expect reads it, or else reports
- * that it was expected after `after`. */
+/* Tokens. _at tells if the current token is this one; _accept reads it if so; _expect reads it, or reports it missing. */
 const ttc_token *ttc_parse_peek(const ttc_parser *parser);
 bool ttc_parse_at_mark(const ttc_parser *parser, char mark);
 bool ttc_parse_at_keyword(const ttc_parser *parser, ttc_keyword keyword);
@@ -85,8 +84,7 @@ bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32
 /* Expressions. */
 bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol); /* records in parser->uses that the current record names the symbol */
 ttc_id ttc_parse_expression(ttc_parser *parser);
-/* Read the terms of a sum and leave them on top of the stack of operands. Returns the index of the first; SIZE_MAX after a report.
- * */
+/* Read the terms of a sum onto the stack of operands. Returns the index of the first; SIZE_MAX after a report. */
 size_t ttc_parse_terms(ttc_parser *parser);
 ttc_id ttc_parse_number(ttc_parser *parser, const ttc_token *token);
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place); /* reports the graph's error; always TTC_NONE */
@@ -118,8 +116,7 @@ bool ttc_parse_target_bindings(ttc_parser *parser, ttc_bindings *bindings, char 
 /* NAME = expr | atan2(expr, expr) | sqrt(expr) | INTEGRAL, ... with names of another table. forms: the allowed ones, a mask of
  * 1 << ttc_given_form; integrals are allowed unless only the plain form is. Adds entries and members to `claim`. */
 bool ttc_parse_image(ttc_parser *parser, ttc_image *image, ttc_claim *claim, unsigned forms, const char *expected);
-/* Report an error if an expression of `in`, after the substitutions of `first` unless it is NULL, depends on a symbol that `bound`
- * sets, directly or through definitions. */
+/* Report a symbol set by `bound` on which expressions of `in`, after the substitutions of `first` unless NULL, depend. */
 bool ttc_parse_check_circle(ttc_parser *parser, const ttc_bindings *bound, const ttc_bindings *in, const ttc_bindings *first);
 
 /* Records. The current token is the one after the keyword. */

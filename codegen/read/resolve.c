@@ -240,8 +240,7 @@ static bool field_divides_by(const ttc_model *model, const unsigned char *used, 
     return divides;
 }
 
-/* Returns true if a domain record depends on the parameter and on no state. It may exclude the value 0; the parser cannot decide.
- * */
+/* Returns true if a domain record depends on the parameter and on no state: it may exclude 0, which the parser cannot decide. */
 static bool domain_speaks_of(const ttc_model *model, ttc_id param)
 {
     bool speaks = false;
@@ -253,8 +252,7 @@ static bool domain_speaks_of(const ttc_model *model, ttc_id param)
     return speaks;
 }
 
-/* Report a divisor that has a factor which may be 0: a parameter, unless the equations or domain records may exclude 0. Returns
- * true if it did. */
+/* Report a divisor with a parameter as a factor that neither equations nor domain records keep from 0. Returns true if it did. */
 static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_divisor *d, ttc_severity severity,
                          const char *kind, const char *name, ttc_place place)
 {
@@ -289,8 +287,7 @@ static void check_observed(ttc_parser *parser)
     free(used);
 }
 
-/* Warn of integrals and densities that divide by a parameter which may be 0: they may be proved, but no kernel can be prepared
- * there. */
+/* Warn of integrals and densities that divide by a parameter which may be 0: proved or not, no kernel can be prepared there. */
 static void warn_of_divisors(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;

@@ -57,9 +57,8 @@ typedef struct {
 
 enum { TTC_NAME_LIMIT = 63 };
 
-/* Cut a table into tokens; the last one has kind END. text: `length` bytes that passed ttc_source_check; it must outlive the
- * tokens. Errors are reported to `diagnostics` and leave a token of kind BAD. Returns an array for the caller to free; NULL when
- * memory is out. Cost: linear in length. */
+/* Cut a table into tokens; the last one has kind END. text: `length` bytes that passed ttc_source_check; must outlive the tokens.
+ * Reports errors, and leaves tokens BAD. Returns an array for the caller to free; NULL when memory is out. Cost: linear. */
 ttc_token *ttc_lex(const char *text, size_t length, ttc_diagnostics *diagnostics);
 
 const char *ttc_keyword_text(ttc_keyword keyword); /* "" for NONE */
