@@ -196,8 +196,8 @@ static bool lex_mark(lexer *l)
     return push_bad(l, start);
 }
 
-/* Called at the first token of a line. Reports a line that neither opens a record nor is indented, and puts a RECORD of keyword
- * NONE in its place. Returns false when memory is out. */
+/* Called at the first token of a line. Reports a line that neither opens a record nor is indented, and begins a RECORD of keyword
+ * NONE with it. Returns false when memory is out. */
 static bool open_line(lexer *l)
 {
     size_t length = word_length(l);

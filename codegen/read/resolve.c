@@ -266,8 +266,8 @@ static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const tt
     return true;
 }
 
-/* Report observed quantities and `valid` conditions that divide by a parameter which may be 0. All kernels share the values
- * prepared from parameters, so that none could be prepared for parameters at which the equations are defined. */
+/* Report observed quantities and `valid` conditions that divide by a parameter which may be 0. All kernels share values prepared
+ * from parameters, so that none could be prepared where the parameter is 0, although the equations are defined there. */
 static void check_observed(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
