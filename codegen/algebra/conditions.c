@@ -69,7 +69,7 @@ static unsigned product(unsigned a, unsigned b)
     return signs;
 }
 
-/* A sum of terms none of which is negative is not negative, and positive with any that is. */
+/* A sum of two terms that are not negative is not negative, and it is positive if one of them is. */
 static unsigned sum(unsigned a, unsigned b)
 {
     if (a == TTC_CAN_BE_ZERO) return b;
@@ -104,7 +104,7 @@ unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polyno
     return signs;
 }
 
-/* Whether the list says so already, and no less. What it says is not changed: it may be removed again down to any mark. */
+/* Returns true if a condition of the list implies this one. None is strengthened, as the list may be rewound to any mark. */
 static bool has(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient,
                 bool is_denominator)
 {
@@ -159,7 +159,7 @@ static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation
     fmpz_mpoly_set(polynomial, ratio->numerator, c->ring->context);
     unsigned below = ttc_conditions_signs(c, ratio->denominator);
     if (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE) {
-        /* By the sign of the denominator where that is evident, for the sake of the degree. */
+        /* Multiplying by the denominator is avoided where its sign is evident, to keep the degree low. */
         if (below == TTC_CAN_BE_NEGATIVE) negative = !negative;
         else if (below != TTC_CAN_BE_POSITIVE)
             fmpz_mpoly_mul(polynomial, polynomial, ratio->denominator, c->ring->context);
@@ -182,7 +182,7 @@ static bool depends(const ttc_ring *ring, const fmpz_mpoly_struct *polynomial, s
     return fmpz_mpoly_degree_si(polynomial, variable, ring->context) > 0;
 }
 
-/* The generators that stand in a condition, or in the square of one that does. */
+/* Find the generators that occur in a condition, or in the square of one that is used. */
 static void find_used(bool used[TTC_GENERATOR_LIMIT], const ttc_conditions *c)
 {
     const ttc_ring *ring = c->ring;

@@ -1,4 +1,4 @@
-/* The ring of ratios: its variables, room for its elements, and how it fails. */
+/* The ring of ratios: creation of the ring and of its elements, and its failures. */
 #include "algebra/ratio.h"
 
 #include <stdlib.h>

@@ -120,8 +120,7 @@ static bool reserve_memo(ttc_valuation *v)
     return true;
 }
 
-/* Long sums in halves, as what two ratios have in common is looked for at every addition, and takes longer the more terms they
- * have. */
+/* out += the parts of a sum from `first` to `end`. Long sums are added in halves, as gcds cost more for ratios of many terms. */
 static void add_parts(ttc_valuation *v, ttc_ratio *out, ttc_id id, size_t first, size_t end)
 {
     ttc_ratio value;
@@ -168,7 +167,7 @@ void ttc_evaluate(ttc_valuation *v, ttc_ratio *out, ttc_id id)
         else ttc_ratio_set_rational(v->ring, &value, ttc_coefficient(graph, id));
         if (kind == TTC_SUM) add_parts(v, &value, id, 0, ttc_part_count(graph, id));
         else if (kind != TTC_SYMBOL) multiply_parts(v, &value, id);
-        /* What has failed leaves nothing behind: others may be evaluated without it. */
+        /* A failed value is not stored, since callers may reset the status and go on with other expressions. */
         if (v->ring->status != TTC_RING_OK) {
             ttc_ratio_clear(v->ring, &value);
             return;

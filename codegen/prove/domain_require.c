@@ -1,10 +1,10 @@
-/* What the records of a table demand of values, here or at an image, is required of them. */
+/* Requirements that values, in the task's field or at an image, meet the conditions of a table's records. */
 #include "prove/domain.h"
 #include "prove/question.h"
 
 #include <stdlib.h>
 
-/* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
+/* Require that a state lies above (direction = 1) or below (-1) an end of its interval; end = TTC_NONE: no end. */
 static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction,
                         const char *where)
 {
@@ -72,7 +72,8 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
     ttc_ratio_clear(task->ring, &root);
 }
 
-/* Of domain records of what is tested, those whose last root in question is this one, which rests on those before; 0: without. */
+/* Require the domain records on symbols under test whose last root in question is symbol `last`, taking it and those before it as
+ * shown; last = 0: the records without such a root. */
 static void require_regions(ttc_task *task, uint32_t last)
 {
     const ttc_model *model = task->model;

@@ -37,7 +37,7 @@ static char *with_value(ttc_task *task, char *what, const ttc_ratio *ratio)
 
 static void settle(ttc_task *task, ttc_proof_status status, char *remainder, char *point)
 {
-    if (task->exhibited) { /* what exists, exists */
+    if (task->exhibited) { /* a claim of existence stays proved */
         free(remainder);
         free(point);
         return;
@@ -80,7 +80,7 @@ void ttc_task_enter_map(ttc_task *task, ttc_valuation *map) { task->maps[task->m
 
 void ttc_task_leave_map(ttc_task *task) { task->map_count--; }
 
-/* Roots of a model seen elsewhere that were evaluated; what is given for a root is positive when that was shown. */
+/* Add that the roots of a map that have a value are positive; not those that are bound, for which this has to be shown. */
 static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *value)
 {
     const ttc_model *model = ttc_valuation_model(map);
@@ -92,8 +92,7 @@ static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *valu
     }
 }
 
-/* A root that has come into the ring since the domain was written down is positive, and a square root by which a level was
- * solved is real. */
+/* Add that roots adjoined since the domain was made are positive, and that square roots by which levels were solved are real. */
 static void add_new_roots(ttc_task *task)
 {
     ttc_ratio value;
@@ -105,7 +104,7 @@ static void add_new_roots(ttc_task *task)
     for (uint32_t i = 0; i < task->model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
         if (entry->kind != TTC_ROOT || !ttc_valuation_has_value(task->field, i)) continue;
-        if (ttc_question_has(task, i)) continue; /* it does not vouch for itself */
+        if (ttc_question_has(task, i)) continue; /* this is to be shown */
         ttc_evaluate(task->field, &value, entry->node);
         ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
     }
@@ -114,7 +113,7 @@ static void add_new_roots(ttc_task *task)
 
 static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED; }
 
-/* Values were looked at in normal form, whose denominators may vanish where the values exist: then there are no such places. */
+/* Denominators of normal forms may vanish where the expressions have values: returns true if there are no points there either. */
 static bool looked_everywhere(ttc_task *task, ttc_witness *point)
 {
     bool everywhere = true, again = true;
@@ -177,7 +176,7 @@ void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder,
     va_end(arguments);
 }
 
-/* No point of the leaf has a nonzero numerator; where the denominator can vanish, that says nothing of the quotient. */
+/* Returns true if the denominator of a ratio vanishes at no point of the leaf: where it does, a zero numerator says nothing. */
 static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 {
     ttc_ratio bottom;
@@ -191,7 +190,7 @@ static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
 {
     char *point = NULL;
-    /* By its form: that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
+    /* Zero in form is enough; that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
     if (!ttc_task_open(task) || fmpz_mpoly_is_zero(remainder->numerator, task->ring->context)) return;
     ttc_search_result result = search(task, remainder, TTC_IS_NONZERO, false, &point);
     bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
@@ -261,7 +260,7 @@ static size_t root_count(const ttc_model *model)
     return count;
 }
 
-/* With one root or none the usual way is as quick. */
+/* With fewer than two roots the exact computation is as quick, and this returns false. */
 bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
 {
     const ttc_model *model = task->model;
@@ -276,14 +275,14 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
         ttc_valuation_bind(free_roots, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
     ttc_ratio_init(ring, &value);
     ttc_evaluate(free_roots, &value, id);
-    /* By its form: whether functions depend on each other is for the usual way to say. */
+    /* Zero in form: whether functions depend on each other is left to the exact computation. */
     bool zero = ring->status == TTC_RING_OK && ring->choice_count == 0 && fmpz_mpoly_is_zero(value.numerator, ring->context);
     ttc_ratio_clear(ring, &value);
     ttc_valuation_destroy(free_roots);
     return zero;
 }
 
-/* The point's coordinates; a symbol that is bound stands for its expression. */
+/* Set a ball evaluator to the point's coordinates, and bind the symbols of `when` to their expressions. */
 static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
 {
     bool ok = true;
