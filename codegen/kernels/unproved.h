@@ -6,8 +6,8 @@
 #include "kernels/catalogue.h"
 #include "prove/prove.h"
 
-/** The kernels of a field that rest on a proof's claim, by name and joined with ", "; "all kernels" where every one does.
- *  Adds nothing when none does. report: of the field's own table. */
+/** Append the names of the field's kernels that rest on the claim report->proofs[proof], joined with ", ", or "all kernels" if
+ *  every one does; nothing if none does. report: that of the field's own table. */
 void ttc_unproved_kernels(ttc_text *text, const ttc_kernels *kernels, const ttc_proof_report *report, size_t proof);
 
 /** Give every field of the catalogue the names of the claims that it rests on and that are not proved, "KIND NAME" joined with

@@ -5,7 +5,7 @@
 
 #include "show/print.h"
 
-/* Whether the condition is that of a root which is a state here, and cannot come to zero: it would do so by rounding alone. */
+/* Whether the expression is the radicand of a lifted root, which the field keeps positive: only rounding could make it zero. */
 static bool is_radicand(ttc_field *field, ttc_id value)
 {
     for (size_t i = 0; i < ttc_field_lifted_count(field); i++)
@@ -24,7 +24,8 @@ static ttc_id put_end(void *context, uint32_t symbol)
     return symbol == self->state ? self->end : TTC_NONE;
 }
 
-/* Whether a root that is a state here is zero at the end. One whose radicand divides by zero there is not. */
+/* Whether some lifted root is zero where the state is at this end of its interval. A radicand that divides by zero there does not
+ * count. */
 static bool is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
 {
     replacement at = { state, end };
@@ -37,6 +38,7 @@ static bool is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
     return false;
 }
 
+/* Whether an end of a state's interval needs no condition: there is none, or integrators watch it without a kernel. */
 static bool is_kept(const ttc_field *field, uint32_t state, ttc_id end)
 {
     if (end == TTC_NONE) return true;

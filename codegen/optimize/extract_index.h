@@ -1,5 +1,5 @@
-/** What an extraction could take next, kept up to date change by change: candidates with equal keys form a group, and the
- *  groups that save operations are ranked by key. An index is zeroed before first use. */
+/** An index of candidates for extraction, updated change by change: candidates with equal keys form a group, and the groups
+ *  that save operations are listed by key. An index must be zeroed before first use. */
 #ifndef TTC_EXTRACT_INDEX_H
 #define TTC_EXTRACT_INDEX_H
 
@@ -10,13 +10,13 @@
 #define TTC_NO_GROUP UINT32_MAX
 #define TTC_NO_PLACE UINT32_MAX
 
-/* Two terms, first before second, of the sum of a variable. */
+/* A place: two terms, first before second, of the sum that defines a variable. */
 typedef struct {
     uint32_t variable, first, second;
-    int32_t gain;                     /* operations saved here, the new unit left out */
+    int32_t gain;                     /* operations saved here, without the cost of the new unit */
     uint32_t group;
-    uint32_t next, before;            /* in the group */
-    uint32_t term_next[2], term_before[2]; /* among the places of the first and of the second term: 2 * place + side */
+    uint32_t next, before;            /* neighbours in the list of the group */
+    uint32_t term_next[2], term_before[2]; /* neighbours in the lists of the two terms, as heads in ttc_extract_index_add */
 } ttc_term_pair;
 
 typedef struct {
@@ -24,8 +24,8 @@ typedef struct {
     uint32_t size;    /* members */
     int32_t cost;     /* operations of the new unit */
     int32_t gain;     /* as last ranked */
-    uint32_t places;  /* the first; TTC_NO_PLACE in an index of counts alone */
-    uint32_t next;    /* in the bucket, or among the free ones */
+    uint32_t places;  /* the first place; TTC_NO_PLACE in an index that only counts */
+    uint32_t next;    /* 1 + next group of the bucket, or of the free groups; 0: none */
     bool is_changed;  /* since the last ranking */
 } ttc_group;
 
@@ -52,24 +52,25 @@ typedef struct {
 
 void ttc_extract_index_clear(ttc_extract_index *index);
 
-/* The group of a key, made when there is none. TTC_NO_GROUP: memory is out. */
+/* Find the group of a key, or make one of this cost. Returns TTC_NO_GROUP when memory is out. */
 uint32_t ttc_extract_index_group(ttc_extract_index *index, uint64_t key, int32_t cost);
 
-/* One member more, or less, of a group that counts alone. */
+/* In an index that only counts, add `by`, 1 or -1, to the size of a key's group. */
 void ttc_extract_index_count(ttc_extract_index *index, uint64_t key, int by);
 
-/** Add a place to its group and to the places of its terms. heads: by term, 1 + (2 * place + side), 0 for none. */
+/** Add a place to a group and to the lists of places of its two terms. The heads of these lists are 1 + (2 * place + side), with
+ *  side 0 where the term is the first of the place and 1 where it is the second; 0: the list is empty. */
 void ttc_extract_index_add(ttc_extract_index *index, uint32_t group, ttc_term_pair place, uint32_t *head_first,
                            uint32_t *head_second);
 
-/** Remove all places of a term. head_of: the head of any term. */
+/** Remove all places of the term whose list begins at *head. head_of returns the head of any term's list. */
 typedef uint32_t *(*ttc_head_finder)(void *context, uint32_t variable, uint32_t term);
 void ttc_extract_index_remove(ttc_extract_index *index, uint32_t *head, ttc_head_finder head_of, void *context);
 
-/** The places of a group in the order of sums and terms; sorted shape (size of the group,). */
+/** Copy the places of a group, ordered by variable and terms, to `sorted`, shape (size of the group,). */
 void ttc_extract_index_places(const ttc_extract_index *index, uint32_t group, ttc_term_pair *sorted);
 
-/** Weigh what changed, and bring `ranked` up to date. */
+/** Compute the gains of the groups that changed, and update `ranked`. */
 void ttc_extract_index_rank(ttc_extract_index *index);
 
 #endif
