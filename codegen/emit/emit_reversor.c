@@ -1,7 +1,8 @@
-/* What reversors of the table do to the states, where that is a change of signs. */
+/* Writes the reversors of the table that only change signs of states. */
 #include "emit/emit.h"
 
-/* It changes signs of states and no more, and holds for all parameters. */
+/* Whether a claim is a reversor that only changes signs of states and has no condition; only for fields in the model's own time
+ * with all states. */
 static bool changes_signs(const ttc_field *field, const ttc_claim *claim)
 {
     const ttc_model *model = field->model;

@@ -1,5 +1,5 @@
-/* Lifted roots of a field: root^2 - radicand, which orbits keep at zero, and its gradient; and, where a state is eliminated, which
- * one, and by which integral. */
+/* Writes kernels for the lifted roots of a field: root^2 - radicand, which orbits keep at zero, and its gradient; and the
+ * descriptor's members that say which state is eliminated, and by which integral. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
