@@ -1,9 +1,9 @@
-/** A model's motion as ratios, exact and at points of a prime field.
+/** A model's equations of motion as ratios, exact and at points of a prime field.
  *
- *  Quantities are what an ansatz is made of: every state, root and function of the table that moves. They are the variables and
- *  generators of the ring of the plain valuation under conditions on parameters, so that functions which depend on each other are
- *  known to. A point gives each of them a value other than 0, such that the square of each root is its radicand: it is a
- *  homomorphism of the ring into the field, defined where no denominator that is met vanishes. */
+ *  Quantities are what the monomials of an ansatz are made of: every state, root and function of the table that changes along the
+ *  motion. They are variables and generators of the ring of the plain valuation under conditions on parameters, in which relations
+ *  between functions are known. A point gives each quantity a nonzero value, such that the square of each root is its radicand:
+ *  this is a homomorphism of the ring into the field, defined where no denominator that occurs vanishes. */
 #ifndef TTC_FLOW_H
 #define TTC_FLOW_H
 
@@ -14,37 +14,40 @@ typedef struct {
     const ttc_model *model;
     ttc_valuation *valuation;
     ttc_ring *ring;
-    nmod_t mod;          /* of the largest prime, TTC_PRIME or below, at which points were found */
+    nmod_t mod;          /* of the largest prime, at most TTC_PRIME, for which points were found */
     size_t count;        /* quantities, roots last */
     slong *variables;    /* by quantity: its variable in the ring */
-    int *degrees;        /* by quantity: 1; for a root such that the radicand has at most twice its degree */
-    bool *is_root;       /* by quantity: its square is known, so that it has exponent 0 or 1 in an ansatz */
+    int *degrees;        /* by quantity: 1; for a root, half the degree of its radicand, rounded up, if that is more */
+    bool *is_root;       /* by quantity: a root, whose square is known, so that it has exponent 0 or 1 in an ansatz */
     bool is_graded;      /* every radicand is a polynomial in the quantities */
-    ttc_ratio *slopes;   /* by variable of the ring: its rate; of roots as well */
-    ttc_modular_ratio *rates; /* by quantity */
+    ttc_ratio *slopes;   /* by variable of the ring, roots included: its rate */
+    ttc_modular_ratio *rates; /* by quantity: the image of its rate */
     ttc_ratio divergence;
     size_t parameter_count;
-    slong *parameters;   /* variables of what neither moves nor is bound, and is no root */
-    ttc_modular_ratio *squares; /* by generator of the ring */
+    slong *parameters;   /* variables that are constant along the motion, not bound, and no roots */
+    ttc_modular_ratio *squares; /* by generator of the ring: the image of its square */
 } ttc_flow;
 
-/** conditions: parameters set first; may be NULL. NULL, and *why: the motion is no ratio under them, for this reason. */
+/** Make the flow of a model. conditions: parameters that are set first; may be NULL. Returns NULL, and *why, if the equations of
+ *  motion are no ratios under them, or no points were found. */
 ttc_flow *ttc_flow_create(const ttc_model *model, const ttc_bindings *conditions, const char **why);
 void ttc_flow_destroy(ttc_flow *flow); /* legal on NULL */
 
-/** Take the largest prime field, of `prime` or a prime below, in which there are points: roots of numbers are in some fields only.
- *  False: it was not found. Values drawn before, and modular images of other ratios, are of no use then: see ttc_knowns_reduce. */
+/** Change to the largest prime field, of order at most `prime`, in which there are points: roots of numbers are in some fields
+ *  only. Returns false if none was found. Values drawn before, and modular images of other ratios, are then invalid, see
+ *  ttc_knowns_reduce. */
 bool ttc_flow_take_prime(ttc_flow *flow, ulong prime);
 
-/** Values of parameters, and of roots of them, into values, shape (ring->variable_count,). zero: a parameter's variable to
- *  be 0, or -1. False: roots of them were not found; of one that is not 0 in a field that was taken they are. */
+/** Draw values of the parameters, and of their roots, into values, shape (ring->variable_count,). zero: the variable of a parameter
+ *  that is set to 0; -1: none. Returns false if roots were not found, which in a field that was taken happens with `zero` alone. */
 bool ttc_flow_draw_parameters(const ttc_flow *flow, ulong *values, slong zero, uint64_t *source);
 
-/** In/out: values, shape (variable_count,), with those of parameters; quantities are drawn. Out: logarithmic rates by quantity,
- *  shape (count,). False: no point was found, as a root is of no square mod p, or a denominator zero, wherever one looks. */
+/** Draw a point. In/out: values, shape (variable_count,), has the parameters and receives the quantities. Out: logarithmic rates
+ *  x'/x by quantity, shape (count,). Returns false if no point was found: in each attempt a radicand is zero or no square mod p, or
+ *  a denominator is zero. */
 bool ttc_flow_draw(const ttc_flow *flow, ulong *values, ulong *logarithmic, uint64_t *source);
 
-/* Whether a ratio changes along quantities. */
+/* Whether a ratio contains a quantity. */
 bool ttc_flow_moves(const ttc_flow *flow, const ttc_ratio *a);
 /* The degree of a polynomial of the ring in the quantities. */
 int ttc_flow_degree(const ttc_flow *flow, const fmpz_mpoly_t a);

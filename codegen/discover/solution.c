@@ -113,18 +113,19 @@ bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, con
     return good;
 }
 
-/* The polynomial at any parameters: its monomials alone are kept. */
+/* A solution at variable parameters, with fixed monomials. */
 typedef struct {
     const ttc_flow *flow;
     ttc_ansatz_sector sector;
     const ttc_modular_ratio *twist;
     bool has_cofactor;
-    ulong cofactor;   /* where there are no parameters that it could depend on */
+    ulong cofactor;   /* used if there are no parameters that it could depend on */
     size_t reference; /* the monomial whose coefficient is 1 */
     uint64_t *source;
 } family;
 
-/* out = coefficients over that of the reference: the one solution with this shift. */
+/* out = the coefficients of the solution with this shift, divided by that of the reference. Returns false unless there is exactly
+ * one solution, and none of its coefficients is 0. */
 static bool coefficients_at(const family *f, ulong *out, ulong *parameters, ulong shift)
 {
     nmod_mat_t null;
@@ -157,7 +158,8 @@ static bool sample(void *context, ulong *out, ulong *parameters)
     return matches == 1;
 }
 
-/* polynomial = sum of coefficients times monomials, denominators and common factors removed, with more plus than minus signs. */
+/* out->polynomial = sum of coefficients times monomials, without denominators and common factors, with at least as many plus as
+ * minus signs. */
 static bool assemble(ttc_solution_exact *out, const family *f, const ttc_ratio *coefficients)
 {
     const ttc_flow *flow = f->flow;
