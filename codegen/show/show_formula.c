@@ -1,4 +1,4 @@
-/* Equations and Jacobian as text and as LaTeX: one order of things, two notations. */
+/* Shows definitions, equations and the Jacobian as text or as LaTeX, in the same order. */
 #include "show/show.h"
 
 #include "show/show_section.h"
