@@ -1,5 +1,6 @@
-/* What is looked at beside the equations, around one point: of what it divides by nothing is zero at all states near it. With
- * functions of the states parameters are moved as well, as in exp(k*x) - 1: for one k alone that is zero at all states. */
+/* Checks observed quantities, validities and conditions of tiers around one point: none of their divisors may be zero at all
+ * states near it. If a divisor contains functions of states, parameters vary as well: exp(k*x) - 1 is zero at all states for one k
+ * only. */
 #include "challenge/check.h"
 #include "prove/observed.h"
 
@@ -7,7 +8,7 @@
 
 enum { PLACES = 4, NEAR_BITS = 60 };
 
-/* A bit above or below, parameters above alone. */
+/* Change a symbol's value by a tiny amount; parameters only upwards. */
 static void move(ttc_check *check, uint32_t symbol)
 {
     fmpq_t number;
@@ -35,7 +36,7 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id divisor)
     return uses;
 }
 
-/* The point in hand, of the domain, and others near it: some that is in the domain tells. */
+/* Try the current point and others near it; the check holds if the divisor is nonzero at one of them in the domain. */
 static void check_divisor(ttc_check *check, ttc_id divisor, const char *name)
 {
     const ttc_model *model = check->model;

@@ -1,5 +1,5 @@
-/* Points on zero levels: Newton's method for as many symbols as there are levels, then Krawczyk's test that the balls around
- * what it found hold a solution. */
+/* Finds points on zero levels: Newton's method for as many symbols as there are levels, then Krawczyk's test that the balls around
+ * its result contain a solution. */
 #include "challenge/random_point.h"
 
 #if __has_include(<flint/arb_mat.h>)
@@ -18,7 +18,7 @@ typedef struct {
     arb_mat_t x, step, value, slope, inverse;
 } solver;
 
-/* Levels and their derivatives by the pivots, at the pivots' values. */
+/* Evaluate the levels, and their derivatives by the pivots, at the pivots' values. */
 static bool evaluate(solver *s)
 {
     const size_t spare = 1 + s->situation->model->state_count;
@@ -47,7 +47,7 @@ static bool is_finite(const arb_mat_t matrix)
     return true;
 }
 
-/* The values that the pivots were drawn with, as a start. */
+/* Start from the values that were drawn for the pivots. */
 static bool begin(solver *s)
 {
     const ttc_situation *without = s->situation;
@@ -58,7 +58,7 @@ static bool begin(solver *s)
     return true;
 }
 
-/* True when no step would move a pivot by more than 2^(-3/4 precision) of its size. */
+/* Whether the step moves no pivot by more than 2^(-3/4 precision) times its size, or times 1 if that is larger. */
 static bool is_settled(const solver *s)
 {
     bool settled = true;
@@ -90,7 +90,8 @@ static bool newton(solver *s)
     return false;
 }
 
-/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X holds one solution, and K encloses it. The probe then has K. */
+/* Whether K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X contains one solution, K encloses it, and the probe is set
+ * to K. */
 static bool krawczyk(solver *s)
 {
     bool inside = true;
