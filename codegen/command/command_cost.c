@@ -1,4 +1,4 @@
-/* ttc cost: operation counts of every kernel, as they stand and optimized. */
+/* ttc cost: prints operation counts of every kernel, as the terms stand and optimized. */
 #include "command/command.h"
 #include "emit/emit_registry.h"
 

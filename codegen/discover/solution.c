@@ -26,7 +26,7 @@ static int fewest_first(const void *left, const void *right)
 {
     const candidate *a = left, *b = right;
     if (a->size != b->size) return a->size < b->size ? -1 : 1;
-    for (slong j = a->count; j-- > 0;) /* of low degree first */
+    for (slong j = a->count; j-- > 0;) /* of the same size, those of low degree first */
         if ((a->row[j] != 0) != (b->row[j] != 0)) return a->row[j] == 0 ? -1 : 1;
     return memcmp(a->row, b->row, (size_t)a->count * sizeof *a->row);
 }

@@ -44,6 +44,7 @@ typedef struct {
     size_t count, width;
 } ttc_points;
 
+/* Draw points; parameters as in ttc_flow_draw. Returns false if none was found; the points must be cleared in any case. */
 bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
 void ttc_points_clear(ttc_points *points);
 

@@ -1,4 +1,4 @@
-/** Writing C: constants, expressions, kernel bodies, and whole files. Everything is a pure function of its arguments. */
+/** Writes C: constants, expressions, kernel bodies, and whole files. All output is a pure function of the arguments. */
 #ifndef TTC_EMIT_H
 #define TTC_EMIT_H
 

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* The columns of one row, not terminated. */
+/* Columns of one row, as pointers into the list and lengths. */
 typedef struct {
     const char *model, *hash, *file;
     int model_length, hash_length, file_length;

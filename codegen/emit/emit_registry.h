@@ -1,4 +1,4 @@
-/** Lists over all models: registry, manifest and operation counts. */
+/** Writes lists over all models: registry, manifest and operation counts. */
 #ifndef TTC_EMIT_REGISTRY_H
 #define TTC_EMIT_REGISTRY_H
 

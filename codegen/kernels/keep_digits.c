@@ -33,7 +33,8 @@ static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
     return ok;
 }
 
-/* A program that loses no digits at all may cost more operations than one that does; one that still loses some may not. */
+/* Whether a is at least as good as b. A program that loses no digits may cost more operations than one that does; one that still
+ * loses some may not. */
 static bool is_better(const fault *a, const fault *b)
 {
     return a->outputs <= b->outputs && (a->flops <= b->flops || (a->outputs == 0 && b->outputs > 0));

@@ -47,7 +47,7 @@ typedef struct {
     size_t integral_count;
     uint32_t *measures;
     size_t measure_count;
-    uint32_t *families;  /* equilibria claims served here */
+    uint32_t *families;  /* families of equilibria served here */
     size_t family_count;
     ttc_watched *watched; /* conditions of the domain */
     size_t watched_count;

@@ -37,7 +37,7 @@ typedef struct {
     ttc_extract_index pairs, binomials; /* keys of pairs: one factor in the upper half, the other in the lower */
     ttc_candidate_sum *sums;            /* by variable */
     ttc_candidate_cube *cubes;
-    uint32_t *first_occurrence;         /* by variable: 1 + index */
+    uint32_t *first_occurrence;         /* by variable: 1 + index; 0: none */
     ttc_occurrence *occurrences;
     ttc_cube_name *changed;
     size_t sum_count, sum_capacity, cube_count, cube_capacity, factor_capacity, occurrence_count, occurrence_capacity;

@@ -38,7 +38,7 @@ typedef struct {
 typedef struct {
     ttc_group *groups;
     uint32_t count, capacity, unused; /* unused: 1 + the first free group */
-    uint32_t *buckets;                /* 1 + group */
+    uint32_t *buckets;                /* 1 + first group of each; 0: none */
     size_t bucket_count;
     uint32_t *changed;
     size_t changed_count, changed_capacity;

@@ -33,7 +33,7 @@ typedef enum {
     TTC_OP_SINE,
     TTC_OP_EXP,
     TTC_OP_LOG,
-    TTC_OP_PI         /* the number, rounded to what the arithmetic can hold */
+    TTC_OP_PI         /* pi, rounded as the arithmetic needs */
 } ttc_op;
 
 typedef uint32_t ttc_value;

@@ -1,4 +1,4 @@
-/* Operation counts, depth, latency and live temporaries of a program. */
+/* Counts operations and live temporaries of a program, and measures its depth and latency. */
 #include "optimize/program.h"
 
 #include <limits.h>

@@ -1,7 +1,7 @@
-/* Greedy extraction of what is common, after the algebraic methods of logic synthesis (Brayton, Rudell, Sangiovanni-
+/* Greedy extraction of common subexpressions, after the algebraic methods of logic synthesis (Brayton, Rudell, Sangiovanni-
  * Vincentelli, Wang 1987) carried over to polynomials (Hosangadi, Fallah, Kastner 2006): pairs of factors that occur in
- * several cubes, and pairs of terms that occur, up to a common factor, in one or several sums. Longer ones grow out of
- * pairs. Each step takes what saves most. */
+ * several cubes, and pairs of terms that occur, up to a common factor, in one or several sums. Larger ones grow out of
+ * pairs. Each step takes the pair that saves most operations. */
 #include "optimize/extract_candidates.h"
 
 #include <stdlib.h>
