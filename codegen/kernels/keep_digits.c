@@ -1,5 +1,5 @@
-/* Makes a second program for each kernel that has sums which can be written without cancellation, and keeps it if it is better.
- * This pass comes after all others, so that a kernel with nothing to gain is as it would be without it. */
+/* Makes a second program for each kernel whose sums can be written without cancellation, and keeps it if it is better. Comes after
+ * all other passes: a kernel with nothing to gain is as it would be without this one. */
 #include "kernels/kernels.h"
 
 #include "optimize/optimize.h"
@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-/* The faults of a program: the number of outputs that depend on a cancellation, and of flops. */
+/* Faults of a program: outputs that depend on a cancellation, and flops. */
 typedef struct {
     unsigned outputs, flops;
 } fault;
@@ -33,14 +33,14 @@ static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
     return ok;
 }
 
-/* Whether a is at least as good as b. A program that loses no digits may cost more operations than one that does; one that still
- * loses some may not. */
+/* Whether a is as good as b. A program that loses no digits may cost more operations than one that does; one that still loses some
+ * may not. */
 static bool is_better(const fault *a, const fault *b)
 {
     return a->outputs <= b->outputs && (a->flops <= b->flops || (a->outputs == 0 && b->outputs > 0));
 }
 
-/* Whether some sum in these expressions can be written without cancellation. */
+/* Whether some sum can be written without cancellation. */
 static bool has_other_forms(ttc_field *field, const ttc_id *outputs, size_t count)
 {
     size_t before = field->form_count;
@@ -49,7 +49,7 @@ static bool has_other_forms(ttc_field *field, const ttc_id *outputs, size_t coun
     return field->form_count > before;
 }
 
-/* Replace *program by one that is made of sums without cancellation, if it is better. Returns false when memory is out. */
+/* Make *program without cancellation, if that is better. Returns false when memory is out. */
 static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs, const ttc_id *gathered, size_t count,
                     ttc_purpose purpose, ttc_effort effort, bool *changed)
 {
@@ -85,7 +85,7 @@ static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
     return ok;
 }
 
-/* Rewrite *program to read its prepared values from `to` in place of `from`; those that it needs are added to `to`. */
+/* Rewrite *program to read prepared values from `to`, to which those that it needs are added. */
 static bool move_to_prepared(ttc_program **program, const ttc_prepared *from, ttc_prepared *to)
 {
     size_t size = ttc_prepared_size(from);
@@ -103,7 +103,6 @@ static bool move_to_prepared(ttc_program **program, const ttc_prepared *from, tt
     return true;
 }
 
-/* Drop the prepared values that no program needs. */
 static bool clear_up_prepared(ttc_kernels *k)
 {
     ttc_prepared prepared = { .field = k->field };

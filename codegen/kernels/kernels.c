@@ -1,4 +1,4 @@
-/* Makes the kernels of a field: which it has, the expressions of their outputs, and their programs. */
+/* Makes the kernels of a field: their expressions and programs. */
 #include "kernels/kernels.h"
 
 #include <stdlib.h>
@@ -23,7 +23,7 @@ static void append(ttc_kernels *k, ttc_kernel_kind kind, ttc_id id)
     k->kernels[kind].outputs[k->kernels[kind].count++] = id;
 }
 
-/* The model's node, not the field's: the field does not know a state that no right-hand side uses. */
+/* The model's node: the field does not know a state that no right-hand side uses. */
 static ttc_id eliminated_state(const ttc_field *field) { return field->model->symbols[field->elimination->state].node; }
 
 static bool add_field_kernels(ttc_kernels *k)
@@ -52,7 +52,7 @@ static bool add_field_kernels(ttc_kernels *k)
     return !field->failed && trace != TTC_NONE;
 }
 
-/* Express the same kernels by the gathered right-hand sides (ttc_field_gather): a second start for the optimizer. */
+/* The same kernels by the gathered right-hand sides: a second start for the optimizer. */
 static bool add_gathered(ttc_kernels *k)
 {
     static const ttc_kernel_kind kinds[] = { TTC_KERNEL_RHS, TTC_KERNEL_JACOBIAN, TTC_KERNEL_RHS_JACOBIAN, TTC_KERNEL_DIVERGENCE };
@@ -110,8 +110,8 @@ static bool add_integral_kernels(ttc_kernels *k)
     return !field->failed;
 }
 
-/* If rho is a density of the field f, then rho/c is one of c f, and rho/(dI/dz) one on a level I = const, from which the state z
- * is eliminated. A field with lifted roots has no measure kernels: a density of the model is none on its larger space. */
+/* If rho is a density of f, rho/c is one of c f, and rho/(dI/dz) one on a level I = const, z the eliminated state. A density is
+ * none on the larger space of a lifted root, so such fields have no measures. */
 static ttc_id density(ttc_kernels *k, uint32_t claim)
 {
     ttc_field *field = k->field;
@@ -151,7 +151,7 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
-/* Only the general field, in each of its times, has these kernels: the states of any other field give its states. */
+/* Only for the general field: the states of any other give its states. */
 static bool add_observed_kernels(ttc_kernels *k)
 {
     ttc_field *field = k->field;

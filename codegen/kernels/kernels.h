@@ -31,17 +31,17 @@ typedef enum {
 typedef struct {
     ttc_id *outputs; /* what is computed, in the field's symbols */
     size_t count;    /* 0: the field has no such kernel */
-    ttc_id *gathered; /* the same outputs made from the gathered right-hand sides; NULL if they do not differ */
-    ttc_program *naive;     /* on raw parameters, as the expressions stand, nothing shared but units, roots and functions */
-    ttc_program *reference; /* on raw parameters, equal subexpressions shared: what ball kernels evaluate */
+    ttc_id *gathered; /* the same outputs from the gathered right-hand sides; NULL if equal */
+    ttc_program *naive;     /* on raw parameters, as the expressions stand, only units, roots and functions shared */
+    ttc_program *reference; /* the same, equal subexpressions shared: what ball kernels evaluate */
     ttc_program *optimized; /* on the prepared values */
 } ttc_kernel;
 
 typedef struct {
     ttc_field *field;
     ttc_prepared prepared;
-    ttc_program *jet;     /* outputs: the rhs, then dt/dtau if the field has a time of its own; for Taylor recurrences */
-    ttc_program *prepare; /* from raw parameters to the prepared values that follow the parameters */
+    ttc_program *jet;     /* outputs: rhs, then dt/dtau if the field has a time of its own; for Taylor recurrences */
+    ttc_program *prepare; /* raw parameters -> prepared values after the parameters */
     ttc_kernel kernels[TTC_KERNEL_KINDS];
     uint32_t *integrals; /* claims that hold here, in order of appearance */
     size_t integral_count;
@@ -56,19 +56,18 @@ typedef struct {
     const ttc_claim *failed_claim; /* the family of equilibria whose kernels could not be written; NULL: none */
 } ttc_kernels;
 
-/** Make all kernels of a field. Takes ownership of the field, also on failure. Returns NULL when memory is out or an
- *  expression outgrows the graph's limits. */
+/** Make all kernels of a field, which it takes ownership of, also on failure. Returns NULL when memory is out or an expression
+ *  outgrows the graph. */
 ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
 
-/** Make each kernel again with its sums written without cancellation (see fields/simplify.h). The new program is kept where no
- *  output loses digits, or where no more outputs lose digits than before and it takes no more operations. To be called once.
- *  Returns false when memory is out; the kernels can then only be destroyed. */
+/** Make each kernel again with sums without cancellation (see fields/simplify.h); kept where no output loses digits, or where no
+ *  more do for no more operations. To be called once. Returns false when memory is out; the kernels can then only be destroyed. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 
 /* What a kernel's program is for. */
 ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind);
 
-/* Outputs of the program for jets, for the caller to free. Returns NULL when memory is out. */
+/* Outputs of the program for jets, for the caller to free. NULL when memory is out. */
 ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels);
 void ttc_kernels_destroy(ttc_kernels *kernels); /* legal on NULL */
 

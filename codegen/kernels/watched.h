@@ -1,5 +1,5 @@
-/** The conditions of the domain that kernels evaluate. The others follow where callers keep parameters within their signs, lifted
- *  roots positive, and states within those ends of their intervals that are numbers. */
+/** The conditions of the domain that kernels evaluate. The others hold where callers keep the signs of parameters, lifted roots
+ *  positive, and states within ends of intervals that are numbers. */
 #ifndef TTC_WATCHED_H
 #define TTC_WATCHED_H
 
@@ -7,13 +7,13 @@
 
 typedef struct {
     const char *name; /* of the record `domain`, or of the state whose interval ends */
-    char *text;       /* the condition, as the table writes it or as "EXPRESSION > 0" */
+    char *text;       /* as the table writes it, or "EXPRESSION > 0" */
     ttc_id expression; /* positive where the condition holds */
 } ttc_watched;
 
-/** Find the conditions: the records `domain` that do not follow from others, and the ends of intervals that are no numbers, belong
- *  to the eliminated state, or, in a field with lifted roots, are not zeros of such a root. Out: *list, shape (*count,), for
- *  ttc_watched_destroy, also on failure. Returns false when memory is out or an expression is too large. */
+/** Find the conditions: records `domain` that do not follow from others, and ends of intervals that are no numbers, belong to the
+ *  eliminated state or, beside lifted roots, are zeros of none. Out: *list, shape (*count,), for ttc_watched_destroy, also on
+ *  failure. Returns false when memory is out or an expression is too large. */
 bool ttc_watched_find(ttc_watched **list, size_t *count, ttc_field *field);
 void ttc_watched_destroy(ttc_watched *list, size_t count);
 

@@ -6,7 +6,7 @@
 
 typedef struct {
     const ttc_model *model;
-    unsigned char *seen; /* by node: visited, so that it is not visited again */
+    unsigned char *seen; /* by node: visited */
     ttc_place *place;
 } finder;
 

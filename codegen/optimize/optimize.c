@@ -1,4 +1,4 @@
-/* Searches for a short program in several ways, all deterministic, and keeps the cheapest. */
+/* Searches for a short program in several ways, all deterministic. */
 #include "optimize/optimize.h"
 
 #include "optimize/extract_binomial.h"
@@ -8,23 +8,23 @@
 #include <limits.h>
 #include <stdlib.h>
 
-/* An operation costs 2, and each of its flops 1 more: the mean of targets with and without fused operations. A division or
- * root costs as much as six multiplications, an elementary function as much as twenty. */
+/* An operation costs 2, and each of its flops 1 more: the mean of targets with and without fused operations. A division or root
+ * costs as much as six multiplications. */
 static unsigned cost_of(const ttc_program *program)
 {
     ttc_count c = ttc_program_count(program);
     return 3 * (c.add + c.multiply) + 4 * c.fma + 18 * (c.divide + c.root) + 60 * c.elementary;
 }
 
-/* A search takes one start, tries several extractions, and then undoes and redoes parts of the best in rounds, until `patience`
- * rounds in a row improve nothing. Cheap starts are searched several times. Work is counted in comparisons and bounded, so that
- * a search ends at the same place on every machine. */
+/* A search tries several extractions from one start, then undoes and redoes parts of the best, until `patience` rounds in a row
+ * improve nothing; cheap starts are searched several times. Work is counted in comparisons and bounded, so that a search ends at
+ * the same place on every machine. */
 typedef struct {
     unsigned repeats;      /* most searches from one start */
     unsigned seeds;        /* extractions at the beginning of a search */
-    unsigned patience;     /* rounds in a row without improvement that end a search */
-    unsigned finishes;     /* ways tried to make a program of the best workspace */
-    uint64_t repeat_limit; /* starts are searched again while the work spent on the kernel is less than this */
+    unsigned patience;     /* rounds in a row without improvement */
+    unsigned finishes;     /* ways tried to make a program of the best */
+    uint64_t repeat_limit; /* search again only below this work on the kernel */
     uint64_t work_limit;   /* ends one search */
     uint64_t pair_limit;   /* see ttc_workspace_extract */
 } search_limits;
@@ -34,8 +34,7 @@ static const search_limits efforts[] = {
     [TTC_EFFORT_FULL] = { 8, 8, 80, 16, 500000, 60000000, 200000 },
 };
 
-/* How a workspace becomes a program. seed: of the last extraction; if it is above 0, shared reciprocals are written out, so that
- * this extraction finds their common parts. */
+/* How a workspace becomes a program. seed: of the last extraction; above 0, reciprocals are written out for it. */
 typedef struct {
     const search_limits *limits;
     bool one_division;
@@ -48,7 +47,7 @@ static ttc_program *finish(const ttc_workspace *workspace, ttc_prepared *prepare
     ttc_workspace *copy = ttc_workspace_clone(workspace);
     if (copy == NULL) return NULL;
     if (how.one_division) ttc_workspace_share_reciprocals(copy, how.seed > 0);
-    /* Products that recover reciprocals may have parts in common with other products: extract once more. */
+    /* Products that recover reciprocals may share parts with others. */
     ttc_workspace_tidy(copy);
     ttc_workspace_cancel(copy);
     ttc_workspace_extract(copy, how.seed, how.limits->pair_limit);
@@ -62,13 +61,12 @@ static ttc_program *finish(const ttc_workspace *workspace, ttc_prepared *prepare
     return fused;
 }
 
-/* The time a program takes: cost, where other work fills the processor; latency, where it runs alone and operations wait for
- * each other. */
+/* Time of a program: cost, where other work fills the processor; latency, where its operations wait for each other. */
 typedef struct {
     unsigned cost, latency; /* UINT_MAX on failure */
 } rating;
 
-/* Rate the program that a strategy makes; the values that it would prepare are discarded. */
+/* The values that the program would prepare are discarded. */
 static rating rate(const ttc_workspace *workspace, strategy how)
 {
     ttc_prepared scratch = { .field = workspace->field };
@@ -80,8 +78,8 @@ static rating rate(const ttc_workspace *workspace, strategy how)
     return r;
 }
 
-/* Returns true if separate divisions save at least four operations each: they need none of the products that combine several
- * denominators and recover the single reciprocals, and they do not wait for each other. */
+/* Whether separate divisions save at least four operations each: they need no products that combine denominators and recover
+ * reciprocals, and do not wait for each other. */
 static bool prefers_separate_divisions(const ttc_workspace *workspace, const search_limits *limits)
 {
     ttc_prepared scratch = { .field = workspace->field };
@@ -98,7 +96,7 @@ static bool prefers_separate_divisions(const ttc_workspace *workspace, const sea
     return prefers;
 }
 
-/* The best workspace of a search. A workspace of equal cost replaces it, so that a search drifts over ties. */
+/* The best workspace of a search; one of equal cost replaces it, so that a search drifts over ties. */
 typedef struct {
     const search_limits *limits;
     ttc_workspace *best;
@@ -165,8 +163,8 @@ static best_so_far search(const ttc_workspace *start, uint64_t number, const sea
 
 enum { STARTS = 4 };
 
-/* starts[0] and [1] are `outputs` and `other` as given, starts[2] and [3] the same with products written out; NULL where `other`
- * is NULL, or where writing out changes nothing. */
+/* starts[0], [1]: `outputs` and `other` as given; [2], [3]: with products written out. NULL where `other` is, or where that
+ * changes nothing. */
 static bool make_starts(ttc_workspace **starts, ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count)
 {
     for (int k = 0; k < STARTS; k++) starts[k] = NULL;
@@ -212,7 +210,7 @@ typedef struct {
     rating rating;
 } choice;
 
-/* Try several strategies; one that costs no more than the choice so far and has less latency replaces it. */
+/* Of several strategies, take each that costs no more than the last one taken and has less latency. */
 static choice choose(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
     bool one_division = purpose != TTC_FOR_POINTS || !prefers_separate_divisions(workspace, limits);
@@ -228,9 +226,8 @@ static choice choose(ttc_workspace *workspace, ttc_purpose purpose, const search
     return c;
 }
 
-/* Choose the workspace, or a variant in which no division waits for a root if that has less latency at a cost at most a
- * thirtieth higher: one orbit waits for the latency of each call, a batch for the number of operations. Takes ownership of the
- * workspace. */
+/* The workspace, or a variant in which no division waits for a root if that has less latency at a cost at most a thirtieth higher:
+ * one orbit waits for the latency of each call, a batch for the number of operations. Takes ownership. */
 static choice choose_quick(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
     choice c = choose(workspace, purpose, limits);

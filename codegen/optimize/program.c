@@ -83,7 +83,7 @@ static bool same(const ttc_instruction *i, const ttc_instruction *j)
            && fmpq_equal(i->constant, j->constant);
 }
 
-/* Whether an operation is left out of the hash table, so that equal ones are not shared. */
+/* Whether an operation is never shared. */
 static bool stays_apart(const ttc_program *program, const ttc_instruction *i)
 {
     return program->keeps_duplicates && ttc_op_arity(i->op) > 0;
@@ -115,7 +115,7 @@ static bool grow(ttc_program *program)
     return true;
 }
 
-/* Return the value of an equal instruction, or append this one. Takes ownership of its constant. */
+/* The value of an equal instruction, or a new one. Takes ownership of the constant. */
 static ttc_value intern(ttc_program *program, ttc_instruction *instruction)
 {
     if (!program->failed && !grow(program)) program->failed = true;

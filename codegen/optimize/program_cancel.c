@@ -4,11 +4,10 @@
 #include <stdlib.h>
 
 enum { ODD_LIMIT = 24 };
-#define VALUE_ATOM (UINT64_C(1) << 32) /* marks a factor that is a value of the program; other factors are graph ids */
+#define VALUE_ATOM (UINT64_C(1) << 32) /* marks values of the program among factors, which else are graph ids */
 
-/* What is known of a value: its bounds, and its sign, which is `sign` times the signs of its factors of odd power, `odd`,
- * ascending. Values with the same odd factors have equal or opposite signs, as their `sign` says. is_exact: it carries no
- * rounding error. */
+/* What is known of a value: bounds, and its sign as `sign` times the signs of its factors of odd power, ascending. Values with the
+ * same odd factors have equal or opposite signs. is_exact: without rounding error. */
 typedef struct {
     ttc_extent extent;
     uint64_t odd[ODD_LIMIT];
@@ -34,7 +33,7 @@ static fact atom_fact(ttc_extent extent, uint64_t atom, bool is_exact)
     return f;
 }
 
-/* The odd factors of a product are those in exactly one of the two lists; if they do not fit, the product is one factor, `atom`. */
+/* Odd factors of a product: those in one of the two lists only. If they do not fit, the product is one factor, `atom`. */
 static fact product_fact(const fact *a, const fact *b, ttc_extent extent, uint64_t atom)
 {
     fact f = { .extent = extent, .sign = a->sign * b->sign };
@@ -107,7 +106,7 @@ static fact negate(fact f)
     return f;
 }
 
-/* The fact of an input or of a prepared value: a product by its factors, a sum as one rounded factor. */
+/* A product by its factors, a rounded sum as one factor. */
 static fact expression_fact(ttc_field *field, ttc_id id)
 {
     const ttc_graph *graph = field->graph;
@@ -202,7 +201,7 @@ bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field 
     return true;
 }
 
-/* Whether a sum loses digits when its terms are added in order; the terms themselves are not examined. */
+/* Whether the sum loses digits when its terms, taken as they are, are added in order. */
 static bool sum_cancels(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;

@@ -1,13 +1,13 @@
-/* List scheduling for few live temporaries. Among the operations whose operands are computed, the next is the one that frees
- * most temporaries; ties go to the one with the longest chain of dependent operations, and so do near ties, by a weight that
- * varies between tries. Of the original order and all tries, the one with the fewest live temporaries is kept. */
+/* List scheduling for few live temporaries. Of the operations whose operands are computed, the next is the one that frees most
+ * temporaries; ties, and near ties by a weight that varies between tries, go to the longest chain of dependents. Of the original
+ * order and all tries, the one with the fewest live temporaries is kept. */
 #include "optimize/program.h"
 
 #include <stdlib.h>
 
 enum { TRIES = 6 };
 
-/* An operation that may come next; out of date when its score differs from scheduler.score[value]. */
+/* An operation that may come next; out of date when its score is not scheduler.score[value]. */
 typedef struct {
     long score;
     ttc_value value;
@@ -16,13 +16,13 @@ typedef struct {
 typedef struct {
     const ttc_program *program;
     size_t n;
-    unsigned *uses;      /* by value: its users that are not yet scheduled */
-    unsigned *waiting;   /* by value: its operands that are not yet scheduled, leaves aside */
-    unsigned *chain;     /* by value: latency of the longest path from it to an output */
+    unsigned *uses;      /* by value: users not yet scheduled */
+    unsigned *waiting;   /* by value: operands not yet scheduled, but leaves */
+    unsigned *chain;     /* by value: latency of the longest path to an output */
     unsigned char *done;
-    long *score;         /* by value: the current one, once no operand is missing */
+    long *score;         /* by value, once no operand is missing */
     ttc_value *order;
-    unsigned *counts;    /* by value: number of its users, with which each try begins */
+    unsigned *counts;    /* by value: number of users */
     size_t *first_user;  /* by value, shape (n + 1,): index of its first user in `users` */
     ttc_value *users;
     candidate *heap;     /* highest score first, then the lowest value; a value enters at most once for each operand */
@@ -72,7 +72,7 @@ static void prepare(scheduler *s)
     }
 }
 
-/* Temporaries that an operation frees, minus the one that it makes. */
+/* Temporaries that an operation frees, less the one that it makes. */
 static int relief_of(const scheduler *s, ttc_value value)
 {
     ttc_value operands[3];
@@ -125,8 +125,7 @@ static void start(scheduler *s, unsigned weight)
         if (!s->done[k] && s->waiting[k] == 0) push(s, weight, (ttc_value)k);
 }
 
-/* Mark a value as scheduled. Its users wait for one operand fewer; where an operand of it has one user left, that user frees the
- * operand, so its score rises. */
+/* Schedule a value: users wait for one operand fewer; where an operand has one user left, that user's score rises. */
 static void finish(scheduler *s, unsigned weight, ttc_value value)
 {
     ttc_value operands[3];
@@ -142,7 +141,7 @@ static void finish(scheduler *s, unsigned weight, ttc_value value)
         if (--s->waiting[s->users[u]] == 0) push(s, weight, s->users[u]);
 }
 
-/* Make one schedule. Returns the greatest number of temporaries alive at once. Leaves come first: they take no temporary. */
+/* Make one schedule. Returns the most temporaries alive at once. Leaves come first: they take none. */
 static unsigned schedule(scheduler *s, unsigned weight, ttc_value *order)
 {
     size_t count = 0;

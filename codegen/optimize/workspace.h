@@ -1,9 +1,9 @@
 /** What the optimizer works on: named variables, each defined by a sum of signed monomials.
  *
- *  A monomial ("cube") is sign * scale * product of variables; its scale is an expression in parameters alone, which is
- *  prepared ahead of time and so costs at most one multiplication. A variable is an input, a unit (a sum with a
- *  name: an author's grouping, a derivative, or a shared part that the optimizer made), or a function of another
- *  variable. No pass multiplies out an author's sum: rounding errors stay those of the table's grouping. */
+ *  A monomial ("cube") is sign * scale * product of variables; the scale, in parameters alone, is prepared ahead of time, and so
+ *  costs at most one multiplication. A variable is an input, a unit (a sum with a name: an author's grouping, a derivative, or a
+ *  shared part that the optimizer made), or a function of another variable. No pass multiplies out an author's sum: rounding
+ *  errors stay those of the table's grouping. */
 #ifndef TTC_WORKSPACE_H
 #define TTC_WORKSPACE_H
 
@@ -13,7 +13,7 @@
 enum { TTC_CUBE_LIMIT = 24 }; /* factors of a cube; longer products are split into units */
 
 typedef struct {
-    ttc_id scale;       /* in parameters alone, with a positive leading sign; the number 1 when there is none */
+    ttc_id scale;       /* in parameters alone, with positive leading sign; 1 if there is none */
     int8_t sign;        /* 1 or -1 */
     uint8_t count;
     uint32_t factors[TTC_CUBE_LIMIT]; /* variables, ascending, repeated for powers */
@@ -34,7 +34,7 @@ typedef struct {
     uint32_t operand;          /* INPUT: position of the state; functions: variable */
     ttc_polynomial definition; /* UNIT */
     const char *label;         /* borrowed from the field, or from `names`; NULL when it has none */
-    ttc_id divisor;            /* the variable is what its label says divided by this; TTC_NONE: divided by nothing */
+    ttc_id divisor;            /* the variable is label / divisor; TTC_NONE: it is the label */
 } ttc_variable;
 
 typedef struct {
@@ -44,27 +44,27 @@ typedef struct {
     uint32_t count, capacity;
     uint32_t *outputs; /* variables */
     uint32_t output_count;
-    struct ttc_scale_ratios *ratios; /* cache shared by extractions, borrowed; NULL: each extraction has its own */
+    struct ttc_scale_ratios *ratios; /* shared by extractions, borrowed; NULL: each has its own */
     char **names; /* labels made here; a clone does not have them */
     size_t name_count;
     bool failed;       /* memory is out, or the graph is at its limits */
 } ttc_workspace;
 
-/** Make a workspace of expressions in the field's symbols. Returns NULL when memory is out or the graph is at its limits. */
+/** Make a workspace of expressions in the field's symbols. Returns NULL when memory is out. */
 ttc_workspace *ttc_workspace_create(ttc_field *field, const ttc_id *outputs, size_t count);
 ttc_workspace *ttc_workspace_clone(const ttc_workspace *workspace); /* returns NULL when memory is out */
 void ttc_workspace_destroy(ttc_workspace *workspace);            /* legal on NULL */
 
-/* Append the name that a variable has in comments; nothing when it has none. */
+/* Append a variable's name in comments, if it has one. */
 void ttc_workspace_write_name(const ttc_workspace *workspace, ttc_text *text, uint32_t variable);
 
-/* Give a variable a label; takes ownership of the text. When memory is out, the label stays as it is. */
+/* Give a variable a label; takes ownership of the text. The old one stays when memory is out. */
 void ttc_workspace_name(ttc_workspace *workspace, uint32_t variable, ttc_text *label);
 
 uint32_t ttc_workspace_add_variable(ttc_workspace *workspace, ttc_variable_kind kind, uint32_t operand);
 /* Append a cube to p without merging. */
 void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
-/* p += cube: the scales are added if p has a cube with the same factors. */
+/* p += cube; scales are added where the factors are equal. */
 void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
 void ttc_polynomial_close_gaps(ttc_polynomial *p); /* removes cubes of sign 0 */
 
@@ -76,44 +76,43 @@ unsigned ttc_cube_power(const ttc_cube *cube, uint32_t variable);
 bool ttc_cube_same_factors(const ttc_cube *a, const ttc_cube *b);
 /* cube *= factor, an expression in parameters alone. */
 void ttc_cube_scale(ttc_workspace *workspace, ttc_cube *cube, ttc_id factor);
-/* The number of multiplications that a cube takes. */
+/* Multiplications that a cube takes. */
 unsigned ttc_cube_cost(const ttc_workspace *workspace, const ttc_cube *cube);
 
-/* Returns true if a scale is known to be nonzero for all parameters, so that others may be divided by it. */
+/* Whether a scale is known to be nonzero for all parameters, so that others may be divided by it. */
 bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 
-/** Make one division serve all reciprocals that do not depend on each other: from 1/(d_1 ... d_k), multiplications recover the
- *  single reciprocals and those products of them that are used. These form a tree of subsets; or, with written_out, each is
- *  written out, and an extraction can find their common parts. To be called after all other passes but a last extraction. */
+/** Make one division serve all reciprocals that do not depend on each other: 1/(d_1 ... d_k), from which multiplications recover
+ *  the single ones and the products of them in use: along a tree of subsets, or each written out, for an extraction to find common
+ *  parts. To be called last, but for that. */
 void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out);
 
-/** Extract common factors, common products and common sums until nothing more is gained. Seed 0 always takes the candidate of
- *  greatest gain; other seeds add noise to the gains. pair_limit: if the sums have more pairs of terms than this, each term is
- *  compared with only some others, and a step takes all candidates of equal gain. Returns the work done, in comparisons. */
+/** Extract common factors, products and sums until nothing is gained. Seed 0 always takes the greatest gain; others add noise to
+ *  gains. pair_limit: if sums have more pairs of terms, each term is compared with only some others, and a step takes all
+ *  candidates of equal gain. Returns the work done, in comparisons. */
 uint64_t ttc_workspace_extract(ttc_workspace *workspace, uint64_t seed, uint64_t pair_limit);
 
 /* Inline units that are used once, drop unused variables, and choose signs so that few negations are left. */
 void ttc_workspace_tidy(ttc_workspace *workspace);
 
-/* Replace a unit by its definition wherever it is used. Returns false, and changes nothing, if it is no unit, is an output or the
- * operand of a function, or if a cube would become too long. */
+/* Replace a unit by its definition in all users. Returns false, without change, if it is no unit, an output, or the operand of a
+ * function, or if a cube would become too long. */
 bool ttc_workspace_inline(ttc_workspace *workspace, uint32_t variable);
 
-/* In every cube, cancel variables against their reciprocals, and replace the square of a root by its radicand. */
+/* Cancel variables against their reciprocals in every cube, and replace squares of roots by radicands. */
 void ttc_workspace_cancel(ttc_workspace *workspace);
 
-/** Inline all units that are products, so that their factors can cancel in the users. Returns whether there were any. */
+/** Inline all units that are products, so that factors can cancel. Returns whether there were any. */
 bool ttc_workspace_write_out(ttc_workspace *workspace);
 
-/* Where the reciprocal of a root r occurs only in powers that are multiples of n > 1, use the reciprocal of r^n instead, as of
- * r^3 = r r^2. */
+/* Where the reciprocal of a root r occurs only in multiples of a power n > 1, use that of r^n, as of r^3 = r r^2. */
 void ttc_workspace_raise_reciprocals(ttc_workspace *workspace);
 
-/** Replace every reciprocal of a root, 1/r, by r (1/r^2): the division by the radicand need not wait for the root.
+/** Replace reciprocals of roots, 1/r, by r (1/r^2): a division by the radicand need not wait for the root.
  *  Returns whether there were any. */
 bool ttc_workspace_divide_by_radicands(ttc_workspace *workspace);
 
-/* Divide a unit by one of its scales, and multiply the scales of its users by that, where this saves multiplications. */
+/* Divide units by one of their scales, which their users take, where this saves multiplications. */
 void ttc_workspace_rescale(ttc_workspace *workspace);
 
 #endif

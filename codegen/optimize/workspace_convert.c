@@ -35,7 +35,7 @@ static uint32_t reciprocal_of(converter *c, uint32_t variable)
     return c->reciprocals[variable] - 1;
 }
 
-/* cube *= variable. All factors of a full cube but one first move into a new unit. */
+/* cube *= variable. A full cube first moves all factors but one into a unit. */
 static void multiply(converter *c, ttc_cube *cube, uint32_t variable)
 {
     if (cube->count == TTC_CUBE_LIMIT) {
@@ -52,7 +52,7 @@ static void multiply(converter *c, ttc_cube *cube, uint32_t variable)
     ttc_cube_multiply(cube, variable);
 }
 
-/* cube *= variable^exponent. The square of a root becomes its radicand, which is known before the root is taken. */
+/* cube *= variable^exponent. The square of a root is its radicand, which is known before the root. */
 static void multiply_power(converter *c, ttc_cube *cube, uint32_t variable, int32_t exponent)
 {
     const ttc_variable *v = c->workspace->variables + variable;
@@ -86,7 +86,7 @@ static ttc_cube cube_of(converter *c, ttc_id id)
     return cube;
 }
 
-/* Define a unit by an expression. Terms with equal factors become one term, whatever their scales. */
+/* Define a unit. Terms with equal factors become one, whatever their scales. */
 static void fill(converter *c, uint32_t unit, ttc_id id)
 {
     ttc_graph *graph = c->field->graph;
@@ -104,8 +104,7 @@ static void fill(converter *c, uint32_t unit, ttc_id id)
     }
 }
 
-/* The square root of a scale that is the square of a rational number or, where digits are to be kept, such a number times even
- * powers; TTC_NONE for any other scale. */
+/* The square root of a scale: of a square number and, where digits are to be kept, of even powers; else TTC_NONE. */
 static ttc_id scale_root(const ttc_field *field, ttc_id scale)
 {
     ttc_graph *graph = field->graph;
@@ -126,7 +125,7 @@ static ttc_id scale_root(const ttc_field *field, ttc_id scale)
     return result;
 }
 
-/* The square root of a cube, its sign ignored. Returns false if the cube is not a square. */
+/* Returns false if the cube is no square. */
 static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
 {
     *out = ttc_cube_one(c->workspace);
@@ -139,8 +138,7 @@ static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
     return out->scale != TTC_NONE;
 }
 
-/* Take the common factors that are no squares out of two cubes, where digits are to be kept: x y^2 and x z^2 become y^2 and z^2,
- * and x is returned. */
+/* Take common factors that are no squares out of two cubes: x y^2 and x z^2 become y^2 and z^2, and x is returned. */
 static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
 {
     ttc_cube common = ttc_cube_one(c->workspace);
@@ -162,7 +160,7 @@ static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
     return common;
 }
 
-/* Rewrite a unit C A^2 - C B^2 as C (A - B)(A + B): near A = B this keeps the digits that the difference of squares loses. */
+/* C A^2 - C B^2 = C (A - B)(A + B): near A = B this keeps the digits that the difference of squares loses. */
 static void split_squares(converter *c, uint32_t unit)
 {
     ttc_polynomial *p = &c->workspace->variables[unit].definition;
@@ -226,7 +224,7 @@ static uint32_t symbol_variable(converter *c, uint32_t symbol)
     return variable;
 }
 
-/* The variable of a symbol; for an anonymous sum or product, a unit. */
+/* The variable of a symbol, or a unit for an anonymous sum or product. */
 static uint32_t variable_of(converter *c, ttc_id id)
 {
     if (c->workspace->failed) return 0;
@@ -237,7 +235,7 @@ static uint32_t variable_of(converter *c, ttc_id id)
     return unit;
 }
 
-/* Mark an expression and all that it depends on: what roots and functions depend on must not be rewritten in terms of them. */
+/* Mark what roots and functions depend on: it must not be rewritten in terms of them. */
 static void mark_below(converter *c, ttc_id id)
 {
     const ttc_graph *graph = c->field->graph;

@@ -14,7 +14,7 @@ typedef struct {
 
 static ttc_value lower_variable(lowering *l, uint32_t variable);
 
-/* Record when a value is ready, and return it; its operands must be recorded first. */
+/* Record when a value is ready; its operands must be recorded first. */
 static ttc_value note(lowering *l, ttc_value value)
 {
     if (value == TTC_NO_VALUE) {
@@ -55,7 +55,7 @@ static ttc_value lower_scale(lowering *l, ttc_id scale)
     return note(l, ttc_program_parameter(l->program, ttc_prepared_index(l->prepared, scale)));
 }
 
-/* Multiply the scale and the factors, always the two values that are ready first. */
+/* Multiply always the two values that are ready first. */
 static ttc_value lower_cube(lowering *l, const ttc_cube *cube, ttc_id scale)
 {
     ttc_value values[TTC_CUBE_LIMIT + 1];
@@ -78,10 +78,10 @@ static ttc_value lower_cube(lowering *l, const ttc_cube *cube, ttc_id scale)
 typedef struct {
     ttc_value value;
     int sign;
-    bool is_product; /* can be fused with the addition that adds it, but not when the sum starts with it */
+    bool is_product; /* can be fused with an addition, unless the sum starts with it */
 } term;
 
-/* Sort the terms by when they are ready, but start the sum, if possible, with a positive term that is no product. */
+/* Sort terms by when they are ready, but start, if possible, with a positive one that is no product. */
 static void order_terms(const lowering *l, term *terms, size_t count)
 {
     for (size_t i = 1; i < count; i++)
@@ -120,7 +120,7 @@ static ttc_value add_terms(lowering *l, const term *terms, size_t count)
     return sign > 0 ? sum : apply(l, TTC_OP_NEGATE, sum, TTC_NO_VALUE);
 }
 
-/* Whether every term is negative and has a scale, so that the scales can take the sign. */
+/* Whether all terms are negative and have scales, which can take the sign. */
 static bool scales_take_sign(const lowering *l, const ttc_polynomial *p)
 {
     for (uint32_t i = 0; i < p->count; i++)

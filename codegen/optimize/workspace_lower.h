@@ -6,12 +6,12 @@
 #include "optimize/program.h"
 #include "optimize/workspace.h"
 
-/** Make the program. Factors are multiplied and terms added in the order in which they are ready, so that chains are short.
- *  Scales are added to the prepared values. Returns NULL when memory is out. */
+/** Make the program. Factors are multiplied, and terms added, in the order in which they are ready, so that chains are short.
+ *  Scales go to the prepared values. Returns NULL when memory is out. */
 ttc_program *ttc_workspace_lower(const ttc_workspace *workspace, ttc_prepared *prepared);
 
-/** A new program in which a product that is used once, by an addition or subtraction, is fused with it, and a
- *  reciprocal that is used once, by a product, becomes a quotient. Returns NULL when memory is out. */
+/** A new program in which a product used once, by an addition or subtraction, is fused with it, and a reciprocal used once, by a
+ *  product, becomes a quotient. Returns NULL when memory is out. */
 ttc_program *ttc_program_fuse(const ttc_program *program);
 
 #endif

@@ -1,6 +1,6 @@
-/* Replaces several divisions by one. Let R_S be the reciprocal of the product of the denominators d_i in a set S: then
- * R_S = R_(S + j) d_j, so all reciprocals in use are nodes of a tree whose root is the full set. Or each is written out as the
- * reciprocal of the full set times the denominators outside S, and an extraction finds their common parts. */
+/* Replaces several divisions by one. With R_S the reciprocal of the product of the denominators d_i in a set S, R_S = R_(S + j)
+ * d_j: all reciprocals in use are nodes of a tree whose root is the full set. Or each is written out as that of the full set times
+ * the denominators outside S, for an extraction to find common parts. */
 #include "optimize/workspace.h"
 
 #include <stdlib.h>
@@ -14,11 +14,10 @@ typedef struct {
     unsigned count;
     bool written_out;
     uint32_t operands[MOST];
-    uint32_t *variable;     /* by subset: 1 + the variable that holds its reciprocal; 0: none yet */
+    uint32_t *variable;     /* by subset: 1 + the variable of its reciprocal */
 } group;
 
-/* 1 + the greatest number of nested reciprocals on the way to a variable: 2 for a reciprocal whose operand contains none.
- * levels: 0 where it is not yet known. */
+/* 1 + the greatest depth of nested reciprocals: 2 for one whose operand contains none. levels: 0 where not yet known. */
 static unsigned level_of(const ttc_workspace *workspace, unsigned *levels, uint32_t variable)
 {
     const ttc_variable *v = workspace->variables + variable;
@@ -37,7 +36,7 @@ static unsigned level_of(const ttc_workspace *workspace, unsigned *levels, uint3
     return level;
 }
 
-/* The subset of members whose product a variable is, one bit each; 0 when it is no such product, or contains a power. */
+/* The subset of members whose product a variable is; 0 if it is none, or contains a power. */
 static unsigned subset_of(const group *g, uint32_t variable)
 {
     for (unsigned i = 0; i < g->count; i++)
@@ -62,7 +61,7 @@ static unsigned size_of(unsigned subset)
     return size;
 }
 
-/* Name a variable "1/(a*b)" if all operands of the subset have names. */
+/* Name it "1/(a*b)" if all operands have names. */
 static void name_subset(group *g, uint32_t variable, unsigned subset)
 {
     ttc_workspace *workspace = g->workspace;
@@ -92,8 +91,8 @@ static void define_by(ttc_workspace *workspace, uint32_t variable, const ttc_cub
     ttc_polynomial_add(workspace, &v->definition, cube);
 }
 
-/* Of the members of `target` outside `subset`, the one whose addition gives a wanted subset or, failing that, one that contains
- * most wanted subsets. */
+/* The member of `target` outside `subset` whose addition gives a wanted subset or, failing that, one that contains most wanted
+ * ones. */
 static unsigned next_member(const group *g, const unsigned char *wanted, unsigned subset, unsigned target)
 {
     unsigned best = 0, best_score = 0;
@@ -112,8 +111,8 @@ static unsigned next_member(const group *g, const unsigned char *wanted, unsigne
 
 static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset);
 
-/* The reciprocal of `subset` as that of one more member times its denominator, on the way to the smallest available set that
- * contains `subset`, along wanted subsets where possible. */
+/* The reciprocal of one more member times its denominator, on the way to the smallest available superset, along wanted subsets
+ * where possible. */
 static ttc_cube cube_along_tree(group *g, const unsigned char *wanted, unsigned subset)
 {
     ttc_cube cube = ttc_cube_one(g->workspace);
@@ -135,7 +134,7 @@ static ttc_cube cube_written_out(const group *g, unsigned subset)
     return cube;
 }
 
-/* The variable that holds the reciprocal of `subset`, which is made if it is missing. */
+/* The variable of the reciprocal of `subset`, made if it is missing. */
 static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
 {
     ttc_workspace *workspace = g->workspace;

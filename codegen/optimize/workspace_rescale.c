@@ -8,11 +8,11 @@ typedef struct {
     ttc_workspace *workspace;
     uint32_t unit, reciprocal; /* reciprocal: of the unit; the unit itself when there is none */
     ttc_id scale;
-    uint32_t *users; /* variables whose sums contain either of them, and the unit itself; room for all variables */
+    uint32_t *users; /* variables whose sums contain either, and the unit; room for all */
     uint32_t user_count;
 } rescaling;
 
-/* Whether the unit is the operand of any function but one reciprocal; *reciprocal: that one, else the unit. */
+/* Whether another function than one reciprocal has the unit as operand; *reciprocal: that one, else the unit. */
 static bool is_operand_of_other(const ttc_workspace *workspace, uint32_t unit, uint32_t *reciprocal)
 {
     *reciprocal = unit;
@@ -25,7 +25,7 @@ static bool is_operand_of_other(const ttc_workspace *workspace, uint32_t unit, u
     return false;
 }
 
-/* A user's cube after the unit is divided by the scale. */
+/* A user's cube after the change. */
 static ttc_cube changed(const rescaling *r, const ttc_cube *cube)
 {
     ttc_cube after = *cube;
@@ -42,13 +42,13 @@ static ttc_cube divided(const rescaling *r, const ttc_cube *cube)
     return after;
 }
 
-/* For each variable, those whose sums contain it as a factor, ascending. Rescaling changes no factors, so they are found once. */
+/* By variable, those whose sums contain it, ascending. Rescaling changes no factors, so they are found once. */
 typedef struct {
-    size_t *first; /* by variable, shape (count + 1,): index of its first user in `all` */
+    size_t *first; /* by variable, shape (count + 1,): its first user in `all` */
     uint32_t *all;
 } user_lists;
 
-/* Add each sum once to the users of each of its factors; all == NULL: only count them. last: by factor, the sum visited last. */
+/* Add each sum once to the users of each factor; all == NULL: count only. last: by factor, the sum visited last. */
 static void visit_factors(const ttc_workspace *workspace, size_t *position, uint32_t *all, uint32_t *last)
 {
     for (uint32_t v = 0; v < workspace->count; v++) last[v] = UINT32_MAX;

@@ -1,9 +1,9 @@
-/* Tidies a workspace between and after extractions: inlines units used once, drops unused ones, and settles signs. */
+/* Tidies a workspace between and after extractions: inlines units used once, drops unused ones, settles signs. */
 #include "optimize/workspace.h"
 
 #include <stdlib.h>
 
-/* How often each variable is used as a factor or as the operand of a function. */
+/* Uses of each variable as a factor or operand. */
 static uint32_t *count_uses(const ttc_workspace *workspace)
 {
     uint32_t *uses = calloc(workspace->count + 1, sizeof *uses);
@@ -21,7 +21,7 @@ static uint32_t *count_uses(const ttc_workspace *workspace)
     return uses;
 }
 
-/* Empty every variable that nothing uses, until none is left: emptying one may leave others unused. */
+/* Empty variables that nothing uses, until none is left. */
 static void drop_unused(ttc_workspace *workspace)
 {
     for (bool changed = true; changed && !workspace->failed;) {
@@ -39,7 +39,7 @@ static void drop_unused(ttc_workspace *workspace)
     }
 }
 
-/* *out = cube with one occurrence of the variable replaced by the cube `by`. Returns false when it is too long. */
+/* *out = cube with one factor replaced by the cube `by`. Returns false if it is too long. */
 static bool substitute_cube(ttc_workspace *workspace, ttc_cube *out, const ttc_cube *cube, uint32_t variable, const ttc_cube *by)
 {
     *out = *cube;
@@ -107,7 +107,7 @@ bool ttc_workspace_inline(ttc_workspace *workspace, uint32_t variable)
     return true;
 }
 
-/* For each variable, the last one that uses it as a factor or operand. */
+/* The last variable that uses each one. */
 static uint32_t *find_users(const ttc_workspace *workspace)
 {
     uint32_t *user = calloc(workspace->count + 1, sizeof *user);
@@ -125,8 +125,7 @@ static bool is_plain(const ttc_workspace *workspace, const ttc_cube *cube)
     return cube->count + (cube->scale != workspace->one ? 1u : 0u) <= 1;
 }
 
-/* Whether a variable that is used once can be inlined without multiplying out a sum: it is a product, or its use is a whole
- * term of a sum. */
+/* Whether a variable used once can be inlined without multiplying out a sum: it is a product, or its use is a whole term. */
 static bool may_return(const ttc_workspace *workspace, uint32_t variable, uint32_t user)
 {
     const ttc_variable *v = workspace->variables + variable;
@@ -179,7 +178,7 @@ static void return_single_uses(ttc_workspace *workspace)
     }
 }
 
-/* Change the sign of each unit whose terms are all negative, and of the terms that contain it to an odd power. */
+/* Change the sign of units whose terms are all negative, and of terms that contain them to an odd power. */
 static void settle_signs(ttc_workspace *workspace)
 {
     for (uint32_t v = 0; v < workspace->count; v++) {
@@ -199,7 +198,7 @@ static void settle_signs(ttc_workspace *workspace)
     }
 }
 
-/* Remove unused variables. The others keep their order, so that factors stay ascending. */
+/* Remove unused variables; the others keep their order, and factors stay ascending. */
 static void renumber(ttc_workspace *workspace)
 {
     uint32_t *uses = count_uses(workspace), *number = calloc(workspace->count + 1, sizeof *number), count = 0;
