@@ -1,4 +1,4 @@
-/* Describes for readers where terms of a kernel's sums may nearly cancel: by labels, names of outputs, or formulas. */
+/* Names for readers where terms of a kernel's sums may nearly cancel: by labels, outputs, or formulas. */
 #include "emit/emit.h"
 
 #include "optimize/program_cancel.h"
@@ -14,7 +14,7 @@ typedef struct {
     ttc_kernel_kind kind;
     const ttc_program *program;
     ttc_loss *losses;      /* by value */
-    ttc_value *users;      /* by value: the last value that uses it; TTC_NO_VALUE: none */
+    ttc_value *users;      /* by value: the last value that uses it */
     unsigned *use_counts;  /* by value; an output counts as two uses */
     size_t found;
 } survey;
@@ -24,7 +24,7 @@ static bool is_sum(ttc_op op)
     return op == TTC_OP_ADD || op == TTC_OP_SUBTRACT || op == TTC_OP_FMA || op == TTC_OP_FMS || op == TTC_OP_FNMA;
 }
 
-/* Whether `user` adds the value to something, and does not multiply it. */
+/* Whether `user` adds the value to something. */
 static bool is_term_of(const survey *s, ttc_value value, ttc_value user)
 {
     const ttc_instruction *i = ttc_program_at(s->program, user);
@@ -33,7 +33,7 @@ static bool is_term_of(const survey *s, ttc_value value, ttc_value user)
     return i->c == value && i->a != value && i->b != value;
 }
 
-/* The last addition of the sum to which an addition belongs. */
+/* The last addition of the sum that an addition belongs to. */
 static ttc_value whole_of(const survey *s, ttc_value value)
 {
     while (s->use_counts[value] == 1 && s->users[value] != TTC_NO_VALUE && ttc_program_label_of(s->program, value) == NULL
@@ -139,8 +139,8 @@ static void add_operation(const survey *s, ttc_text *out, const ttc_instruction 
     add_formula(s, out, i->c, false, i->op == TTC_OP_FMS);
 }
 
-/* Append the formula of a value. Labelled values in it stand by their labels; so does the value itself unless is_whole. A formula
- * longer than the limit is not used, and so not finished. */
+/* The formula of a value. Labelled values in it stand by their labels, the value itself unless is_whole. A formula beyond the
+ * limit is not used, and so not finished. */
 static void add_formula(const survey *s, ttc_text *out, ttc_value value, bool is_whole, bool bracket)
 {
     const ttc_field *field = s->kernels->field;
@@ -166,7 +166,7 @@ static void add_formula(const survey *s, ttc_text *out, ttc_value value, bool is
     }
 }
 
-/* Append the names of the outputs that depend on the value; if `alone`, of those that are equal to it. */
+/* The names of the outputs that depend on the value or, if `alone`, are equal to it. */
 static void add_outputs_of(survey *s, ttc_value value, bool alone)
 {
     size_t n = ttc_program_size(s->program), named = 0;
@@ -229,7 +229,7 @@ static void count_uses(survey *s)
     for (size_t k = 0; k < ttc_program_output_count(s->program); k++) s->use_counts[ttc_program_output_at(s->program, k)] += 2;
 }
 
-/* Name each sum of the program that may cancel, once, and each prepared value in which a sum may cancel. */
+/* Name sums that may cancel, each once, and prepared values with such sums. */
 static void name_sums(survey *s)
 {
     size_t n = ttc_program_size(s->program);

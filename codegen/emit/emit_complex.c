@@ -1,5 +1,5 @@
-/* Writes the field in complex arithmetic on raw parameters, from the table's terms as they stand: it uses neither the optimizer
- * nor the symbolic derivatives of the other kernels. */
+/* Writes the field in complex arithmetic on raw parameters, from the table's terms as they stand: without the optimizer and the
+ * symbolic derivatives of other kernels. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -92,7 +92,7 @@ static void emit_equation(emitter *e, const ttc_equation *equation)
     ttc_text_add(e->text, field->time != NULL ? ");\n" : ";\n");
 }
 
-/* Emit r' = sum_j dq/dx_j x_j' / (2 r) for a lifted root r = sqrt(q), from the x_j' in `out`, which are written before. */
+/* r' = sum_j dq/dx_j x_j' / (2 r), from the derivatives written before. */
 static void emit_lifted(emitter *e, uint32_t root)
 {
     const ttc_field *field = e->field;

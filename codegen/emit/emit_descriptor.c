@@ -44,7 +44,7 @@ static void describe_field(ttc_text *text, ttc_field *field)
     text->failed |= line.failed;
 }
 
-/* Append a line of the header, broken after commas if it is long. */
+/* A line of the header, broken after commas if it is long. */
 static void add_wrapped(ttc_text *text, char *line)
 {
     enum { WIDTH = 112 };
@@ -63,7 +63,7 @@ static void add_wrapped(ttc_text *text, char *line)
     }
 }
 
-/* Append where the field and its Jacobian lose digits, one item a line. */
+/* Losses of the field and its Jacobian, one a line. */
 static void add_accuracy(ttc_text *text, ttc_kernels *k)
 {
     ttc_text losses = { 0 };

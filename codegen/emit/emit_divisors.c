@@ -1,6 +1,6 @@
-/* Writes the divisors of the equations as the table writes them, before anything is cancelled; they are nonzero in the domain. A
- * kernel in which a divisor cancels shows nothing of its zeros, so starts are checked against these values. Also written are the
- * divisors of integrals and densities in parameters alone: where they vanish, no kernel can be prepared. */
+/* Writes the divisors of the equations as the table has them, before anything cancels; they are nonzero in the domain. A kernel in
+ * which a divisor cancels shows nothing of its zeros, so starts are checked against these values. Also the divisors of integrals
+ * and densities in parameters alone: where they vanish, no kernel can be prepared. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 typedef struct {
     const ttc_claim *claim; /* the claim that divides by it; NULL: the equations do */
     ttc_id written;         /* as the table writes it */
-    ttc_id outputs[2];      /* in the field's symbols: the factor, and `squares` of it */
+    ttc_id outputs[2];      /* in the field's symbols, and `squares` of it */
 } factor;
 
 typedef struct {
@@ -21,8 +21,7 @@ typedef struct {
     bool failed;
 } factor_list;
 
-/* The expression with the square of each number and symbol in their place: the scale of its rounding errors, squared. A value far
- * smaller than the square root of this is lost in rounding. */
+/* The expression with each number and symbol squared: a value far below the square root of this is lost in rounding. */
 static ttc_id squares(ttc_graph *graph, ttc_id id)
 {
     ttc_id result;
@@ -56,7 +55,7 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
     for (size_t i = 0; i < list->count; i++)
         if (list->factors[i].outputs[0] == id) return;
     const ttc_id sum = squares(graph, id);
-    if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* a power exceeds the graph's limits: the factor is left out */
+    if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* a power exceeds the graph's limits: leave it out */
     if (sum == TTC_NONE) return;
     factor *factors = ttc_array_more(list->factors, list->count, sizeof *factors);
     list->failed |= factors == NULL;
@@ -81,7 +80,7 @@ static bool find_factors(factor_list *list)
     return !list->failed;
 }
 
-/* Append the condition that the divisor is not zero; general words if it is too long to be printed. */
+/* The condition that a divisor is not zero; general words if that is too long. */
 static void add_text(ttc_text *text, const ttc_model *model, ttc_id id)
 {
     char *written = ttc_print_relation(model, id, " != 0");

@@ -1,7 +1,6 @@
-/* Writes the function that computes Taylor coefficients of the solution, order by order: each operation of the field's program
- * becomes the recurrence of its series (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating Derivatives,
- * 2nd ed., 2008, ch. 13). Values that depend on parameters alone are numbers, not series. Coefficients and numbers are doubles, or
- * vectors of lanes. */
+/* Writes Taylor coefficients of the solution, order by order: each operation of the field's program becomes the recurrence of its
+ * series (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., 2008, ch. 13). What
+ * depends on parameters alone is a number. Coefficients and numbers are doubles, or vectors of lanes. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -23,7 +22,7 @@ static void add_name(jet *j, ttc_value value)
     else ttc_text_format(j->text, "t%u", value);
 }
 
-/* Append a value's name; on lanes, a constant as a vector. */
+/* A value's name; on lanes, a constant as a vector. */
 static void add_as_number(jet *j, ttc_value value)
 {
     const ttc_op op = ttc_program_at(j->program, value)->op;
@@ -34,7 +33,7 @@ static void add_as_number(jet *j, ttc_value value)
     ttc_text_add(j->text, is_constant ? ")" : "");
 }
 
-/* A number between these is coefficient k of a series in which only that of order 0 is not zero. */
+/* A number as coefficient k of a series: only that of order 0 is not zero. */
 static void open_number(jet *j)
 {
     ttc_text_add(j->text, "(k == 0 ? ");
@@ -174,7 +173,7 @@ static const char *number_function(const jet *j, ttc_op op)
     return j->lanes ? on_lanes[op] : ttc_emit_function_name(op);
 }
 
-/* Emit the definition of a number: a value that depends on parameters alone. */
+/* A number: a value that depends on parameters alone. */
 static void add_number(jet *j, ttc_value value, const ttc_instruction *i)
 {
     static const char *const signs[] = {
@@ -244,7 +243,7 @@ static bool find_series(jet *j)
     return true;
 }
 
-/* Emit the coefficients of order 0, and the loop that computes those of order k + 1 from those up to k. */
+/* The coefficients of order 0, and the loop over higher orders. */
 static void add_orders(jet *j, size_t states, size_t columns)
 {
     const char *stride = j->lanes ? "*stride" : "";

@@ -24,7 +24,7 @@ static bool reads_input(const ttc_program *program, unsigned index)
     return false;
 }
 
-/* Emit STEM_NAME, an inline kernel that gets its states in registers. */
+/* STEM_NAME, an inline kernel with its states in registers. */
 static void add_inline(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind, const char *name)
 {
     const ttc_program *program = kernels->kernels[kind].optimized;
@@ -57,7 +57,7 @@ static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     ttc_text_add(text, "}\n");
 }
 
-/* Emit the kernel `name`, which loads the states and calls the inline kernel `inlined`. */
+/* The kernel `name`, which loads the states for the inline kernel `inlined`. */
 static void add_loading(ttc_text *text, const ttc_field *field, const char *name, const char *inlined)
 {
     ttc_text_add(text, "\nstatic void ");
@@ -70,11 +70,10 @@ static void add_loading(ttc_text *text, const ttc_field *field, const char *name
     ttc_text_add(text, "p, out, stride);\n}\n");
 }
 
-/* Up to this many states, the accumulators of two vectors, a weight and a slope fit in the 16 registers of the narrower sets. */
+/* Up to so many states, the accumulators of two vectors, a weight and a slope fit in the 16 registers of the narrower sets. */
 enum { SIDE_BY_SIDE_MAX = 7 };
 
-/* A vector of each row that the emitted code works on: `at`, a C expression, is its offset in the row, and its accumulators are
- * LETTER0, LETTER1, ... */
+/* A vector of each row: `at`, a C expression, is its offset, and its accumulators are LETTER0, LETTER1, ... */
 typedef struct {
     char letter;
     const char *at;
@@ -101,8 +100,8 @@ static void add_arguments(ttc_text *text, const ttc_field *field, const char *na
     for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "%c%zu, ", letter, i);
 }
 
-/* Emit the evaluation of the slopes at x + h * sum. columns: the number of states, plus one for the clock, if carried, whose slope
- * is dt/dtau. Each vector has prepared values of its own, one vector's after the other's. */
+/* Slopes at x + h * sum. columns: the states, and one more for the clock, if carried, whose slope is dt/dtau. Each vector has
+ * prepared values of its own, one vector's after the other's. */
 static void add_slope_of_sum(ttc_text *text, const ttc_kernels *kernels, size_t columns, const side *s)
 {
     const ttc_field *field = kernels->field;
@@ -125,7 +124,7 @@ static void add_slope_of_sum(ttc_text *text, const ttc_kernels *kernels, size_t 
     ttc_text_add(text, "        }\n");
 }
 
-/* Emit the loop over stages for `count` vectors, whose sums are computed side by side. */
+/* The loop over stages, for vectors whose sums are computed side by side. */
 static void add_stage_loop(ttc_text *text, const ttc_kernels *kernels, size_t columns, const side *sides, size_t count)
 {
     const size_t n = kernels->field->state_count;
@@ -144,7 +143,7 @@ static void add_stage_loop(ttc_text *text, const ttc_kernels *kernels, size_t co
     ttc_text_add(text, "    }\n");
 }
 
-/* Emit the clock's value at the end, which only the last stage needs. */
+/* The clock at the end, which only the last stage needs. */
 static void add_clock_end(ttc_text *text, size_t n)
 {
     ttc_text_format(text, "    for (unsigned at = 0; at < row; at += JLT_LANES) {\n"

@@ -1,15 +1,15 @@
-/* Writes Runge-Kutta stages of the variational equations on lanes. Each stage evaluates field and Jacobian once, and multiplies
- * the Jacobian, without its identically zero entries, by the tangent vectors. A vector of lanes goes through all stages before
- * the next one does, so that its slopes stay in cache. The case of two tangent vectors, as for a section with two coordinates, has
- * a function of its own: it sums them together with the states, and keeps as much of the Jacobian in registers as it can. */
+/* Writes Runge-Kutta stages of the variational equations on lanes: field and Jacobian once a stage, and the products of the
+ * Jacobian, without its identically zero entries, with the tangent vectors. A vector of lanes goes through all stages before the
+ * next one, so that its slopes stay in cache. Two tangent vectors, as for a section with two coordinates, have a function of their
+ * own: they are summed with the states, and the Jacobian stays in registers as far as it can. */
 #include "emit/emit.h"
 
 #include <stdio.h>
 
-/* Up to this many states, the sums of one stage fit in 32 registers. */
+/* Up to so many states, the sums of one stage fit in 32 registers. */
 enum { TOGETHER_MAX = 7 };
 
-/* One column for each state, from `base`, a C expression, on; their sums are LETTER0, LETTER1, ... */
+/* One column for each state, from `base`, a C expression, on, with sums LETTER0, LETTER1, ... */
 typedef struct {
     char letter;
     const char *base;
@@ -21,7 +21,7 @@ static bool is_zero(const ttc_program *program, size_t output)
     return i->op == TTC_OP_CONSTANT && fmpq_is_zero(i->constant);
 }
 
-/* Emit the arguments of the stage in these columns, x + h * sum. */
+/* The arguments of the stage in these columns: x + h * sum. */
 static void add_sums(ttc_text *text, size_t n, const columns *c, size_t count, const char *indent)
 {
     ttc_text_format(text, "%sconst double *slope = k + (columns*sum->slope[0])*row + at;\n"
@@ -49,7 +49,7 @@ static void add_sums(ttc_text *text, size_t n, const columns *c, size_t count, c
     ttc_text_format(text, "%s}\n", indent);
 }
 
-/* Emit a call of an inline kernel with the prepared values of the vector of lanes. */
+/* A call with the prepared values of the vector of lanes. */
 static void add_call(ttc_text *text, const ttc_field *field, const char *name, const char *out)
 {
     ttc_text_add(text, "            ");
@@ -59,7 +59,7 @@ static void add_call(ttc_text *text, const ttc_field *field, const char *name, c
     ttc_text_format(text, "own, %s);\n", out);
 }
 
-/* Emit the slopes of the states, of the integral of the divergence, and of t, from field and Jacobian in `linear`. */
+/* Slopes of the states, the integral of the divergence, and t, from field and Jacobian in `linear`. */
 static void add_slopes(ttc_text *text, const ttc_kernels *kernels)
 {
     const ttc_field *field = kernels->field;
@@ -103,7 +103,7 @@ static void add_product(ttc_text *text, const ttc_kernels *kernels, const column
     }
 }
 
-/* Emit the values at the end of the two integrals, which only the last stage needs. */
+/* The two integrals at the end, which only the last stage needs. */
 static void add_integrals(ttc_text *text)
 {
     ttc_text_add(text, "        for (size_t i = columns - 2; i < columns; i++) {\n"
@@ -146,7 +146,7 @@ static void end_stages(ttc_text *text)
     ttc_text_add(text, "    }\n}\n");
 }
 
-/* Emit `stages_pair`, the function for two tangent vectors. */
+/* The function for two tangent vectors. */
 static void add_pair(ttc_text *text, const ttc_kernels *kernels)
 {
     const size_t n = kernels->field->state_count;

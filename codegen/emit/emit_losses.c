@@ -57,7 +57,7 @@ static ttc_id definition_of(const ttc_field *field, ttc_id id)
     return s->role == TTC_ROLE_UNIT ? s->definition : id;
 }
 
-/* Whether a value stays away from zero: by its bounds, or as a sum of nonnegative terms with a positive constant. */
+/* Whether a value stays away from zero: by bounds, or as a sum of nonnegative terms with a positive constant. */
 static bool is_bounded_below(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;

@@ -1,10 +1,10 @@
-/* Writes the file table.c of a model, which its descriptors share: the table itself, its claims with their verdicts, and the list
- * of the descriptors. */
+/* Writes the file table.c of a model, which its descriptors share: the table itself, its claims with their verdicts, the list of
+ * descriptors. */
 #include "emit/emit.h"
 
 #include "prove/section_chart.h"
 
-/* Append a table as an array of characters: a conforming compiler need not accept a string literal of this length. */
+/* An array of characters: a conforming compiler need not accept so long a string literal. */
 static void add_table(ttc_text *text, const ttc_model *model)
 {
     ttc_text_add(text, "[] = {");
@@ -18,8 +18,7 @@ static void add_table(ttc_text *text, const ttc_model *model)
     ttc_text_add(text, "\n    '\\0'\n};\n");
 }
 
-/* Append SHA-256 of the table that a claim leads to, and the name of that table's parameter that ttc_emit_renamed finds, both in
- * quotation marks, or NULL if there is none. */
+/* SHA-256 of a claim's target, and the name that ttc_emit_renamed finds, in quotation marks; NULL where there is none. */
 static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *claim)
 {
     ttc_diagnostics *ignored = claim != NULL && claim->target != NULL ? ttc_diagnostics_create() : NULL;
@@ -75,7 +74,7 @@ static void add_family(ttc_text *text, const ttc_catalogue *catalogue)
     ttc_text_clear(&list);
 }
 
-/* Append the tables of coordinates, under the names of their sections. */
+/* Tables of coordinates, under the names of their sections. */
 static void add_charts(ttc_text *text, const ttc_model *model)
 {
     char reason[256];

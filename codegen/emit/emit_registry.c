@@ -10,7 +10,7 @@ typedef struct {
     int model_length, hash_length, file_length;
 } row;
 
-/* Read the row at *line, and advance *line to the next. Returns false at the end of the list. Missing columns are empty. */
+/* Read the row at *line, and advance *line. Returns false at the end. Missing columns are empty. */
 static bool next_row(const char **line, row *out)
 {
     const char *columns[6] = { 0 };
@@ -31,7 +31,7 @@ static bool next_row(const char **line, row *out)
     return true;
 }
 
-/* Append MODEL_STEM for a row with the file MODEL/STEM.c. Returns false for a field without a file. */
+/* MODEL_STEM of a row MODEL/STEM.c. Returns false for a field without a file. */
 static bool add_name(ttc_text *name, const row *r)
 {
     int stem = r->file_length - r->model_length - 3;

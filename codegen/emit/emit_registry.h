@@ -5,7 +5,7 @@
 #include "kernels/catalogue.h"
 #include "base/text.h"
 
-/* Manifest and operation counts, as lines of columns separated by tabs: the titles, and the rows of one model. */
+/* Manifest and counts, columns separated by tabs: the titles, then the rows of each model. */
 void ttc_emit_manifest_titles(ttc_text *text);
 void ttc_emit_manifest_rows(ttc_text *text, const ttc_catalogue *catalogue);
 void ttc_emit_counts_titles(ttc_text *text);
@@ -14,10 +14,10 @@ void ttc_emit_counts_rows(ttc_text *text, const ttc_catalogue *catalogue);
 /* registry.c: the descriptors of all fields that a manifest lists. */
 void ttc_emit_registry(ttc_text *text, const char *manifest);
 
-/* Append the rows of a model from an older list, whose first column names the model. Returns the number of rows. */
+/* Append a model's rows from an older list, whose first column names the model. Returns their number. */
 size_t ttc_copy_rows(ttc_text *text, const char *list, const char *model);
 
-/* Whether an older manifest says that the model's files were written from this very table: equal SHA-256 in all its rows. */
+/* Whether an older manifest says that a model's files were written from this very table. */
 bool ttc_manifest_has(const char *manifest, const ttc_model *model);
 
 #endif

@@ -1,8 +1,7 @@
 /* Writes the reversors of the table that only change signs of states. */
 #include "emit/emit.h"
 
-/* Whether a claim is a reversor that only changes signs of states and has no condition; only for fields in the model's own time
- * with all states. */
+/* A reversor without condition that only changes signs of states; for fields with all states, in the model's own time. */
 static bool changes_signs(const ttc_field *field, const ttc_claim *claim)
 {
     const ttc_model *model = field->model;

@@ -1,5 +1,5 @@
-/* Writes poles, and sections with coordinates of their own: their tables, and kernels whose parameters are the raw ones followed
- * by the levels. Functions of the coordinates come from the coordinates' table, the chart, whose expressions are in its graph. */
+/* Writes poles, and sections with coordinates of their own: tables, and kernels on raw parameters followed by the levels.
+ * Functions of the coordinates come from their table, the chart, whose expressions are in its own graph. */
 #include "emit/emit.h"
 
 #include "prove/section_chart.h"
@@ -33,13 +33,13 @@ typedef struct {
     size_t number; /* index among the sections that are written */
     ttc_model *chart;
     ttc_field *field;   /* of the chart */
-    uint32_t *slopes;   /* symbols of the chart to differentiate by: coordinates, then levels */
+    uint32_t *slopes;   /* symbols of the chart: coordinates, then levels */
     size_t slope_count;
     bool *is_angle;     /* by coordinate, in the order of the chart */
     ttc_id *ids;        /* room for the outputs of any kernel */
 } section_emitter;
 
-/* Emit a kernel of the section: the first `count` expressions of e->ids, in the symbols of `field`. */
+/* A kernel of the first `count` expressions in e->ids, in the symbols of `field`. */
 static bool emit_program(section_emitter *e, const char *name, ttc_field *field, size_t count)
 {
     return ttc_emit_numbered(e->text, "section", e->number, name, field, e->ids, count);
@@ -200,8 +200,7 @@ static void add_entry(ttc_text *table, const section_emitter *e)
     ttc_text_add(table, "\" },\n");
 }
 
-/* Allocate memory, make the chart's field with its parameters placed among those that kernels get, and list the symbols to
- * differentiate by. */
+/* Allocate memory, place the chart's parameters among those that kernels get, and list the symbols to differentiate by. */
 static bool prepare(section_emitter *e)
 {
     const ttc_model *model = e->kernels->field->model, *chart = e->chart;

@@ -1,4 +1,4 @@
-/* Finds what gives the parameters of a table to which a claim leads: parameters of this table with the same names, or others. */
+/* Finds what gives the parameters of a claim's target: parameters of this table with their names, or others. */
 #include "emit/emit.h"
 
 #include "prove/image.h"
@@ -8,7 +8,7 @@
 
 enum { OWN, PARAMS, LEVEL, OTHER_LEVEL }; /* jlt_source */
 
-/* Whether an integral of this table has this name but is another quantity than the value. */
+/* Whether an integral has this name but is another quantity. */
 static bool is_other_integral(const ttc_model *model, const char *name, ttc_id value, bool is_root)
 {
     uint32_t claim;

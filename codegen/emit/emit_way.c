@@ -1,6 +1,5 @@
-/* Writes what a field says of tables that serve in place of its own: its tier, the ways to the others and back, all on raw
- * parameters, and its states completed by lifted roots. Functions of another table's states are expressions in that table's
- * graph. */
+/* Writes what a field says of tables that serve in place of its own: its tier, the ways to them and back, all on raw parameters,
+ * and its states completed by lifted roots. Functions of another table's states are in that table's graph. */
 #include "emit/emit.h"
 
 #include "prove/way_table.h"
@@ -80,7 +79,7 @@ typedef struct {
     size_t number;           /* index among the ways that are written */
     ttc_model *table;        /* the other table */
     const ttc_claim *back;   /* the other table's claim that leads back */
-    ttc_field *field;        /* the other table's field, in the time of the same name if it has one */
+    ttc_field *field;        /* its field, in the time of the same name */
     ttc_id *ids;             /* room for the outputs of any kernel */
     unsigned char *is_root;  /* by parameter of the other table */
     unsigned char *sources;

@@ -1,5 +1,5 @@
-/** The files that emitted code includes, the same for all models. They are copied from codegen/runtime/ byte for byte; the build
- *  embeds them in the table below (tools/cmake/Embed.cmake), so that ttc is one file that needs no others. */
+/** The files that emitted code includes, the same for all models. The build embeds those in codegen/runtime/, byte for byte, in
+ *  the table below (tools/cmake/Embed.cmake), so that ttc is one file that needs no others. */
 #ifndef TTC_RUNTIME_H
 #define TTC_RUNTIME_H
 
