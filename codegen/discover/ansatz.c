@@ -33,7 +33,7 @@ static uint32_t signs_of(const ttc_sign_changes *changes, size_t change_count, s
     return signs;
 }
 
-/* counts, shape (degree + 1, weights, signs), has the numbers of monomials in the quantities so far; each quantity updates it. */
+/* counts, shape (degree + 1, weights, signs): numbers of monomials in the quantities so far. */
 void ttc_ansatz_measure(double *total, double *largest, const ttc_flow *flow, int degree, const ttc_sign_changes *changes,
                         size_t change_count, const ttc_grading *grading)
 {

@@ -30,7 +30,7 @@ static void add_power(ttc_text *text, const char *base, bool is_sum, ulong expon
     if (exponent > 1) ttc_text_format(text, "^%lu", (unsigned long)exponent);
 }
 
-/* Append the absolute value of a coefficient as a product. Returns false, and appends nothing, if it is 1. */
+/* The absolute value of a coefficient, as a product. Returns false, and appends nothing, if it is 1. */
 static bool add_coefficient(ttc_text *text, const ttc_flow *flow, const fmpz_mpoly_t coefficient, bool *is_negative)
 {
     bool has_factor = false;

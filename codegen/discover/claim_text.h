@@ -5,13 +5,13 @@
 #include "base/text.h"
 #include "discover/flow.h"
 
-/* Append the terms by falling degree in the quantities, each coefficient as a product of its irreducible factors. */
+/* The terms by falling degree in the quantities, each coefficient as a product of irreducible factors. */
 void ttc_claim_text_add(ttc_text *text, const ttc_flow *flow, const fmpz_mpoly_t polynomial);
 
-/* Append a ratio, its numerator and denominator each as above, in parentheses where needed. */
+/* A ratio, both parts as above, in parentheses where needed. */
 void ttc_claim_text_add_ratio(ttc_text *text, const ttc_flow *flow, const ttc_ratio *ratio);
 
-/* Append text with long lines broken before signs between terms, where the language allows it; continued lines are indented. */
+/* text with long lines broken before signs between terms, where the language allows it; continued lines are indented. */
 void ttc_claim_text_wrap(ttc_text *out, const char *text);
 
 #endif

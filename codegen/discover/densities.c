@@ -2,7 +2,7 @@
 #include "discover/claim_text.h"
 #include "discover/discover.h"
 
-/* Publish base' = -2 div f base: what remains of the density sqrt(base) if base changes its sign on the domain. */
+/* base' = -2 div f base, in place of the density sqrt(base) where base changes its sign on the domain. */
 static bool publish_square(ttc_discovery *d, const char *base)
 {
     char *name = ttc_discovery_name(d, "square");
@@ -17,7 +17,7 @@ static bool publish_square(ttc_discovery *d, const char *base)
     return proved;
 }
 
-/* Write the claim of a density. A square root is a record of its own, and its base must have one sign. */
+/* A square root needs a record of its own, and a base of one sign. */
 static void write_density(ttc_text *claim, ttc_discovery *d, const char *name, const char *base, int power, bool negative)
 {
     char *root = power == 2 ? ttc_discovery_name(d, "root") : NULL;

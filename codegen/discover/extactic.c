@@ -36,8 +36,7 @@ static void extactic_clear(extactic *e)
     fmpz_mpoly_clear(e->common, e->context);
 }
 
-/* Multiply the rates by their common denominator: a change of time, which keeps invariant sets, that makes them polynomials.
- * Returns false if no common denominator was found. */
+/* A change of time, which keeps invariant sets, makes the rates polynomials. Returns false if no common denominator was found. */
 static bool set_rates(extactic *e)
 {
     const ttc_flow *flow = e->flow;
@@ -60,7 +59,7 @@ static bool set_rates(extactic *e)
     return good;
 }
 
-/* Set the first row to the monomials of degree 1 to `degree`, 1 or 2, which set_rows then differentiates. */
+/* The first row before derivatives: the monomials of degree 1 to `degree`, 1 or 2. */
 static void set_monomials(extactic *e, int degree)
 {
     const ttc_flow *flow = e->flow;
@@ -80,7 +79,7 @@ static void set_monomials(extactic *e, int degree)
     fmpz_mpoly_clear(factor, e->context);
 }
 
-/* out = the derivative of `of` along the polynomial rates; out and `of` must differ. Returns false if it has too many terms. */
+/* out = rate of `of`, from which it must differ. Returns false if it has too many terms. */
 static bool derive(extactic *e, fmpz_mpoly_t out, const fmpz_mpoly_t of)
 {
     fmpz_mpoly_t part;
@@ -109,7 +108,7 @@ static bool set_rows(extactic *e)
     return good;
 }
 
-/* The first column, from the diagonal on, with a nonzero entry in this row; e->size if there is none. */
+/* The first column from the diagonal on with a nonzero entry in this row, or e->size. */
 static size_t pivot_of(extactic *e, size_t row)
 {
     size_t column = row;
@@ -117,8 +116,8 @@ static size_t pivot_of(extactic *e, size_t row)
     return column;
 }
 
-/* Compute the determinant, up to its sign, in the last entry, by fraction-free elimination (Bareiss). Returns false if an entry
- * gets too many terms. */
+/* The determinant, up to its sign, in the last entry, by fraction-free elimination (Bareiss). Returns false if an entry gets too
+ * long. */
 static bool eliminate(extactic *e)
 {
     bool good = true;
@@ -147,8 +146,8 @@ static bool eliminate(extactic *e)
     return good;
 }
 
-/* Whether P' = K P with P not in the denominator of K: P divides `rate`, which is P' times the common denominator, to a higher
- * power than it divides that denominator. */
+/* Whether P' = K P with P not in the denominator of K: P divides `rate`, P' times the common denominator, to a higher power than
+ * that denominator. */
 static bool is_invariant(const extactic *e, const fmpz_mpoly_t polynomial, const fmpz_mpoly_t rate)
 {
     fmpz_mpoly_t quotient, common;
@@ -163,7 +162,7 @@ static bool is_invariant(const extactic *e, const fmpz_mpoly_t polynomial, const
     return invariant;
 }
 
-/* Whether the polynomial, up to its sign, was found before, with a constant cofactor. */
+/* Whether it was found before, up to its sign, with a constant cofactor. */
 static bool is_known(const ttc_discovery *d, const fmpz_mpoly_t polynomial)
 {
     const fmpz_mpoly_ctx_struct *context = d->flow->ring->context;
@@ -179,7 +178,7 @@ static bool is_known(const ttc_discovery *d, const fmpz_mpoly_t polynomial)
     return known;
 }
 
-/* Remark an integral, at any length. Its degree is above N: otherwise the determinant would be zero. */
+/* A remark of any length. Of degree N or less the integral would make the determinant zero. */
 static void say_integral(ttc_discovery *d, const fmpz_mpoly_t polynomial)
 {
     ttc_text text = { 0 };
@@ -209,7 +208,7 @@ static void say(ttc_discovery *d, const fmpz_mpoly_t polynomial, const ttc_ratio
     flint_free(name);
 }
 
-/* Examine a factor of the determinant, and add it to `out` if it is invariant and no integral. Returns NULL, or why this failed. */
+/* Examine a factor of the determinant; add it to `out` if it is invariant and no integral. Returns NULL, or why this failed. */
 static const char *look_at(ttc_discovery *d, extactic *e, ttc_factors *out, const fmpz_mpoly_t polynomial)
 {
     ttc_ring *ring = d->flow->ring;
@@ -234,7 +233,7 @@ static const char *look_at(ttc_discovery *d, extactic *e, ttc_factors *out, cons
     return out->is_full ? "there are too many of them" : NULL;
 }
 
-/* Examine all factors of the determinant. Returns NULL, or why not all were examined. */
+/* Returns NULL, or why not all factors of the determinant were examined. */
 static const char *collect(ttc_discovery *d, extactic *e, ttc_factors *out, const fmpz_mpoly_t determinant)
 {
     const char *why = NULL;
@@ -252,7 +251,7 @@ static const char *collect(ttc_discovery *d, extactic *e, ttc_factors *out, cons
     return why;
 }
 
-/* Compute the determinant for the greatest N, 1 or 2, for which it does not get too many terms. Returns false if there is none. */
+/* The determinant for the greatest N, 1 or 2, for which it does not get too long. Returns false if there is none. */
 static bool set_determinant(ttc_discovery *d, extactic *e)
 {
     bool good = false;

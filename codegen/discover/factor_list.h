@@ -1,4 +1,4 @@
-/** A list of distinct irreducible polynomials that change along the motion. */
+/** Irreducible polynomials that change along the motion, each once. */
 #ifndef TTC_FACTOR_LIST_H
 #define TTC_FACTOR_LIST_H
 
@@ -16,13 +16,12 @@ typedef struct {
 void ttc_factors_init(ttc_factors *factors, const ttc_flow *flow);
 void ttc_factors_clear(ttc_factors *factors);
 
-/* Add a polynomial, or with _all its irreducible factors. Those without quantities, integrals, and those in the list are
- * skipped. */
+/* Add a polynomial, or all its irreducible factors, but those without quantities, integrals, and known ones. */
 void ttc_factors_add(ttc_factors *factors, const fmpz_mpoly_t polynomial);
 void ttc_factors_add_all(ttc_factors *factors, const fmpz_mpoly_t polynomial);
 
-/* The square of a root is the product of the factors of its radicand. `drop` removes the longest of these factors, which depends on
- * the root and the others; `join` replaces those that are in the list by the radicand. */
+/* The square of a root is the product of its radicand's factors. Drop the longest of these, which depends on the root and the
+ * others; or put the radicand in place of those in the list. */
 void ttc_factors_drop_radicands(ttc_factors *factors);
 void ttc_factors_join_radicands(ttc_factors *factors);
 

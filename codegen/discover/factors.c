@@ -1,4 +1,4 @@
-/* Finds polynomials with P' = cofactor P, where the cofactor is a function of the parameters. */
+/* Finds polynomials with P' = cofactor P, the cofactor a function of parameters. */
 #include "discover/claim_text.h"
 #include "discover/discover.h"
 #include "discover/extactic.h"
@@ -11,13 +11,13 @@ enum {
     OTHER_FIELDS = 40
 };
 
-/* unsaid: integrals that are not reported, but account for solutions with cofactor 0. */
+/* unsaid: integrals that are not reported, but explain cofactors 0. */
 typedef struct {
     ttc_discovery *d;
     ttc_knowns unsaid;
 } factors;
 
-/* Integrals and factors in one list: a product with an integral is no new factor. The list borrows its items. */
+/* Integrals and factors together: a product with an integral is no new factor. The items are borrowed. */
 static ttc_knowns products_of(const factors *f)
 {
     const ttc_knowns *parts[] = { &f->d->integrals, &f->unsaid, &f->d->factors };
@@ -28,7 +28,7 @@ static ttc_knowns products_of(const factors *f)
     return all;
 }
 
-/* The lists that finds are added to, and all that is known, in one list. */
+/* All that is known, and where finds are added. */
 typedef struct {
     factors *f;
     ttc_knowns products;
@@ -88,7 +88,7 @@ static int ascending(const void *left, const void *right)
     return a < b ? -1 : a > b;
 }
 
-/* All nonzero residues that may be cofactors in some sector, ascending. Returns false if those of some sector are not known. */
+/* All nonzero residues that may be cofactors in some sector. Returns false if those of some sector are not known. */
 static bool cofactors_of(ulong **out, size_t *kept, ttc_discovery *d, const ttc_ansatz *ansatz)
 {
     size_t count = 0;
@@ -111,8 +111,8 @@ static ttc_question question_of(int degree, ulong cofactor, const ttc_knowns *pr
     return (ttc_question){ .degree = degree, .shift = cofactor, .has_cofactor = true, .keeps_signs = true, .products = products };
 }
 
-/* Whether, in the current field and at the current parameters, products of known functions are all solutions for every possible
- * cofactor; also for 0, which is the image of a cofactor that happens to vanish there. */
+/* Whether products of known functions explain all cofactors in the current field at the current parameters; 0 as well, which is
+ * the image of a cofactor that happens to vanish there. */
 static bool is_explained(const factors *f, const ttc_ansatz *ansatz, int degree)
 {
     ttc_discovery *d = f->d;
@@ -140,9 +140,9 @@ static bool take_prime(const factors *f, ulong prime)
     return found;
 }
 
-/* Whether there are no other cofactors that are rational in the parameters. Such a cofactor has an image in every field at all
- * parameters, an irrational one only where it happens to lie in the field. So one field in which known products explain all
- * cofactors is a proof. */
+/* Whether there are no other cofactors rational in the parameters. Such a one has an image in all fields, at all parameters, an
+ * irrational one where it happens to lie in the field: a field in which products explain all cofactors proves that there is no
+ * other. */
 static bool is_complete(const factors *f, const ttc_ansatz *ansatz, int degree)
 {
     ttc_discovery *d = f->d;
@@ -159,7 +159,7 @@ static bool is_complete(const factors *f, const ttc_ansatz *ansatz, int degree)
     return complete;
 }
 
-/* Find the factors up to this degree. Returns false if this takes too large a matrix. */
+/* Returns false if the degree takes too large a matrix. */
 static bool search_degree(factors *f, int degree, bool *complete)
 {
     ttc_discovery *d = f->d;

@@ -22,7 +22,7 @@ bool ttc_flow_moves(const ttc_flow *flow, const ttc_ratio *a)
     return false;
 }
 
-/* The ring's variable of a symbol, or -1 if the symbol's value, which is set in any case, is not that variable itself. */
+/* The variable of a symbol, or -1 if the symbol's value, set in any case, is another. */
 static slong own_variable(ttc_flow *flow, uint32_t symbol, ttc_ratio *value)
 {
     const slong variable = ttc_valuation_variable(flow->valuation, symbol);
@@ -42,8 +42,7 @@ static void add_quantity(ttc_flow *flow, slong variable, bool is_root)
     flow->is_root[flow->count++] = is_root;
 }
 
-/* Add the states, and the functions that have a variable of their own and a nonzero rate, as quantities; other variables are
- * parameters. */
+/* States, and functions with a variable of their own and a nonzero rate, are quantities; other variables are parameters. */
 static void add_plain(ttc_flow *flow)
 {
     ttc_ratio value;
@@ -74,7 +73,7 @@ int ttc_flow_degree(const ttc_flow *flow, const fmpz_mpoly_t a)
     return most;
 }
 
-/* Add the roots whose radicands contain quantities; their rates follow from (r^2)' = 2 r r'. */
+/* Roots whose radicands contain quantities. (r^2)' = 2 r r'. */
 static void add_roots(ttc_flow *flow)
 {
     fmpq_t half;
@@ -173,8 +172,8 @@ void ttc_flow_destroy(ttc_flow *flow)
     flint_free(flow);
 }
 
-/* Set the roots that are quantities (moving), or those that are not, from their squares, with random signs. Returns false if a
- * square has no value, is zero, or has no root mod p. */
+/* The roots that are quantities, or those that are not, from their squares, with random signs. Returns false if a square has no
+ * value, is zero, or is none mod p. */
 static bool take_roots(const ttc_flow *flow, ulong *values, bool moving, uint64_t *source)
 {
     for (size_t i = 0; i < flow->ring->generator_count; i++) {

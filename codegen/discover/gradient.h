@@ -4,9 +4,8 @@
 
 #include "discover/span.h"
 
-/** Returns true if no function relates `value` to the known functions, which is certain; false if one does, or if the point was an
- *  unlucky one. Exponentials and logarithms count as independent of their arguments. parameters: those of the point, shape
- *  (variable_count,); other entries are overwritten. */
+/** Returns true if no function relates `value` to the known ones, which is certain; false if one does, or the point was an unlucky
+ *  one. Exponentials and logarithms count as independent of their arguments. parameters: as in ttc_flow_draw. */
 bool ttc_gradient_is_new(const ttc_flow *flow, const ttc_knowns *knowns, const ttc_ratio *value, ulong *parameters,
                          uint64_t *source);
 

@@ -14,8 +14,7 @@ typedef struct {
     ttc_factors list;
 } factors;
 
-/* Gather the factors. Roots and divisors, which cannot vanish on the domain, come first and states last, so that a density is made
- * of the former if possible. */
+/* Roots and divisors, which cannot vanish on the domain, come first: a density is a product of these if possible. */
 static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given, size_t given_count)
 {
     ttc_discovery *d = f->d;
@@ -44,7 +43,7 @@ static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given
     fmpz_mpoly_clear(variable, flow->ring->context);
 }
 
-/* Each row is a random point with random parameters: the logarithmic rates of the factors, then the divergence. */
+/* One row for each random point with random parameters: logarithmic rates of the factors, and the divergence. */
 static bool fill(nmod_mat_t rows, const factors *f)
 {
     ttc_discovery *d = f->d;
@@ -80,7 +79,7 @@ static bool fill(nmod_mat_t rows, const factors *f)
     return good && flow->ring->status == TTC_RING_OK;
 }
 
-/* Append the factors whose exponents have this sign, in parentheses if there are several and `apart`. Returns their number. */
+/* The factors with exponents of this sign, in parentheses if there are several and `apart`. Returns their number. */
 static size_t add_side(ttc_text *text, const factors *f, const long *exponents, long sign, bool apart)
 {
     size_t count = 0, at = 0;
@@ -143,7 +142,7 @@ static void say_integral(factors *f, const long *exponents)
     ttc_ratio_clear(d->flow->ring, &value);
 }
 
-/* exponents: those of the density, or twice those if `halves`. */
+/* exponents: those of the density, twice if `halves`. */
 static void say_density(factors *f, const long *exponents, bool halves)
 {
     ttc_discovery *d = f->d;
@@ -159,8 +158,7 @@ static void say_density(factors *f, const long *exponents, bool halves)
     ttc_ratio_clear(d->flow->ring, &value);
 }
 
-/* exponents = rational exponents, given as residues, times their common denominator. Returns false if they are no small rational
- * numbers. */
+/* Rational exponents, from residues, times their common denominator. Returns false if they are no small rational numbers. */
 static bool whole_exponents(long *exponents, long *denominator, const ulong *residues, size_t count, nmod_t mod)
 {
     bool good = true;

@@ -12,8 +12,7 @@ static void tell(ttc_discovery *d, const ttc_question *question, size_t sector, 
     d->host.progress(d->host.context, text);
 }
 
-/* The number of sign changes that keep sectors apart; a constant cofactor changes its sign with time, so the backward one does
- * not. */
+/* How many sign changes keep sectors apart: a constant cofactor changes its sign with time. */
 static size_t changes_of(const ttc_discovery *d, const ttc_question *question)
 {
     return !question->keeps_signs ? 0 : d->changes.count - (question->has_cofactor && d->changes.last_is_backwards);
@@ -24,7 +23,7 @@ static bool is_graded(const ttc_discovery *d, const ttc_question *question)
     return d->grading.weights != NULL && question->keeps_signs && !question->has_cofactor && question->divisor == NULL;
 }
 
-/* Counts a matrix with the copies of its quarters that fast multiplication makes, and the list of all monomials. */
+/* A matrix with the copies of its quarters that fast multiplication makes, and the list of all monomials. */
 double ttc_search_bytes(const ttc_discovery *d, const ttc_question *question, bool graded, size_t *columns)
 {
     double total, largest;
@@ -47,10 +46,9 @@ static bool make_ansatz(ttc_ansatz *ansatz, ttc_discovery *d, const ttc_question
     return true;
 }
 
-/* An upper bound of the dimension of the solutions: by those of the leading part of the motion, weight by weight, or of the motion
- * itself. The leading part of a solution, of greatest weight, solves the equation of the leading part of the motion, and solutions
- * have a basis with independent leading parts. by_sector: receives the bounds, shape (sector_count,), for the caller to free; may
- * be NULL. Returns -1 if no points were found. */
+/* Upper bound of the dimension of solutions; -1 if no points were found. With `graded`, of leading parts, weight by weight: the
+ * leading part of a solution solves the equation of the motion's leading part, and solutions have a basis with independent leading
+ * parts. by_sector: receives the bounds, shape (sector_count,), for the caller to free; may be NULL. */
 static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, bool graded, slong **by_sector)
 {
     slong sum = 0;
@@ -66,9 +64,8 @@ static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_
     return sum;
 }
 
-/* Choose the products of known functions that certainly have the form asked for: polynomials K, which are products of several only
- * where radicands are polynomials; and over a divisor Q, K Q/Q and K P/Q. With `beyond`, also products that may not have it, so
- * that no find is reported twice. */
+/* Choose products of known functions that certainly have the form asked for: polynomials K, of several factors only where
+ * radicands are polynomials; over a divisor Q, K Q/Q and K P/Q. With `beyond` also others, so that no find is reported twice. */
 static void choose_products(ttc_products *which, const ttc_discovery *d, const ttc_question *question, bool beyond)
 {
     const ttc_knowns *knowns = question->products;
@@ -95,7 +92,7 @@ static void choose_products(ttc_products *which, const ttc_discovery *d, const t
     ttc_ratio_clear(d->flow->ring, &numerator);
 }
 
-/* Add the values of these products at the points to the span. */
+/* Add values of these products at the points to the span. */
 static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *question, const ttc_points *points, bool beyond)
 {
     ttc_products which;
@@ -106,7 +103,7 @@ static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *
     flint_free(which.degrees);
 }
 
-/* Values of a solution at the points. Returns false if the factor has a pole at one of them. */
+/* Returns false if the factor has a pole at a point. */
 static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *question, const ttc_ansatz_sector *sector,
                       const mp_limb_t *vector,
                       const ttc_points *points)
@@ -127,8 +124,8 @@ static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *qu
     return good;
 }
 
-/* Of the first new candidates, sparsest first, choose the one whose lifted polynomial has the fewest terms, and add its values to
- * the span. Returns its index, or -1 if none is new. *best is set only if *lifted: one of them could be lifted. */
+/* Of the first new candidates, sparsest first, choose that with the fewest terms when lifted, and add it to the span. Returns its
+ * index, or -1 if none is new. *best is set if *lifted: some could be lifted. */
 static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, const ttc_question *question,
                     const ttc_ansatz_sector *sector,
                     const nmod_mat_t candidates, ttc_span *span, const ttc_points *points)
@@ -162,7 +159,7 @@ static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, co
     return chosen;
 }
 
-/* Pass the new solutions of one sector to `take`: each that is independent of what is known, and of those before it. */
+/* Pass to `take` the new solutions of one sector: independent of what is known, and of those before. */
 static void take_sector(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_sector *sector, const nmod_mat_t null,
                         ttc_span *span,
                         const ttc_points *points, ttc_search_taker take, void *context)
@@ -210,8 +207,8 @@ static void take_all(ttc_discovery *d, const ttc_question *question, const ttc_a
     ttc_points_clear(&points);
 }
 
-/* The dimension of the solutions that are certainly products of known functions: the rank of their values, which is at most that of
- * the functions. Returns -1 if no points were found. */
+/* The dimension of solutions that are certainly products of known functions: the rank of values, at most that of functions; -1 if
+ * no points were found. */
 static slong explained_by(ttc_discovery *d, const ttc_question *question, slong bound)
 {
     ttc_points points;

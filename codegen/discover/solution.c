@@ -119,13 +119,12 @@ typedef struct {
     ttc_ansatz_sector sector;
     const ttc_modular_ratio *twist;
     bool has_cofactor;
-    ulong cofactor;   /* used if there are no parameters that it could depend on */
+    ulong cofactor;   /* if there are no parameters to depend on */
     size_t reference; /* the monomial whose coefficient is 1 */
     uint64_t *source;
 } family;
 
-/* out = the coefficients of the solution with this shift, divided by that of the reference. Returns false unless there is exactly
- * one solution, and none of its coefficients is 0. */
+/* out = coefficients over that of the reference. Returns false unless there is one solution with this shift, without zeros. */
 static bool coefficients_at(const family *f, ulong *out, ulong *parameters, ulong shift)
 {
     nmod_mat_t null;
@@ -158,8 +157,7 @@ static bool sample(void *context, ulong *out, ulong *parameters)
     return matches == 1;
 }
 
-/* out->polynomial = sum of coefficients times monomials, without denominators and common factors, with at least as many plus as
- * minus signs. */
+/* Sum of coefficients times monomials, without denominators and common factors, with no more minus than plus signs. */
 static bool assemble(ttc_solution_exact *out, const family *f, const ttc_ratio *coefficients)
 {
     const ttc_flow *flow = f->flow;

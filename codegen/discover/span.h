@@ -1,4 +1,4 @@
-/** Known functions, and the span of their products, given by values at common points. */
+/** Known functions, and the span of their products, by values at common points. */
 #ifndef TTC_SPAN_H
 #define TTC_SPAN_H
 
@@ -21,7 +21,7 @@ typedef struct {
 void ttc_knowns_add(ttc_knowns *knowns, const ttc_flow *flow, const char *name, const ttc_ratio *value, const ttc_ratio *cofactor,
                     int degree);
 void ttc_knowns_clear(ttc_knowns *knowns, const ttc_flow *flow);
-/* Compute the images of all functions in the field that the flow has taken. */
+/* Their images in the field that the flow has taken. */
 void ttc_knowns_reduce(ttc_knowns *knowns, const ttc_flow *flow);
 
 /* A span of vectors of values, in echelon form. */
@@ -34,7 +34,7 @@ typedef struct {
 
 void ttc_span_init(ttc_span *span, size_t width, nmod_t mod);
 void ttc_span_clear(ttc_span *span);
-/* Add a vector, shape (width,). Returns false if it was in the span already. */
+/* Add a vector, shape (width,). Returns false if the span had it. */
 bool ttc_span_add(ttc_span *span, const ulong *vector);
 void ttc_span_drop_last(ttc_span *span); /* removes the vector that was added last */
 
@@ -44,20 +44,20 @@ typedef struct {
     size_t count, width;
 } ttc_points;
 
-/* Draw points; parameters as in ttc_flow_draw. Returns false if none was found; the points must be cleared in any case. */
+/* parameters: as in ttc_flow_draw. Returns false if no point was found; clear in any case. */
 bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
 void ttc_points_clear(ttc_points *points);
 
-/* Which products are formed: those of degree <= budget, where function k has degree degrees[k], and is not used if that is 0. A
- * product contains at most one of the functions that are `single`, to the first power; their degrees may have any sign. */
+/* Which products: of degree <= budget, where function k has degree degrees[k]; 0: not used. One at most of the `single`
+ * functions, whose degrees may have any sign, is in a product, once. */
 typedef struct {
     int budget;
     int *degrees;
     bool *single;
 } ttc_products;
 
-/** Add the values of all these products whose cofactors add up to `cofactor`, among them the constant 1 if `cofactor` is 0 and the
- *  budget is not negative. A function with a pole at a point is left out. */
+/** Add all these products whose cofactors add up to `cofactor`; the constant 1 among them if that is 0 and the budget is not
+ *  negative. A function with a pole at a point is left out. */
 void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_points *points, const ttc_products *which,
                            ulong cofactor);
 

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-/* Linear conditions on the weights of the ring's variables and, last, of time, that make each rate and radicand homogeneous. */
+/* Linear conditions on weights of the ring's variables and, last, of time: each rate and radicand is homogeneous. */
 typedef struct {
     const ttc_flow *flow;
     long *rows; /* shape (count, variable_count + 1) */
@@ -31,7 +31,7 @@ static void add_exponents(const conditions *c, long *row, const fmpz_mpoly_t a, 
     flint_free(exponents);
 }
 
-/* Add the conditions that all terms of a have the weight of the first. */
+/* All terms of a have the weight of the first. */
 static void add_homogeneous(conditions *c, const fmpz_mpoly_t a)
 {
     for (slong t = 1; t < fmpz_mpoly_length(a, c->flow->ring->context); t++) {
@@ -41,7 +41,7 @@ static void add_homogeneous(conditions *c, const fmpz_mpoly_t a)
     }
 }
 
-/* Add the conditions that `ratio` is homogeneous, of the weight multiple * weight of variable + times * weight of time. */
+/* weight of `ratio` = multiple * weight of variable + times * weight of time */
 static void add_ratio(conditions *c, const ttc_ratio *ratio, slong variable, long multiple, long times)
 {
     if (fmpz_mpoly_is_zero(ratio->numerator, c->flow->ring->context)) return;
@@ -90,7 +90,7 @@ static size_t null_space(uint64_t *basis, size_t most, uint64_t *rows, size_t ro
     return count;
 }
 
-/* Combine the changes so that at most the last one contains `time`, the bit that says that it is backwards. */
+/* Combine changes so that at most the last one contains `time`, the bit of backward ones. */
 static void put_backwards_last(ttc_sign_changes *out, uint64_t time)
 {
     size_t last = out->count;
@@ -146,11 +146,11 @@ bool ttc_sign_changes_keep(const ttc_sign_changes *changes, const ttc_flow *flow
     return keep(changes, flow, a->numerator) && keep(changes, flow, a->denominator);
 }
 
-/* Take the weights from a column of `null`, with either sign, if they are a grading. Rows: quantities, the parameter, time. */
+/* The weights in a column of `null`, of either sign, if they are a grading. Rows: quantities, the parameter, time. */
 static bool accept(ttc_grading *out, const ttc_flow *flow, const fmpz_mat_t null, slong column, slong parameter)
 {
     const slong count = (slong)flow->count;
-    long common = 0; /* the greatest common divisor of all weights, which is divided out */
+    long common = 0; /* greatest common divisor of all weights */
     for (slong i = 0; i <= count + 1; i++)
         common = (long)n_gcd((ulong)common, (ulong)labs((long)fmpz_get_si(fmpz_mat_entry(null, i, column))));
     for (long sign = 1; sign >= -1 && common > 0; sign -= 2) {
@@ -170,7 +170,7 @@ static bool accept(ttc_grading *out, const ttc_flow *flow, const fmpz_mat_t null
     return false;
 }
 
-/* Whether the leading part, in which this parameter is 0, is defined: no denominator vanishes, and no radicand contains it. */
+/* Whether the leading part, where this parameter is 0, is defined: no denominator vanishes, no radicand contains it. */
 static bool may_vanish(const ttc_flow *flow, slong parameter)
 {
     for (size_t i = 0; i < flow->ring->generator_count; i++)

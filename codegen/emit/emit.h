@@ -1,5 +1,5 @@
-/** Writes C: constants, expressions, kernel bodies, and whole files, as pure functions of the arguments. Functions that return a
- *  bool return false when memory is out, those that take ttc_kernels also, with kernels->failed_claim, when kernels of a claim
+/** Writes C: constants, expressions, kernel bodies, and whole files, as pure functions of the arguments. Writers that return a bool
+ *  return false when memory is out, those that take ttc_kernels also, with kernels->failed_claim, when kernels of a claim
  *  cannot be written. */
 #ifndef TTC_EMIT_H
 #define TTC_EMIT_H
