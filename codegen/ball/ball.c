@@ -16,7 +16,7 @@
 
 enum { FULL_PRECISION = 256, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
 
-/* In balls of 256 bits, FULL, to 2048 bits, FULLEST; or in 53-bit balls with radicands in full precision or as written, PLAIN. */
+/* In balls of 256, 512, 1024, 2048 bits; in 53-bit balls with radicands in full precision, or as written. */
 typedef enum { FULL, FULLEST = FULL + 3, ROUNDED, PLAIN, MODES } evaluation;
 
 typedef enum { UNKNOWN, GOOD, BAD } knowledge;
@@ -75,7 +75,7 @@ void ttc_ball_destroy(ttc_ball *ball)
     free(ball);
 }
 
-/* Make room for all nodes of the graph; if it has grown, all balls are forgotten. Returns false when memory is out. */
+/* Make room for all nodes; if the graph has grown, all is forgotten. */
 static bool room(ttc_ball *ball)
 {
     const size_t size = ttc_graph_size(ball->symbols.model->graph) + 1;
@@ -227,7 +227,7 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
     return good;
 }
 
-/* Enclose in full precision, raised until the ball is zero or thin, or to the last one. Returns NULL if no enclosure is finite. */
+/* In full precision, raised until the ball is zero or thin, or to the last one. NULL: none is finite. */
 static arb_srcptr evaluate_full(ttc_ball *ball, ttc_id id)
 {
     arb_srcptr value = NULL;

@@ -16,12 +16,12 @@ typedef struct {
     double value, rest; /* the enclosure's midpoint is value + rest to 106 bits, value being its nearest double */
     double radius;      /* of the enclosure around value + rest */
     /* only ttc_ball_estimate sets these two */
-    double rounding;    /* radius in 53-bit balls, with radicands in full precision: kernels factor them, and round the root */
+    double rounding;    /* radius in 53-bit balls, with radicands in full precision: kernels factor these */
     double plain_rounding; /* radius in 53-bit balls throughout, with radicands as written and a rounding of every symbol's value:
                             * for arithmetic that multiplies products out and rounds each */
 } ttc_enclosure;
 
-/* model: borrowed; its graph may grow while the ball is in use. Returns NULL when memory is out. */
+/* model: borrowed; its graph may grow in the meantime. Returns NULL when memory is out. */
 ttc_ball *ttc_ball_create(const ttc_model *model);
 void ttc_ball_destroy(ttc_ball *ball); /* legal on NULL */
 
@@ -34,24 +34,23 @@ bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction
  * rounded on the way. A symbol that stands for itself has no value. */
 void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id);
 
-/** Enclose an expression. Starts with 256 bits and doubles them, up to 2048, until the radius is below 2^-100 of the value
- *  or the value is zero. Returns false, and leaves *out unchanged, when a symbol has no value, or no finite enclosure exists (a
- *  pole, the root of a negative number). Values beyond the doubles give infinities. Cost: one visit a node; results are kept until
- *  a value changes. */
+/** Enclose an expression. Starts with 256 bits and doubles them, up to 2048, until the radius is below 2^-100 of the value or the
+ *  value is zero. Returns false, with *out unchanged, when a symbol has no value, or no finite enclosure exists (a pole, the root
+ *  of a negative number). Values beyond the doubles give infinities. Cost: one visit a node, remembered until a value changes. */
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
-/** As ttc_ball_enclose, and the rounding errors to expect in doubles, at three times the cost. */
+/** The same with the rounding errors to expect in doubles, at three times the cost. */
 bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
 /** Exact sign (-1, 0, 1), in rational arithmetic. Returns false when a root on the way is irrational, another function or pi is
  *  met, a symbol has no value, or a denominator vanishes. */
 bool ttc_ball_exact_sign(int *sign, ttc_ball *ball, ttc_id id);
 
-/* The exact value as a fraction, for the caller to free(). Returns NULL where ttc_ball_exact_sign returns false. */
+/* The exact value as a fraction, for the caller to free(); NULL where there is none, as above. */
 char *ttc_ball_exact_text(ttc_ball *ball, ttc_id id);
 
-/** The enclosure as decimal text, "[midpoint +/- radius]" with `digits` digits, for the caller to free(), and whether it
- *  excludes zero. Returns NULL where ttc_ball_enclose returns false. */
+/** The enclosure as decimal text, "[midpoint +/- radius]" with `digits` digits, for the caller to free(), and whether it excludes
+ *  zero. NULL where there is none. */
 char *ttc_ball_text(ttc_ball *ball, ttc_id id, long digits, bool *excludes_zero);
 
 #endif

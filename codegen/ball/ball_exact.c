@@ -18,7 +18,7 @@ void ttc_ball_exact_forget(ttc_ball_exact *exact)
     if (exact->size > 0) memset(exact->state, UNKNOWN, exact->size);
 }
 
-/* Make room for all nodes of the graph; if it has grown, all values are forgotten. Returns false when memory is out. */
+/* Make room for all nodes; if the graph has grown, all is forgotten. */
 static bool room(ttc_ball_exact *exact, const ttc_graph *graph)
 {
     const size_t size = ttc_graph_size(graph) + 1;

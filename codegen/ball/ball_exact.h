@@ -4,7 +4,7 @@
 
 #include "read/model.h"
 
-/* By symbol: its value if that is known; else the expression that is bound to it; TTC_NONE: its own definition. */
+/* By symbol: its value if known; else the expression bound to it; TTC_NONE: its own definition. */
 typedef struct {
     const ttc_model *model;
     fmpq *values;
@@ -12,7 +12,7 @@ typedef struct {
     ttc_id *bound;
 } ttc_ball_symbols;
 
-/* The values of nodes, by id, as far as they are known. Must be zeroed before first use. */
+/* Values of nodes, by id, as far as known. Zeroed before first use. */
 typedef struct {
     size_t size;
     fmpq *fractions;
@@ -20,8 +20,7 @@ typedef struct {
 } ttc_ball_exact;
 
 /** The value of an expression, valid until the next call. Returns NULL when a root on the way is irrational, another function or
- *  pi is met, a symbol has no value, a denominator vanishes, or memory is out. Cost: one visit a node; values are kept until
- *  ttc_ball_exact_forget. */
+ *  pi is met, a symbol has no value, a denominator vanishes, or memory is out. Cost: one visit a node, remembered. */
 const fmpq *ttc_ball_exact_value(ttc_ball_exact *exact, const ttc_ball_symbols *symbols, ttc_id id);
 
 void ttc_ball_exact_forget(ttc_ball_exact *exact); /* call it when a value or binding has changed */

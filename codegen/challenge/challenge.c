@@ -10,7 +10,7 @@ enum { DRAWS_A_POINT = 12, WIDE_DRAWS = 6, DRAWS_BEFORE_GIVING_UP = 120, POINTS_
 
 static const long precisions[] = { 192, 768, 3072 };
 
-/* The challenge of one claim, and what its points showed. */
+/* The challenge of one claim. */
 typedef struct {
     ttc_subject subject;
     ttc_random_point point;
@@ -19,7 +19,7 @@ typedef struct {
     bool wants_witness, has_witness;
 } trial;
 
-/* "WHAT at NAME = VALUE ..." with every parameter and state of the probe, for free(). */
+/* "WHAT at NAME = VALUE ..." with all parameters and states, for free(). */
 static char *point_text(const trial *t, const char *what)
 {
     const ttc_model *model = t->check.model;
@@ -40,8 +40,7 @@ static char *point_text(const trial *t, const char *what)
     return NULL;
 }
 
-/* Check one drawn point at rising precision until the outcome is clear. Returns UNDEFINED if it is no point of the domain, if
- * something has no value there, or if the highest precision does not decide. */
+/* One drawn point, at rising precision. UNDEFINED: it is no point of the domain, has no value, or is not decided. */
 static ttc_check_outcome try_point(trial *t)
 {
     char fault[256];
@@ -59,7 +58,7 @@ static ttc_check_outcome try_point(trial *t)
     return TTC_UNDEFINED;
 }
 
-/* Try `count` points, with several draws each; give up after too many draws in a row that decide nothing. */
+/* Try `count` points; give up after too many draws in a row that decide nothing. */
 static void run(trial *t, size_t count, ttc_challenge_result *result)
 {
     size_t barren = 0;
@@ -113,7 +112,7 @@ static void judge(trial *t, ttc_challenge_result *result)
     }
 }
 
-/* Challenge one verdict; one that cannot be challenged is left untried. Returns false when memory is out. */
+/* Returns false when memory is out. */
 static bool challenge_one(const ttc_model *model, ttc_resolver resolver, void *context, size_t points, uint64_t seed,
                           ttc_challenge_result *result)
 {

@@ -104,7 +104,7 @@ static void determinant(arb_t out, arb_srcptr jacobian, size_t n, const arb_t la
     arb_mat_clear(matrix);
 }
 
-/* P(lambda) = c det(lambda E - A) with one c: the values of P at some lambdas have the same ratios as those of the determinant. */
+/* P(lambda) = c det(lambda E - A) with one c: P and the determinant have the same ratios at some lambdas. */
 void ttc_check_charpoly(ttc_check *check)
 {
     const size_t n = check->model->state_count;

@@ -1,6 +1,5 @@
-/* Checks observed quantities, validities and conditions of tiers around one point: none of their divisors may be zero at all
- * states near it. If a divisor contains functions of states, parameters vary as well: exp(k*x) - 1 is zero at all states for one k
- * only. */
+/* Checks what is observed beside the equations, around one point: no divisor is zero at all states near it. With functions of
+ * states, parameters vary as well: exp(k*x) - 1 is zero at all states for one k only. */
 #include "challenge/check.h"
 #include "prove/observed.h"
 
@@ -8,7 +7,7 @@
 
 enum { PLACES = 4, NEAR_BITS = 60 };
 
-/* Change a symbol's value by a tiny amount; parameters only upwards. */
+/* A bit above or below; parameters only above. */
 static void move(ttc_check *check, uint32_t symbol)
 {
     fmpq_t number;
@@ -36,7 +35,7 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id divisor)
     return uses;
 }
 
-/* Try the current point and others near it; the check holds if the divisor is nonzero at one of them in the domain. */
+/* Of the current point and others near it, one in the domain at which the divisor is nonzero suffices. */
 static void check_divisor(ttc_check *check, ttc_id divisor, const char *name)
 {
     const ttc_model *model = check->model;

@@ -1,5 +1,5 @@
-/* Checks a way to another table at one point of the model for which it is meant: it leads into the other table's domain, and the
- * record that leads back gives the point. The embedding of a smaller table must also move as the model says. */
+/* Checks a way to another table, at one point for which it is meant: it leads into the other's domain, and the record back gives
+ * the point. The embedding of a smaller table must also move as the model says. */
 #include "challenge/check.h"
 #include "prove/way_table.h"
 
@@ -56,7 +56,7 @@ static void check_motion(ttc_check *check, const ttc_claim *back)
     arb_clear(rate);
 }
 
-/* The image lies on the zero levels of the reduction that leads back, and given roots are those of the other table. */
+/* The image lies on the zero levels of the reduction back, and given roots are the other table's. */
 static void check_lifted(ttc_check *check, const ttc_way *way, const ttc_claim *back)
 {
     const ttc_model *target = check->target;

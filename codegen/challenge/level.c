@@ -1,5 +1,5 @@
-/* Finds points on zero levels: Newton's method for as many symbols as there are levels, then Krawczyk's test that the balls around
- * its result contain a solution. */
+/* Finds points on zero levels: Newton's method for as many symbols as levels, then Krawczyk's test that the balls around the
+ * result contain a solution. */
 #include "challenge/random_point.h"
 
 #if __has_include(<flint/arb_mat.h>)
@@ -18,7 +18,7 @@ typedef struct {
     arb_mat_t x, step, value, slope, inverse;
 } solver;
 
-/* Evaluate the levels, and their derivatives by the pivots, at the pivots' values. */
+/* Levels and their derivatives by the pivots, at the pivots' values. */
 static bool evaluate(solver *s)
 {
     const size_t spare = 1 + s->situation->model->state_count;
@@ -58,7 +58,7 @@ static bool begin(solver *s)
     return true;
 }
 
-/* Whether the step moves no pivot by more than 2^(-3/4 precision) times its size, or times 1 if that is larger. */
+/* Whether the step is below 2^(-3/4 precision), relative to pivots above 1. */
 static bool is_settled(const solver *s)
 {
     bool settled = true;
@@ -90,8 +90,7 @@ static bool newton(solver *s)
     return false;
 }
 
-/* Whether K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X contains one solution, K encloses it, and the probe is set
- * to K. */
+/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X contains one solution, which K encloses. The probe is set to K. */
 static bool krawczyk(solver *s)
 {
     bool inside = true;

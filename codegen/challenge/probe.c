@@ -102,7 +102,7 @@ void ttc_probe_seed_states(ttc_probe *probe)
 bool ttc_probe_is_set(const ttc_probe *probe, uint32_t symbol) { return probe->known[symbol] != 0; }
 arb_srcptr ttc_probe_value(const ttc_probe *probe, uint32_t symbol) { return leaf(probe, symbol); }
 
-/* Make room for all nodes of the graph. Returns false when memory is out. */
+/* Make room for all nodes of the graph. */
 static bool make_room(ttc_probe *probe)
 {
     size_t count = ttc_graph_size(probe->model->graph) + 1;
@@ -293,7 +293,7 @@ static bool push(ttc_probe *probe, size_t *count, ttc_id id)
     return true;
 }
 
-/* Push what the node needs and is not yet known: its parts, or the definition of a symbol without a value. */
+/* Push what the node needs and is not yet known: parts, or the definition of a symbol without a value. */
 static bool push_needs(ttc_probe *probe, size_t *count, ttc_id id)
 {
     const ttc_graph *graph = probe->model->graph;

@@ -1,6 +1,6 @@
 /** Encloses expressions of a model and their derivatives at one point: forward-mode dual balls over the graph, through
- *  definitions. A value carries its derivative along every tangent; tangent k is the direction of the k-th state, and the caller
- *  chooses those after the states.
+ *  definitions. A value carries its derivative along every tangent; tangent k is that of the k-th state, those after the states
+ *  are for the caller to seed.
  *
  *  It shares the expression graph with the prover and nothing else: no ratio, no symbolic derivative.
  *  Source: F. Johansson, Arb, IEEE TC 66(8), 2017; A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., 3.1. */
@@ -23,10 +23,10 @@ typedef struct ttc_probe ttc_probe;
 ttc_probe *ttc_probe_create(const ttc_model *model);
 void ttc_probe_destroy(ttc_probe *probe); /* legal on NULL */
 
-/* The number of balls of a value: the value itself, and one derivative for each tangent, states first. */
+/* Balls of a value: itself, and its derivative along each tangent, states first. */
 size_t ttc_probe_width(const ttc_probe *probe);
 
-/* Forget all values, and evaluate with `precision` bits from here on. */
+/* Forget all values, and set the precision, in bits. */
 void ttc_probe_begin(ttc_probe *probe, long precision);
 long ttc_probe_precision(const ttc_probe *probe);
 
@@ -36,17 +36,17 @@ void ttc_probe_set(ttc_probe *probe, uint32_t symbol, const arb_t value);
 /* Set a symbol's value and derivatives: shape (width,). */
 void ttc_probe_set_jet(ttc_probe *probe, uint32_t symbol, arb_srcptr jet);
 
-/* Give a symbol the derivative 1 along the tangent `slot`, and 0 along all others. */
+/* Give a symbol the derivative 1 along the tangent `slot`, and 0 along others. */
 void ttc_probe_seed(ttc_probe *probe, uint32_t symbol, size_t slot);
 
-/* Give each state the derivative 1 along its own tangent, and all else 0: derivatives are then those by the states. */
+/* Give each state the derivative 1 along its own tangent, and 0 to all else. */
 void ttc_probe_seed_states(ttc_probe *probe);
 
 bool ttc_probe_is_set(const ttc_probe *probe, uint32_t symbol);
 arb_srcptr ttc_probe_value(const ttc_probe *probe, uint32_t symbol); /* of a symbol that is set */
 
 /** Enclose an expression: shape (width,), valid until a symbol is set or all is forgotten. Returns NULL when a symbol has no
- *  value, a denominator may be zero, a radicand may be not positive, or memory is out. Cost: one visit a node; values are kept. */
+ *  value, a denominator may be zero, a radicand may be not positive, or memory is out. Cost: one visit a node. */
 arb_srcptr ttc_probe_at(ttc_probe *probe, ttc_id id);
 
 #endif

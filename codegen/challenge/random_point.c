@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* By symbol: 1 if its definition belongs to the domain, or the field or the claim uses it. Returns NULL when memory is out. */
+/* The member `used`. NULL when memory is out. */
 static unsigned char *used_definitions(const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;
@@ -51,7 +51,7 @@ static bool is_quantity(const ttc_symbol_entry *entry)
     return entry->kind == TTC_PARAM || entry->kind == TTC_STATE || entry->kind == TTC_LEVEL || entry->kind == TTC_LAMBDA;
 }
 
-/* Take the default one time in four: with the default values of a table its domain is not empty. */
+/* One time in four the default: tables give defaults with which their domains are not empty. */
 static void draw_parameter(fmpq_t out, const ttc_model *model, const ttc_symbol_entry *entry, ttc_random *random,
                            ttc_sample_range range)
 {
@@ -75,7 +75,7 @@ static void draw_state(fmpq_t out, const ttc_symbol_entry *entry, ttc_random *ra
     else ttc_sample_any(out, random, range);
 }
 
-/* Choose free symbols on which the levels depend, states three times out of four. */
+/* Free symbols on which the levels depend, states three times out of four. */
 static bool choose_pivots(ttc_random_point *point, const ttc_situation *situation, ttc_random *random)
 {
     const ttc_model *model = situation->model;
@@ -94,7 +94,7 @@ static bool choose_pivots(ttc_random_point *point, const ttc_situation *situatio
     return chosen == situation->level_count;
 }
 
-/* Copy one number in eight from an earlier symbol of the same kind, so that differences vanish as well. */
+/* One number in eight is that of an earlier symbol of the same kind, so that differences vanish as well. */
 static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
     for (uint32_t i = 0; i < model->symbol_count; i++) {
@@ -152,7 +152,7 @@ static bool state_in_interval(ttc_probe *probe, arb_ptr jet, const ttc_symbol_en
     return good;
 }
 
-/* Set a free symbol from the point. Returns false if an end of its interval has no value yet. */
+/* Set a free symbol from the point. Returns false if an end of its interval has no value. */
 static bool set_free(ttc_probe *probe, const ttc_random_point *point, const ttc_model *model, uint32_t symbol, arb_ptr jet)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
@@ -193,7 +193,7 @@ static void set_pivots(ttc_probe *probe, const ttc_random_point *point, const tt
     }
 }
 
-/* Symbols are set in rounds until none is left: bound symbols may need free ones, and ends of intervals both. */
+/* Symbols are set in rounds: bound ones may need free ones, and ends of intervals both. */
 bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                           arb_srcptr pivots)
 {

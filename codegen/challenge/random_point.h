@@ -1,7 +1,7 @@
 /** Random points of a model's domain that meet a claim's conditions, each enclosed in balls of any precision.
  *
- *  A point is a list of rational numbers, one for each free symbol. Symbols that `when` and a family bind are evaluated from them;
- *  zero levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test).
+ *  A point is a list of rational numbers, one for each free symbol. What `when` and a family bind is evaluated from them; zero
+ *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test).
  *  Source: R. Krawczyk, Computing 4, 1969; A. Neumaier, Interval Methods for Systems of Equations, 5.1. */
 #ifndef TTC_RANDOM_POINT_H
 #define TTC_RANDOM_POINT_H
@@ -18,15 +18,15 @@ typedef struct {
     size_t bound_count;
     ttc_id levels[TTC_PROBE_SPARE]; /* expressions that are zero */
     size_t level_count;
-    ttc_bindings family;            /* bindings of a family of equilibria, which itself may leave the domain; empty: none */
-    uint32_t claim;                 /* the claim whose divisors must not be zero; UINT32_MAX: none */
-    uint32_t own_root;              /* the root or logarithm whose argument is in question; UINT32_MAX: none */
+    ttc_bindings family;            /* bindings of a family, which may leave the domain; empty: none */
+    uint32_t claim;                 /* whose divisors are not zero; UINT32_MAX: none */
+    uint32_t own_root;              /* a root or logarithm in question; UINT32_MAX: none */
 } ttc_situation;
 
 typedef struct {
     fmpq *numbers;         /* by symbol: the value of a free parameter, or where a state lies in its interval */
     unsigned char *bound;  /* by symbol: 1 if it is not free */
-    unsigned char *used;   /* by symbol: 1 if its definition belongs to the domain, or the field or the claim uses it */
+    unsigned char *used;   /* by symbol: 1 if the domain, the field or the claim uses its definition */
     size_t symbol_count;
     uint32_t pivots[TTC_PROBE_SPARE]; /* symbols that are solved for, one for each level */
 } ttc_random_point;
@@ -34,30 +34,29 @@ typedef struct {
 bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation); /* false when memory is out */
 void ttc_random_point_clear(ttc_random_point *point); /* legal on a zeroed one */
 
-/* Draw numbers for all free symbols. Returns false if the levels depend on too few free symbols to be solved for. */
+/* Draw numbers for all free symbols. Returns false if the levels depend on too few of them. */
 bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range);
 
 typedef enum { TTC_INSIDE, TTC_OUTSIDE, TTC_UNCLEAR } ttc_place_in_domain;
 
 /** Set every symbol of the probe at this precision, solve for the levels, and seed the states.
  *  INSIDE: the balls contain a point of the domain that meets every condition; OUTSIDE: they contain none, or none was found;
- *  UNCLEAR: neither is known. fault: room for `fault_size` bytes; the condition that the family itself breaks, or "". */
+ *  UNCLEAR: neither is known. fault, of `fault_size` bytes: what the family itself breaks, or "". */
 ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation,
                                            long precision, char *fault, size_t fault_size);
 
-/** Set the free and bound symbols. pivots: values of the pivots, shape (level_count,), which also get the spare tangents; NULL:
- *  their drawn values. Returns false if something has no value. */
+/** Set the free and bound symbols. pivots: their values, shape (level_count,), seeded on the spare tangents; NULL: as drawn.
+ *  Returns false if something has no value. */
 bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                    arb_srcptr pivots);
 
-/* Solve for the levels, and set the probe to an enclosure of the solution. Returns false if none was found. */
+/* Solve for the levels; the probe then encloses the solution. Returns false if none was found. */
 bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision);
 
 /** Where the values of a probe lie in the domain of its own model: signs, intervals, records `domain`, radicands, arguments of
  *  logarithms. Divisors are not considered.
- *  family: only conditions that depend on a symbol that it binds can be its fault; NULL: all can. except: a root that is left out,
- *  with all roots and logarithms below it in the table; UINT32_MAX: none. fault: a condition that is certainly broken, if all
- *  others are met or broken by the family's fault too; else "". */
+ *  family: at fault can be only what depends on a symbol that it binds; NULL: all can. except: a root that is left out, with all
+ *  roots and logarithms below it; UINT32_MAX: none. fault: what is certainly broken, if by the family alone; else "". */
 ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, const ttc_bindings *family, uint32_t except,
                                       char *fault, size_t fault_size);
 

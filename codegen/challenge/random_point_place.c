@@ -1,15 +1,14 @@
-/* Places a random point: sets its numbers, meets its levels, and locates it in the domain. */
+/* Places a random point: sets its numbers, meets its levels, locates it in the domain. */
 #include "challenge/random_point.h"
 
-/* Whether a symbol's definition is used. The divisors of an angle's definition are listed under one name of the pair. */
+/* Divisors in the definition of an angle are listed under one name of the pair. */
 static bool is_used(const ttc_random_point *point, const ttc_model *model, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
     return point->used[symbol] || ((entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && point->used[entry->partner]);
 }
 
-/* Whether a divisor is certainly not zero, factor by factor. The root in question is not zero where its radicand is not; other
- * factors that need this root count as nonzero. */
+/* Factor by factor. The root in question is not zero where its radicand is not; what else needs that root counts as nonzero. */
 static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id id)
 {
     const ttc_graph *graph = situation->model->graph;
@@ -23,7 +22,7 @@ static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id
     return value == NULL ? situation->own_root != UINT32_MAX : !arb_contains_zero(value);
 }
 
-/* Whether the divisors, as written, of the claim, the field and the definitions that they use are certainly not zero. */
+/* The divisors, as written, of the claim, the field and the definitions in use. */
 static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* is_identity: if the claim fails somewhere it fails almost everywhere, provided that it speaks of an open set of points. */
+/* An identity that fails somewhere fails almost everywhere, if it speaks of an open set of points. */
 static const struct {
     ttc_claim_kind kind;
     ttc_checker checker;

@@ -1,5 +1,4 @@
-/** The subject of a verdict: the claim, or the record that it is derived from; the conditions that points must meet; and the
- *  function that checks one point. */
+/** The subject of a verdict: the claim, or the record that it is derived from, the conditions of points, and the checker. */
 #ifndef TTC_SUBJECT_H
 #define TTC_SUBJECT_H
 
@@ -7,7 +6,7 @@
 
 typedef struct {
     const ttc_claim *claim; /* NULL for a derived claim */
-    uint32_t index;         /* of the claim; else of the root's symbol, the variant, time, elimination, pole or observed record */
+    uint32_t index;         /* of the claim, or of the root's symbol, variant, time, elimination, pole or observed record */
     ttc_checker checker;
     ttc_situation situation;
     bool fails_on_open_set; /* if it is false, it fails almost everywhere */

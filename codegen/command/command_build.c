@@ -11,7 +11,7 @@
 
 enum { DAYS_UNUSED = 90 };
 
-/* Append what identifies a file without reading it: path, size, and time of the last change. */
+/* What identifies a file without reading it. */
 static void add_identity(ttc_text *key, const char *path)
 {
     struct stat found;
@@ -20,8 +20,8 @@ static void add_identity(ttc_text *key, const char *path)
                         found.st_mtim.tv_nsec);
 }
 
-/* A digest of all that determines the object: ttc, compiler, flags, the table, and the tables that its claims lead to. Returns
- * false if one of the latter is wrong: its errors must then be reported, so the cache does not serve. */
+/* A digest of all that determines the object: ttc, compiler, flags, the table, and those that its claims lead to. Returns false if
+ * one of the latter is wrong, which must be reported again. */
 static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
 {
     bool good = true;
@@ -63,7 +63,7 @@ static int cannot(const ttc_cache *cache, const char *what)
     return TTC_EXIT_IO;
 }
 
-/* Make the object in a folder of its own, and publish it in the cache. */
+/* Make the object in a folder of its own, and publish it. */
 static int make(ttc_cache *cache, const char *key, const char *compiler, const ttc_options *options)
 {
     ttc_options generate = *options;
@@ -85,7 +85,7 @@ static int make(ttc_cache *cache, const char *key, const char *compiler, const t
     return status;
 }
 
-/* Set *path to the object's path, for the caller to free; the object is made if it is missing. Returns an exit status. */
+/* *path: that of the object, for the caller to free. */
 static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *compiler, const ttc_options *options, char **path)
 {
     char key[65];

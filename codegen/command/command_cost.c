@@ -27,7 +27,7 @@ static void add_field(json_t *list, const ttc_catalogue_entry *entry)
                                           entry->elimination == NULL ? "" : entry->elimination->name, "kernels", kernels));
 }
 
-/* failures: the objects for tables without a catalogue, which come last. */
+/* failures: the JSON of tables without a catalogue, which comes last. */
 static int print_json(const ttc_catalogue *catalogues, size_t count, json_t *failures)
 {
     json_t *models = json_array();

@@ -15,10 +15,10 @@
 
 enum { LIST_MAX = 16, PROGRESS_WIDTH = 78 };
 
-/* The work on one table, with the conditions and denominators that the command line adds to it. */
+/* One table, with the conditions and denominators of the command line. */
 typedef struct {
     const ttc_options *options;
-    ttc_model *model;          /* the table's text, with the conditions as its last variant and the denominators as lets */
+    ttc_model *model;          /* the table's text, then the conditions as a variant, and denominators as lets */
     const char *path, *sha256; /* of the table's file */
     const char *table;         /* the text of the table alone */
     char *when;                /* " when ..." or "" */
@@ -29,7 +29,7 @@ typedef struct {
     bool shows_progress;
     time_t shown;
     char reason[300];
-    json_t *problems, *found;  /* with --json: problems of the table; what is found. NULL: text is written */
+    json_t *problems, *found;  /* of --json: problems of the table; finds. NULL: text is written */
     int status;
 } work;
 
@@ -47,7 +47,7 @@ static void show_progress(void *context, const char *text)
     fprintf(stderr, "\r%-*.*s", PROGRESS_WIDTH, PROGRESS_WIDTH, text);
 }
 
-/* Write and flush a line, so that finds are kept whatever ends the program afterwards. */
+/* Finds are written at once, whatever ends the program afterwards. */
 static void write_line(const work *w, const char *text)
 {
     clear_progress(w);
@@ -84,10 +84,10 @@ static char *joined(const char *a, const char *b, const char *c)
     return strcat(text, c);
 }
 
-/* Whether a claim stands below the lines of the table: these are to be proved. */
+/* Only claims below the lines of the table are to be proved. */
 static bool is_beyond(void *context, const ttc_proof *proof) { return proof->place.line > *(const uint32_t *)context; }
 
-/* Keep the reason why claims are not proved: that of the first which is not. */
+/* The reason of the first claim that is not proved. */
 static void keep_reason(work *w, const char *name, const char *reason)
 {
     snprintf(w->reason, sizeof w->reason, "%s%s%s", name, *name != '\0' ? ": " : "", reason != NULL
@@ -131,8 +131,7 @@ static bool prove(void *context, const char *claims, bool *is_smooth)
     return proved;
 }
 
-/* Split a list at commas outside of parentheses, and remove blanks around the parts. Returns false if there are too many parts, if
- * one is empty, or when memory is out. */
+/* Parts between commas outside of parentheses, without blanks around them. Returns false if there are too many, or one is empty. */
 static bool split(char **parts, size_t *count, const char *list)
 {
     int depth = 0;
@@ -156,7 +155,7 @@ static void free_parts(char **parts, size_t count)
     for (size_t i = 0; i < count; i++) free(parts[i]);
 }
 
-/* Report a problem of the command line on stderr and, with --json, among the problems. Returns `status`. */
+/* Report a problem of the command line on stderr and, with --json, among the problems. */
 TTC_PRINTF(3, 4) static int refuse(const work *w, int status, const char *format, ...)
 {
     char message[1024];
@@ -170,7 +169,7 @@ TTC_PRINTF(3, 4) static int refuse(const work *w, int status, const char *format
     return status;
 }
 
-/* Check that each part is PARAM = EXPR, with a parameter of the table. Returns an exit status. */
+/* Each part must be PARAM = EXPR, with a parameter of the table. */
 static int check_conditions(const work *w, const ttc_model *table, char **parts, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -191,7 +190,7 @@ static int check_conditions(const work *w, const ttc_model *table, char **parts,
     return TTC_EXIT_DONE;
 }
 
-/* Parse the table's text with the conditions and denominators of the command line as records at its end. Returns an exit status. */
+/* Parse the table's text, with the conditions and denominators of the command line at its end. */
 static int extend(work *w, const ttc_model *table)
 {
     const ttc_options *options = w->options;
@@ -236,7 +235,7 @@ static void bind(work *w)
     }
 }
 
-/* Whether a claim holds under the requested conditions: they imply all that it sets, and it is modulo no other claim. */
+/* Whether a claim holds under the conditions asked for, which imply all that it sets. */
 static bool holds_here(ttc_discovery *d, const ttc_claim *claim)
 {
     bool holds = claim->modulo_count == 0;
@@ -259,8 +258,7 @@ static bool is_quantity(void *context, const ttc_proof *proof)
     return strcmp(proof->kind, "integral") == 0 || strcmp(proof->kind, "measure") == 0;
 }
 
-/* Whether some point of the domain is known to meet the conditions, without which no find could be proved. If not, w->reason says
- * why. */
+/* Whether a point of the domain is known to meet the conditions, without which nothing could be proved; else w->reason says why. */
 static bool have_a_point(work *w)
 {
     char *claim = joined("equal when_ : 0 = 0", w->when, "\n");
@@ -269,8 +267,7 @@ static bool have_a_point(work *w)
     return have;
 }
 
-/* Tell the discovery which integrals and densities the table claims and are proved. Returns false if they could not be proved for
- * want of memory. */
+/* Add what the table claims and is proved. Returns false when memory is out. */
 static bool learn(work *w, ttc_discovery *d)
 {
     ttc_text known = { 0 };
@@ -290,7 +287,7 @@ static bool learn(work *w, ttc_discovery *d)
     return report != NULL;
 }
 
-/* Look for integrals over a denominator of the command line; report one that is zero, or no ratio. */
+/* Integrals over a denominator of the command line, unless that is zero, or no ratio. */
 static void divide(work *w, ttc_discovery *d, size_t i)
 {
     ttc_ratio denominator;
@@ -352,7 +349,7 @@ static void seek(work *w)
     ttc_discovery_destroy(d);
 }
 
-/* Work on one table. Returns its JSON; NULL if text is written. */
+/* One table. Returns its JSON; NULL if text is written. */
 static json_t *discover(const char *path, const ttc_options *options, int *status)
 {
     work w = { .options = options, .shows_progress = isatty(STDERR_FILENO) != 0, .path = path,

@@ -4,7 +4,7 @@
  *       "known": [NAME...]           proved claims of the table: products with them are not found again
  *       "claims": [{"kind", "name", "text"}...]     proved finds, as the text of records
  *       "settled": [{"seek", "form", "degree", "complete", "monomials", "rank"}...]   how far the search went, and if that is all
- *       "unproved": [{"text", "reason"}...], "unlifted"      finds that are not proved; number of finds not proved for any reason
+ *       "unproved": [{"text", "reason"}...], "unlifted"      finds that are not proved; their number, with finds at numbers alone
  *       "remarks": [TEXT...],        what comments say in addition
  *       "problems": [...]}           as in `ttc check`, and those of the command line
  *
@@ -19,7 +19,7 @@
 /* Make the object. sha256: of the table's file. when: the list of --when, or NULL. */
 json_t *ttc_command_discover_json(const ttc_discovery *d, const char *path, const char *sha256, const char *when);
 
-/* Add a problem of the command line, which has no place in the table, as ttc_command_add_problems adds others. */
+/* Add a problem of the command line, which has no place in the table. */
 void ttc_command_discover_add_problem(json_t *problems, const char *path, const char *message);
 
 /* text: one claim, with the records that it needs. */

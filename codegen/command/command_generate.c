@@ -19,7 +19,7 @@ typedef struct {
     char *manifest, *counts;
 } kept_lists;
 
-/* Read a list of the folder. Returns NULL if there is none, or if it cannot be read. */
+/* A list of the folder; NULL if there is none, or it cannot be read. */
 static char *read_list(const char *folder, const char *name)
 {
     ttc_text path = { 0 };
@@ -66,8 +66,7 @@ static bool generate_field(const model_files *f, ttc_kernels *kernels)
     return text != NULL && !text->failed;
 }
 
-/* Make all files of a model. Returns false on failure; *failed is then the kernels that could not be written, NULL if something
- * else failed. */
+/* *failed: the kernels that could not be written, NULL if something else failed. */
 static bool generate_model(const model_files *f, ttc_kernels **failed)
 {
     const ttc_catalogue *catalogue = f->catalogue;
@@ -89,7 +88,7 @@ static bool generate_model(const model_files *f, ttc_kernels **failed)
     return text != NULL && ttc_emit_ball(text, catalogue);
 }
 
-/* Make the lists over all tables. Rows of a table that is kept come from the lists in the folder. */
+/* The lists of all tables. Rows of a table that is kept come from the lists there are. */
 static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_catalogue *catalogues, size_t count,
                            const kept_lists *kept)
 {
@@ -155,7 +154,7 @@ static void complain(const model_files *f, const ttc_kernels *failed)
     else ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
 }
 
-/* Append the kernels of a catalogue that rest on a claim, as "FIELD: KERNELS; ...". */
+/* The kernels of a catalogue that rest on a claim, "FIELD: KERNELS; ...". */
 static void add_resting(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report, size_t proof)
 {
     for (size_t i = 0; i < catalogue->count; i++) {
@@ -172,8 +171,7 @@ static void add_resting(ttc_text *text, const ttc_catalogue *catalogue, const tt
     }
 }
 
-/* Report a claim without a proof, and its consequences. resting: the text of add_resting; refuse: kernels that rest on it are an
- * error. */
+/* Report what a claim without a proof entails; resting: from add_resting. */
 static void tell_consequence(const ttc_model *model, const ttc_proof *proof, const ttc_claim *claim, const ttc_text *resting,
                              bool refuse)
 {
@@ -196,7 +194,7 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
     else ttc_command_warn(model, proof->place, "the %s claim '%s' is %s", proof->kind, proof->name, status);
 }
 
-/* Report claims without a proof; `all` receives the names of those that kernels rest on. Returns false when memory is out. */
+/* Report claims without a proof; all: the names of those that kernels rest on. Returns false when memory is out. */
 static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report *report, bool refuse, ttc_text *all)
 {
     bool failed = false;
@@ -214,8 +212,7 @@ static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report
     return !failed && !all->failed;
 }
 
-/* Mark in the catalogue's fields the unproved claims that their kernels rest on. Returns false, and raises *status, if such kernels
- * are refused, or when memory is out. */
+/* Mark in the catalogue the unproved claims that kernels rest on. Returns false if they are refused, or when memory is out. */
 static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report, const ttc_options *options, int *status,
                           ttc_text *all)
 {
@@ -229,8 +226,7 @@ static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *repo
     return false;
 }
 
-/* Prove that every kernel of the catalogue computes what the table says. If one is not proved, raises *status, so that nothing is
- * written. */
+/* Prove that every kernel computes what the table says; if one is not proved, *status is raised, and nothing is written. */
 static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report, int *status)
 {
     const size_t claims = report->proof_count;
@@ -248,8 +244,8 @@ static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *repo
     }
 }
 
-/* Make all files of one table. Kernels are proved after their files are made, since a proof adds nodes to the expression graph,
- * which would change them. */
+/* All files of one table. Kernels are proved after they are written, for proofs add to the expression graph, which would change
+ * them. */
 static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options,
                            int *status)
 {

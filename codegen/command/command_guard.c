@@ -1,7 +1,7 @@
 /* Proofs within bounds: a worker process settles one claim after the other and sends each verdict through a pipe. Algebra can
- * outgrow any machine, and libraries end their process when memory is out: the worker then dies, its current claim is reported as
- * not settled, and another worker goes on with the next. A worker that dies without a message about memory has a fault, which
- * must not be reported as a bound. */
+ * outgrow any machine, and libraries end their process when memory is out: then the worker dies, its claim is not settled, by
+ * name, and another worker goes on with the next. A worker that dies without a word of memory has a fault, which must not pass for
+ * a bound. */
 #include "command/command_guard.h"
 
 #include <errno.h>
@@ -26,7 +26,7 @@ enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
 enum { ADDRESS_SPACE_IS_BOUNDED = 1 };
 #endif
 
-/* A verdict as it goes through the pipe; its texts follow, without their final zeros. A length of SIZE_MAX means no text. */
+/* A verdict in the pipe; its texts follow, without final zeros. SIZE_MAX stands for no text. */
 typedef struct {
     size_t index;
     ttc_proof_status status;
@@ -35,21 +35,20 @@ typedef struct {
     size_t lengths[3];
 } message;
 
-/* When a claim is late: by processor time, so that other processes do not matter; and by the clock, for a worker that only
- * waits. */
+/* When a claim is late: by processor time, so that other processes do not count; by the clock, if it only waits. */
 typedef struct {
     clockid_t processor; /* of the worker */
     double processor_end, clock_end;
 } bounds;
 
-/* Seconds of a clock; 0 if it does not exist, since its process has ended. */
+/* Seconds; 0 if the clock's process has ended. */
 static double time_of(clockid_t clock)
 {
     struct timespec time;
     return clock_gettime(clock, &time) == 0 ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec : 0;
 }
 
-/* Seconds that a worker can be waited for before it may be late. */
+/* Seconds before the worker can be late. */
 static double left(const bounds *b)
 {
     const double processor = b->processor_end - time_of(b->processor), clock = b->clock_end - time_of(CLOCK_MONOTONIC);
@@ -86,7 +85,7 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     return ok;
 }
 
-/* Runs in the worker. What libraries print before they end the process goes to the pipe `words`, and the parent reports it. */
+/* In the worker. What libraries print when they end it goes to `words`, for the parent to report. */
 static void work(ttc_proof_run *run, const bool *settled, int descriptor, int words)
 {
     struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
@@ -153,8 +152,8 @@ static size_t first_open(const bool *settled, size_t count)
     return i;
 }
 
-/* Whether a message is one that is printed when an allocation fails or a number is too large to be stored, before the process
- * ends: by FLINT and GMP, by C++, by GMP, and by ttc itself (base/exhaustion.h). */
+/* Words printed when an allocation fails or a number is too large to be stored, before the process ends: by FLINT and GMP, by C++,
+ * by GMP, and by ttc (base/exhaustion.h). */
 static bool speak_of_memory(const char *words)
 {
     static const char *const signs[] = { "allocate", "bad_alloc", "overflow in mpz", "out of memory" };
@@ -163,8 +162,7 @@ static bool speak_of_memory(const char *words)
     return false;
 }
 
-/* Why a worker that ended with this status did not send all verdicts. The kernel kills for memory; the parent kills late workers,
- * and those that have ended already. */
+/* Why a worker that ended with this status did not send all. SIGKILL is the kernel's, for memory, or the parent's. */
 static ttc_proof_ending ending_of(read_result result, int status, const char *words)
 {
     if (result == READ_LATE) return TTC_ENDED_LATE;
@@ -191,8 +189,7 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
     settled[index] = true;
 }
 
-/* Read what a worker that has ended printed first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second
- * line. */
+/* What a worker that has ended printed first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second. */
 static void read_words(int descriptor, char *words)
 {
     ssize_t length = read(descriptor, words, WORDS_SIZE - 1);
@@ -201,8 +198,7 @@ static void read_words(int descriptor, char *words)
         if (*c == '\n') *c = ' ';
 }
 
-/* Open two pipes: for verdicts, and for last words, on which a worker never waits for the reader. Returns false, with none open, on
- * failure. */
+/* Two pipes: for verdicts, and for last words, where a worker never waits for a reader. Returns false with none open. */
 static bool open_pipes(int verdicts[2], int words[2])
 {
     if (pipe(verdicts) != 0) return false;
@@ -218,15 +214,15 @@ static bool open_pipes(int verdicts[2], int words[2])
 
 static double seconds_of(struct timeval time) { return (double)time.tv_sec + 1e-6 * (double)time.tv_usec; }
 
-/* Processor time of all workers that have ended, in seconds. */
+/* Processor time of all workers that have ended. */
 static double spent(void)
 {
     struct rusage used;
     return getrusage(RUSAGE_CHILDREN, &used) == 0 ? seconds_of(used.ru_utime) + seconds_of(used.ru_stime) : 0;
 }
 
-/* Run one worker until it is done, dead or late; if it is not done, its current claim is given up. In/out: *seconds, those left for
- * the table. Returns false if no worker can be made. */
+/* Run one worker until it is done, dead or late; its claim is then given up. In/out: *seconds, left for the table. Returns false
+ * if no worker can be made. */
 static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double *seconds)
 {
     int verdicts[2], words[2], status = 0;

@@ -13,7 +13,7 @@ static bool is_proved_kernel(const ttc_proof *proof)
     return proof->status == TTC_PROVED && strcmp(proof->kind, "kernel") == 0;
 }
 
-/* Print the proved kernels of one field, which follow each other, on one line. Returns the index of the last of them. */
+/* The proved kernels of one field, which follow each other, on one line. Returns the index of the last. */
 static size_t print_kernels(const ttc_proof_report *report, size_t first)
 {
     const char *name = report->proofs[first].name;
@@ -26,8 +26,7 @@ static size_t print_kernels(const ttc_proof_report *report, size_t first)
     return i - 1;
 }
 
-/* Print what backs a verdict: all of it with --verbose; else only points of refuted claims and notes on densities that are not
- * smooth. */
+/* What backs a verdict; without --verbose only points that refute, and notes on densities that are not smooth. */
 static void print_backing(const ttc_proof *proof, bool verbose)
 {
     bool is_density = strcmp(proof->kind, "measure") == 0;

@@ -16,15 +16,15 @@ typedef struct {
                                                  symbol is bound */
 } ttc_function_reading;
 
-/* Expressions that replace symbols: one or two lists, used together. */
+/* Expressions that replace symbols: lists used together. */
 typedef struct {
     const ttc_bindings *lists[2];
     size_t count;
 } ttc_function_bound;
 
-/** Open a reading. inputs: symbols, shape (input_count,), of states and, after them, of roots that a time lifts; with lifted_free
- *  these are coordinates of their own. parameters: symbols by place, shape (parameter_count,); UINT32_MAX: none. bound: NULL for
- *  none. Returns false when memory is out; the reading must be closed in any case. */
+/** inputs: symbols, shape (input_count,), of states, then of roots that a time lifts; with lifted_free these are coordinates of
+ *  their own. parameters: symbols by place, shape (parameter_count,); UINT32_MAX: none. bound: NULL for none. Returns false when
+ *  memory is out; close the reading in any case. */
 bool ttc_function_reading_open(ttc_function_reading *out, const ttc_model *model, const uint32_t *inputs, size_t input_count,
                                const uint32_t *parameters, size_t parameter_count, bool lifted_free,
                                const ttc_function_bound *bound);
@@ -36,12 +36,12 @@ typedef struct {
     uint32_t by; /* UINT32_MAX: none */
 } ttc_function_output;
 
-/** Read the function `name` of the text and compare it with `expected`, shape (count,); fill status and remainder of *proof.
- *  Returns false when memory is out. */
+/** Compare the function `name` of the text with `expected`, shape (count,); fill status and remainder of *proof. Returns false
+ *  when memory is out. */
 bool ttc_function_check(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading,
                         const ttc_function_output *expected, size_t count);
 
-/** The same for a function that gives the coefficients of a polynomial in a symbol, the highest power first, shape (count,). */
+/** The same for the coefficients of a polynomial in a symbol, the highest power first, shape (count,). */
 bool ttc_function_check_polynomial(ttc_proof *proof, const char *text, const char *name, ttc_function_reading *reading,
                                    ttc_id polynomial, uint32_t symbol, size_t count);
 

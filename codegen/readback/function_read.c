@@ -38,7 +38,7 @@ static size_t read_index(reader *r)
     return index;
 }
 
-/* Read an integer, written as 12.0; a hexadecimal number, as 0x1.8p+3, sets `rounded`. */
+/* An integer, written as 12.0; 0x1.8p+3 is a rounded number. */
 static void read_integer(reader *r, fmpz_t out)
 {
     const size_t length = strspn(r->at, "0123456789");
@@ -132,7 +132,7 @@ static ttc_value read_expression(reader *r)
     return TTC_NO_VALUE;
 }
 
-/* Read one line of the body. outputs, shape (count,), has TTC_NO_VALUE for those not yet set. Returns false when memory is out. */
+/* One line. outputs, shape (count,), has TTC_NO_VALUE where none was set. Returns false when memory is out. */
 static bool read_line(reader *r, ttc_value *outputs, size_t count)
 {
     expect(r, "    ");
@@ -164,7 +164,7 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
     return true;
 }
 
-/* The text after the function's head; NULL if there is no such head, or more than one. */
+/* The text after the function's head; NULL unless there is one. */
 static const char *find_body(const char *text, const char *name)
 {
     ttc_text head = { 0 };

@@ -11,8 +11,8 @@ typedef enum {
     TTC_FUNCTION_NO_MEMORY
 } ttc_function_status;
 
-/** Read `static void NAME(x, params, out)`, which must set each of `outputs` outputs once. *out: its program, for
- *  ttc_program_destroy; NULL unless TTC_FUNCTION_READ is returned. */
+/** Read `static void NAME(x, params, out)`, which sets each of `outputs` outputs once. *out: the program, for ttc_program_destroy;
+ *  NULL unless READ. */
 ttc_function_status ttc_function_read(ttc_program **out, const char *text, const char *name, size_t outputs);
 
 #endif

@@ -15,12 +15,12 @@ typedef struct {
     const ttc_model *model;
     const char *text;
     ttc_proof_report *report;
-    ttc_function_reading own, free; /* readings on its states; in `free` lifted roots are coordinates of their own */
+    ttc_function_reading own, free; /* on its states; in `free` lifted roots are coordinates */
     ttc_function_output *expected;  /* room for the outputs of any function */
     size_t capacity;
 } checker;
 
-/* The record that is checked. Names of its functions begin with `what` and `number`. */
+/* The record in question; names of its functions begin with `what` and `number`. */
 typedef struct {
     const ttc_claim *claim;
     const char *what;
@@ -50,8 +50,8 @@ static char *copy(const ttc_text *text)
     return out;
 }
 
-/* Check the record's function `name` against a polynomial in a symbol or, if that is TTC_NONE, against the first `count` expected
- * outputs, and append the proof to the report. Returns false when memory is out. */
+/* Check the record's function `name` against a polynomial in a symbol or, if that is TTC_NONE, the first `count` expected
+ * outputs. */
 static bool check_one(checker *c, const record *r, const char *name, ttc_function_reading *reading, size_t count, ttc_id polynomial,
                       uint32_t symbol)
 {
@@ -88,7 +88,7 @@ static bool check(checker *c, const record *r, const char *name, ttc_function_re
 
 /* ---- readings ---- */
 
-/* The states, then the roots that the time lifts. Returns NULL when memory is out. */
+/* States, then the roots that the time lifts. NULL when memory is out. */
 static uint32_t *states_of(const ttc_model *model, const ttc_time *time, size_t *count)
 {
     const size_t lifted = time == NULL ? 0 : time->lifted_count;
@@ -118,7 +118,7 @@ static const ttc_time *time_of(const ttc_model *table, const ttc_time *time)
 
 static const char *state_name(const checker *c, size_t i) { return c->model->symbols[c->field->states[i]].name; }
 
-/* Expect the coordinates of another table as functions of the states here, two entries each. */
+/* Coordinates of another table at the states here: two entries each. */
 static void expect_entries(checker *c, const ttc_claim *claim, const ttc_image *image, const ttc_model *table)
 {
     for (size_t i = 0; i < 2 * table->state_count; i++)
@@ -174,8 +174,7 @@ static bool check_ways(checker *c)
 
 /* ---- sections ---- */
 
-/* List the chart's parameters by the place of their values, and the symbols that a lift is differentiated by: coordinates, then
- * levels. Returns false when memory is out; the caller frees both lists in any case. */
+/* The chart's parameters by place, and the symbols to differentiate a lift by: coordinates, then levels. The caller frees both. */
 static bool place(uint32_t **params, uint32_t **slopes, const checker *c, const ttc_section *section, const ttc_model *chart)
 {
     const size_t own = c->model->param_count, levels = section->image.level_count, q = chart->state_count;
@@ -261,7 +260,7 @@ static bool open_family(ttc_function_reading *out, const checker *c, const ttc_c
                                      c->model->param_count, false, &bound);
 }
 
-/* Check `impose` and `point`: the parameters and the states of the family. */
+/* The parameters and the states of the family. */
 static bool check_points(checker *c, const record *r, ttc_function_reading *on)
 {
     const ttc_model *model = c->model;

@@ -13,7 +13,7 @@
 typedef struct {
     ttc_valuation *valuation;
     ttc_ring *ring;
-    ttc_ratio *inputs, *prepared; /* prepared: the parameters, then what the program `prepare` computes */
+    ttc_ratio *inputs, *prepared; /* prepared: parameters, then what `prepare` computes */
     size_t input_count, parameter_count, prepared_count;
 } reading;
 
@@ -26,7 +26,7 @@ typedef struct {
 typedef struct {
     const ttc_kernels *kernels;
     const ttc_model *model;
-    reading related, free; /* lifted roots obey root^2 = radicand in `related`, and are coordinates of their own in `free` */
+    reading related, free; /* lifted roots obey root^2 = radicand; or are coordinates */
     outputs values[TTC_KERNEL_KINDS]; /* of the optimized programs, in `free` */
     ttc_proof_status status;  /* of the kernel that is checked */
     char *remainder;
@@ -99,8 +99,8 @@ static bool read_program(reading *r, const ttc_program *program, bool is_prepare
                                is_prepared ? r->prepared_count : r->parameter_count, o->items);
 }
 
-/* What the table says that output `index` is, in the related ring. Returns false for kernels whose outputs are derivatives, of
- * which it says nothing directly. */
+/* What the table says of output `index`, in the related ring. Returns false if the output is a derivative, of which it says
+ * nothing directly. */
 static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t index)
 {
     const ttc_field *field = p->kernels->field;
@@ -145,8 +145,8 @@ static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t in
     return known;
 }
 
-/* Set slopes to the derivatives of the free ring's variables by coordinate j. All functions of the model are evaluated first, so
- * that each has its variable. */
+/* The derivatives of the free ring's variables by coordinate j. All functions are evaluated first, so that each has its
+ * variable. */
 static void coordinate_slopes(proof *p, ttc_ratio *slopes, size_t j)
 {
     reading *r = &p->free;
@@ -223,7 +223,7 @@ static void from_values(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t i
 
 static void use(proof *p, reading *r) { p->reading = r; }
 
-/* Whether nothing speaks against the kernel so far, and the ring in use has not failed. */
+/* Nothing speaks against the kernel so far, and the ring in use has not failed. */
 static bool is_open(const proof *p) { return p->status == TTC_PROVED && p->reading->ring->status == TTC_RING_OK; }
 
 TTC_PRINTF(3, 4) static void settle_as(proof *p, ttc_proof_status status, const char *format, ...)
@@ -248,7 +248,7 @@ static void compare(proof *p, reading *r, const ttc_ratio *found, ttc_ratio *exp
     free(value);
 }
 
-/* Check outputs that the table gives directly, in the ring in which roots obey their relations. */
+/* Outputs that the table gives directly, where roots obey their relations. */
 static void check_against_model(proof *p, ttc_kernel_kind kind, const ttc_program *program, bool is_prepared)
 {
     reading *r = &p->related;
@@ -266,7 +266,7 @@ static void check_against_model(proof *p, ttc_kernel_kind kind, const ttc_progra
     ttc_ratio_clear(r->ring, &expected);
 }
 
-/* Check outputs that are derivatives of others, and the reference program against the optimized one. */
+/* Outputs that are derivatives of others, and the reference program against the optimized one. */
 static void check_against_values(proof *p, ttc_kernel_kind kind, const outputs *found, const char *which)
 {
     reading *r = &p->free;
@@ -280,7 +280,7 @@ static void check_against_values(proof *p, ttc_kernel_kind kind, const outputs *
     ttc_ratio_clear(r->ring, &expected);
 }
 
-/* Check the program of the Taylor recurrences: the field, then dt/dtau. */
+/* The program of the Taylor recurrences: the field, then dt/dtau. */
 static void check_jet(proof *p, outputs *found)
 {
     ttc_ratio expected;

@@ -10,7 +10,7 @@
 #include "kernels/catalogue.h"
 #include "prove/prove.h"
 
-/** Append to `report` one proof for each kernel of the catalogue, kind "kernel", name "FIELD KERNEL", and update its totals.
+/** Append to `report` one proof for each kernel, kind "kernel", name "FIELD KERNEL", and update its totals.
  *  Returns false when memory is out; the report is then still valid. Cost: seconds for tables of a dozen states. */
 bool ttc_prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report);
 

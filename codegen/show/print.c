@@ -105,7 +105,7 @@ static size_t count_denominators(const ttc_graph *graph, ttc_id id, const fmpz *
     return count;
 }
 
-/* The base of the first factor with a negative exponent if that is -1; else TTC_NONE. */
+/* The base of the first factor with a negative exponent, if that is -1. */
 static ttc_id lone_denominator(const ttc_graph *graph, ttc_id id)
 {
     for (size_t i = 0; id != TTC_NONE && i < ttc_part_count(graph, id); i++) {
@@ -167,7 +167,7 @@ static void print_sum(const printer *p, ttc_id id)
     }
 }
 
-/* Whether the expression written out has at most OPERAND_LIMIT operands. Parts have lower ids than wholes, so one sweep counts. */
+/* Parts have lower ids than wholes, so one sweep counts operands. */
 static bool is_printable(const ttc_graph *graph, ttc_id id)
 {
     double *operands = malloc(((size_t)id + 1) * sizeof *operands);

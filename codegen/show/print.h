@@ -6,13 +6,13 @@
 
 typedef enum { TTC_NOTATION_TEXT, TTC_NOTATION_LATEX } ttc_notation;
 
-/* Returns false, and writes nothing, if the expression written out has more than a million operands, or when memory is out. */
+/* Returns false, and writes nothing, if the expression written out passes a million operands, or memory is out. */
 bool ttc_print(FILE *stream, const ttc_model *model, ttc_id id, ttc_notation notation);
 
-/* The expression as text, followed by `relation`, for free(). Returns NULL where ttc_print returns false. */
+/* As text, followed by `relation`, for free(). NULL where ttc_print is false. */
 char *ttc_print_relation(const ttc_model *model, ttc_id id, const char *relation);
 
-/* Print a name. In LaTeX, names of Greek letters become these letters; what follows `_`, and digits at the end, become an index. */
+/* In LaTeX, names of Greek letters become letters; what follows `_`, and digits at the end, an index. */
 void ttc_print_name(FILE *stream, const char *name, ttc_notation notation);
 void ttc_print_symbol(FILE *stream, const ttc_model *model, uint32_t symbol, ttc_notation notation);
 

@@ -1,5 +1,5 @@
-/** Views of a model: definitions, equations and the Jacobian. Each returns false when an expression is too large or memory
- *  is out; what was written before that remains. */
+/** Views of a model: definitions, equations and the Jacobian. Each returns false when an expression is too large or memory is out;
+ *  what was written before stays. */
 #ifndef TTC_SHOW_H
 #define TTC_SHOW_H
 

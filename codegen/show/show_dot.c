@@ -1,4 +1,4 @@
-/* Writes the expression graph of the equations, or of a lift, for Graphviz: an edge leads from a whole to its part. */
+/* The expression graph of the equations, or of a lift, for Graphviz: an edge leads from a whole to its part. */
 #include "show/show.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Shows definitions, equations and the Jacobian as text or as LaTeX, in the same order. */
+/* Definitions, equations and Jacobian in the same order as text and as LaTeX. */
 #include "show/show.h"
 
 #include "show/show_section.h"

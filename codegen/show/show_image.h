@@ -1,10 +1,10 @@
-/** Shows the expressions that a claim gives for the names of another table. Functions return false as in show.h. */
+/** Shows what a claim gives for the names of another table. Returns false as in show.h. */
 #ifndef TTC_SHOW_IMAGE_H
 #define TTC_SHOW_IMAGE_H
 
 #include "show/print.h"
 
-/* A row NAME = expression, without its end; and the end of a row, for LaTeX that of an alignment. */
+/* NAME = expression; and the end of such a row, for LaTeX in an alignment. */
 bool ttc_show_row(FILE *stream, const ttc_model *model, const char *name, ttc_id id, ttc_notation notation);
 const char *ttc_show_end_of_row(ttc_notation notation, bool is_last);
 

@@ -1,4 +1,4 @@
-/* Shows poles and sections of a model, and the lift that a table of coordinates has in place of equations. */
+/* Shows poles and sections, and the lift of a table of coordinates. */
 #include "show/show_section.h"
 
 #include "show/show_image.h"

@@ -1,4 +1,4 @@
-/* Shows the tier that the table is, and its ways to tables that serve in its place. */
+/* Shows a table's tier, and its ways to tables that serve in its place. */
 #include "show/show_image.h"
 #include "show/show_section.h"
 
