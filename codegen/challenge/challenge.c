@@ -10,7 +10,6 @@ enum { DRAWS_A_POINT = 12, WIDE_DRAWS = 6, DRAWS_BEFORE_GIVING_UP = 120, POINTS_
 
 static const long precisions[] = { 192, 768, 3072 };
 
-/* The challenge of one claim. */
 typedef struct {
     ttc_subject subject;
     ttc_random_point point;

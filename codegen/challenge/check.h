@@ -30,13 +30,13 @@ typedef void (*ttc_checker)(ttc_check *check);
 void ttc_check_zero(ttc_check *check, const arb_t value, const char *what, const char *name);
 void ttc_check_positive(ttc_check *check, const arb_t value, const char *what, const char *name);
 
-/* At some point one of these must exclude zero. */
+/* At some point, one of the values passed here must exclude zero. */
 void ttc_check_witness(ttc_check *check, const arb_t value);
 
 void ttc_check_undefined(ttc_check *check);
 void ttc_check_violate(ttc_check *check, const char *what, const char *name);
 
-/* Value and derivatives of an expression, as ttc_probe_at. NULL: none, the point is undefined. */
+/* The value and derivatives of an expression, as from ttc_probe_at. Returns NULL if there are none: the point is undefined. */
 arb_srcptr ttc_check_at(ttc_check *check, ttc_id id);
 
 /* d(expression)/dt = gradient . f. Returns false if it has no value: the point is undefined. */

@@ -19,8 +19,8 @@ typedef struct {
     ttc_id levels[TTC_PROBE_SPARE]; /* expressions that are zero */
     size_t level_count;
     ttc_bindings family;            /* bindings of a family, which may leave the domain; empty: none */
-    uint32_t claim;                 /* whose divisors are not zero; UINT32_MAX: none */
-    uint32_t own_root;              /* a root or logarithm in question; UINT32_MAX: none */
+    uint32_t claim;                 /* the claim whose divisors are not zero; UINT32_MAX: none */
+    uint32_t own_root;              /* the root or logarithm whose argument is in question; UINT32_MAX: none */
 } ttc_situation;
 
 typedef struct {
@@ -55,8 +55,9 @@ bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_s
 
 /** Where the values of a probe lie in the domain of its own model: signs, intervals, records `domain`, radicands, arguments of
  *  logarithms. Divisors are not considered.
- *  family: at fault can be only what depends on a symbol that it binds; NULL: all can. except: a root that is left out, with all
- *  roots and logarithms below it; UINT32_MAX: none. fault: what is certainly broken, if by the family alone; else "". */
+ *  family: only conditions that depend on a symbol that it binds can be its fault; NULL: all can. except: a root that is left out,
+ *  with all roots and logarithms below it; UINT32_MAX: none. fault: a condition that the family certainly breaks, if nothing else
+ *  is broken or unclear; otherwise "". */
 ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, const ttc_bindings *family, uint32_t except,
                                       char *fault, size_t fault_size);
 

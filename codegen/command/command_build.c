@@ -21,7 +21,7 @@ static void add_identity(ttc_text *key, const char *path)
 }
 
 /* A digest of all that determines the object: ttc, compiler, flags, the table, and those that its claims lead to. Returns false if
- * one of the latter is wrong, which must be reported again. */
+ * one of the latter is wrong: its errors must be reported again. */
 static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
 {
     bool good = true;

@@ -7,9 +7,9 @@
 
 #include "discover/search.h"
 
-/** Begin a discovery. conditions, when: the same, as bindings and as the clause that ends a claim (" when a3 = 0"), or NULL and
- *  "". degree: the greatest, 1 to 64. memory: bytes that matrices may take. Returns NULL, and *why, if the equations of motion are
- *  no ratios, or have no points in a prime field. */
+/** Begin a discovery. conditions and `when` say the same, as bindings and as the clause that ends a claim (" when a3 = 0"); NULL
+ *  and "": none. degree: the greatest, 1 to 64. memory: bytes that matrices may take. Returns NULL, and *why, if the equations of
+ *  motion are no ratios, or have no points in a prime field. */
 ttc_discovery *ttc_discovery_create(const ttc_model *model, const ttc_bindings *conditions, const char *when, int degree,
                                     size_t memory,
                                     ttc_discovery_host host, const char **why);
@@ -47,7 +47,7 @@ void ttc_discover_densities(ttc_discovery *d);
 char *ttc_discovery_name(ttc_discovery *d, const char *stem);
 /* Report a claim if the host proves it; else complain, and count it. Returns whether it is proved. */
 bool ttc_discovery_publish(ttc_discovery *d, const char *claim);
-/* The halves of that: let the host prove a claim, see there; report it. */
+/* The two halves of this: let the host prove a claim, see ttc_discovery_host; report it. */
 bool ttc_discovery_try(ttc_discovery *d, const char *claim, bool *is_smooth);
 void ttc_discovery_say(ttc_discovery *d, const char *claim);
 /* The same for the density base^(1/power), power 1 or 2, or for that of -base. */

@@ -38,8 +38,8 @@ void ttc_flow_destroy(ttc_flow *flow); /* legal on NULL */
  *  ttc_knowns_reduce. */
 bool ttc_flow_take_prime(ttc_flow *flow, ulong prime);
 
-/** Draw parameters, and roots of them, into values, shape (ring->variable_count,). zero: the variable of a parameter that is set
- *  to 0, or -1. Returns false if roots were not found; in a field that was taken only with `zero`. */
+/** Draw values of the parameters, and of their roots, into values, shape (ring->variable_count,). zero: the variable of a
+ *  parameter that is set to 0, or -1. Returns false if roots were not found; with zero = -1 they are, in a field that was taken. */
 bool ttc_flow_draw_parameters(const ttc_flow *flow, ulong *values, slong zero, uint64_t *source);
 
 /** Draw a point. In/out: values, shape (variable_count,), with those of parameters; quantities are drawn. Out: logarithmic rates

@@ -33,7 +33,7 @@ typedef struct {
     ttc_flow *flow;
     ttc_discovery_host host;
     uint64_t source;
-    ulong *parameters;  /* for ranks, shape (variable_count,); entries of other variables are overwritten */
+    ulong *parameters;  /* at which ranks are computed, shape (variable_count,); other entries are overwritten */
     ulong *leading;     /* the same, with the parameter of the grading set to 0 */
     ttc_sign_changes changes;
     ttc_grading grading;
@@ -67,10 +67,10 @@ typedef struct {
     bool answered; /* false: no points, too little memory, or see ttc_search */
 } ttc_answer;
 
-/* Called with each new solution, which is the caller's. Returns true if it joined `products`. */
+/* Called with each new solution, which the caller still owns. Returns true if it added the solution to `products`. */
 typedef bool (*ttc_search_taker)(ttc_discovery *d, void *context, const ttc_solution_exact *solution, int degree);
 
-/* take: NULL to ask only whether products of known functions are all solutions, answered if that was shown. */
+/* take == NULL asks only whether products of known functions are all solutions; `answered` then says that this was shown. */
 ttc_answer ttc_search(ttc_discovery *d, const ttc_question *question, ttc_search_taker take, void *context);
 
 /* The bytes that a question takes, and the columns of its largest matrix; graded: for leading parts. Allocates no matrix. */

@@ -14,7 +14,7 @@ typedef struct {
 } ttc_solution_exact;
 
 /** The solution with the monomials j for which vector[j] != 0, as a polynomial. vector: shape (sector->count,).
- *  cofactor: if not 0, that of P' = cofactor P at the current parameters, on which it depends.
+ *  cofactor: if not 0, P' = cofactor P is solved, and this is the cofactor at the current parameters, on which it depends.
  *  Returns false if the dependence on parameters was not found, as where several cofactors belong to these monomials. Clear out in
  *  any case. */
 bool ttc_solution_lift(ttc_solution_exact *out, const ttc_flow *flow, const ttc_ansatz_sector *sector, const ulong *vector,

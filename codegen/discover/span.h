@@ -48,8 +48,8 @@ typedef struct {
 bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
 void ttc_points_clear(ttc_points *points);
 
-/* Which products: of degree <= budget, where function k has degree degrees[k]; 0: not used. One at most of the `single`
- * functions, whose degrees may have any sign, is in a product, once. */
+/* Which products are formed: of degree <= budget, where function k has degree degrees[k], or is not used if that is 0. A product
+ * has at most one of the `single` functions, once; their degrees may have any sign. */
 typedef struct {
     int budget;
     int *degrees;

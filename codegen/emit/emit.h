@@ -34,8 +34,8 @@ const char *ttc_emit_function_name(ttc_op op);
 bool ttc_emit_uses(const ttc_program *program, ttc_op op);
 
 /** The statements of a kernel, with temporaries t0, t1, ...
- *  prepared: what the program's parameters are, NULL: raw ones; parameters: the C name of their array; offset: index of the first
- *  output. */
+ *  prepared: what the program's parameters stand for; NULL: raw parameters. parameters: the C name of their array. offset: index
+ *  of the first output. */
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
                    const ttc_prepared *prepared, const char *parameters, size_t offset);
 
@@ -57,7 +57,7 @@ void ttc_emit_complex(ttc_text *text, ttc_field *field);
 #define TTC_LOSS_SEPARATOR "; "
 void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind);
 
-/* The part of it about sums and functions of rounded arguments, appended to the text. */
+/* The part of ttc_emit_losses about sums and functions of rounded arguments, appended to the text. */
 void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind);
 
 /* Kernels of families of equilibria, and their table, `equilibria`. */
@@ -72,8 +72,8 @@ void ttc_emit_ball_name(ttc_text *text, const ttc_field *field);
 /* The kernels of one descriptor on vectors of lanes, to be compiled once for each instruction set. */
 void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
 
-/* The part that writes `stages_varied`: Runge-Kutta stages of the variational equations. The inline kernels `linear` (field and
- * Jacobian) and `clock` must stand above it. */
+/* The part of ttc_emit_lanes that writes `stages_varied`: Runge-Kutta stages of the variational equations. The inline kernels
+ * `linear` (field and Jacobian) and `clock` must stand above it. */
 void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels);
 
 /* The function `jet`: Taylor coefficients of the solution, scalar and on lanes. Its recurrences are in runtime/kernel_jet.h. */
@@ -91,7 +91,7 @@ void ttc_emit_batch(ttc_text *text, const ttc_catalogue *catalogue, unsigned isa
 void ttc_emit_reversors(ttc_text *text, const ttc_field *field);
 void ttc_emit_reversor_member(ttc_text *text, const ttc_field *field);
 
-/* An array of quantities; nothing if count is 0. is_angle: NULL, or shape (count,). */
+/* An array of quantities; nothing if count is 0. is_angle: which are angles, shape (count,), or NULL. */
 void ttc_emit_quantities(ttc_text *text, const char *name, const ttc_model *model, const uint32_t *symbols, size_t count,
                          const bool *is_angle);
 

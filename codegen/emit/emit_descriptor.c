@@ -88,7 +88,6 @@ void ttc_emit_command(ttc_text *text, const ttc_kernels *k)
                     k->unproved != NULL ? " --unproved" : "", ttc_model_base_name(k->field->model), JLT_VERSION);
 }
 
-/* The generator's name for the descriptor. */
 static void write_generator(ttc_text *text, const ttc_kernels *k)
 {
     ttc_text_format(text, "ttc %s%s", JLT_VERSION, effort_option(k));

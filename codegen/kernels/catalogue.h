@@ -20,7 +20,6 @@ typedef struct {
     const char *failure;     /* after a failure: the reason; NULL otherwise */
 } ttc_catalogue;
 
-/* Which fields a catalogue has. */
 typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_catalogue_extent;
 
 /** Make the fields of all combinations of a variant, a time and an elimination, or none of each. A field that divides by zero

@@ -64,7 +64,6 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
  *  more do for no more operations. To be called once. Returns false when memory is out; the kernels can then only be destroyed. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 
-/* What a kernel's program is for. */
 ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind);
 
 /* Outputs of the program for jets, for the caller to free. NULL when memory is out. */

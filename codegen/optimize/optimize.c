@@ -146,7 +146,6 @@ static void ruin_and_recreate(best_so_far *c, uint64_t round)
     keep_better(c, workspace);
 }
 
-/* One search from one start. */
 static best_so_far search(const ttc_workspace *start, uint64_t number, const search_limits *limits)
 {
     best_so_far c = { limits, NULL, UINT_MAX, 0 };
@@ -184,7 +183,6 @@ static bool make_starts(ttc_workspace **starts, ttc_field *field, const ttc_id *
     return true;
 }
 
-/* The best workspace of searches from all starts. */
 static ttc_workspace *search_all(ttc_workspace *const *starts, const search_limits *limits)
 {
     best_so_far best = { limits, NULL, UINT_MAX, 0 };

@@ -17,7 +17,6 @@ typedef struct {
     size_t input_count, parameter_count, prepared_count;
 } reading;
 
-/* The outputs of one program. */
 typedef struct {
     ttc_ratio *items;
     size_t count;
