@@ -227,7 +227,7 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
     return good;
 }
 
-/* In full precision, raised until the ball is zero or thin, or to the last one. NULL: none is finite. */
+/* Enclose at full precision, raised until the ball is zero or thin, or to the last one. Returns NULL if none is finite. */
 static arb_srcptr evaluate_full(ttc_ball *ball, ttc_id id)
 {
     arb_srcptr value = NULL;

@@ -39,7 +39,7 @@ static char *point_text(const trial *t, const char *what)
     return NULL;
 }
 
-/* One drawn point, at rising precision. UNDEFINED: it is no point of the domain, has no value, or is not decided. */
+/* Check one drawn point at rising precision. Returns UNDEFINED if it is no point of the domain, has no value, or is not decided. */
 static ttc_check_outcome try_point(trial *t)
 {
     char fault[256];

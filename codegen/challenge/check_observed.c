@@ -35,7 +35,7 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id divisor)
     return uses;
 }
 
-/* Of the current point and others near it, one in the domain at which the divisor is nonzero suffices. */
+/* The divisor must be nonzero at the current point, or at one of others near it that lie in the domain. */
 static void check_divisor(ttc_check *check, ttc_id divisor, const char *name)
 {
     const ttc_model *model = check->model;

@@ -106,7 +106,7 @@ static bool fill_derivatives(ttc_check *check, arb_mat_t rows)
     return true;
 }
 
-/* With J the derivatives of the images. Onto: the target's states have independent gradients at some point, so that J J^T, without
+/* J has the derivatives of the images. Onto: the target's states have independent gradients at some point, so that J J^T, without
  * zero rows, is invertible there. Into: J has independent columns, so that J^T J is. Not checked under conditions. */
 static void check_dimension(ttc_check *check)
 {

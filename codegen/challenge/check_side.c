@@ -83,8 +83,8 @@ static bool rate_near(ttc_check *check, arb_t out, const ttc_time *time, uint32_
     return factor != NULL;
 }
 
-/* The rate of a root goes to zero at the end: at least as the square root of the distance it falls by 2^-40 between the two
- * places, and must fall by 2^-10. */
+/* The rate of a root must go to zero at the end. Like the square root of the distance, it falls by 2^-40 between the two places; a
+ * fall by less than 2^-10 is a violation. */
 static void check_rest(ttc_check *check, const ttc_time *time, uint32_t root, uint32_t state, arb_srcptr end, arb_srcptr way)
 {
     const long precision = ttc_probe_precision(check->probe);

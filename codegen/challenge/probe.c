@@ -102,7 +102,6 @@ void ttc_probe_seed_states(ttc_probe *probe)
 bool ttc_probe_is_set(const ttc_probe *probe, uint32_t symbol) { return probe->known[symbol] != 0; }
 arb_srcptr ttc_probe_value(const ttc_probe *probe, uint32_t symbol) { return leaf(probe, symbol); }
 
-/* Make room for all nodes of the graph. */
 static bool make_room(ttc_probe *probe)
 {
     size_t count = ttc_graph_size(probe->model->graph) + 1;

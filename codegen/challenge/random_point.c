@@ -51,7 +51,7 @@ static bool is_quantity(const ttc_symbol_entry *entry)
     return entry->kind == TTC_PARAM || entry->kind == TTC_STATE || entry->kind == TTC_LEVEL || entry->kind == TTC_LAMBDA;
 }
 
-/* One time in four the default: tables give defaults with which their domains are not empty. */
+/* Take the default one time in four: with defaults, the domain of a table is not empty. */
 static void draw_parameter(fmpq_t out, const ttc_model *model, const ttc_symbol_entry *entry, ttc_random *random,
                            ttc_sample_range range)
 {
@@ -94,7 +94,7 @@ static bool choose_pivots(ttc_random_point *point, const ttc_situation *situatio
     return chosen == situation->level_count;
 }
 
-/* One number in eight is that of an earlier symbol of the same kind, so that differences vanish as well. */
+/* Copy one number in eight from an earlier symbol of the same kind, so that differences vanish as well. */
 static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
     for (uint32_t i = 0; i < model->symbol_count; i++) {

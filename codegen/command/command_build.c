@@ -11,7 +11,7 @@
 
 enum { DAYS_UNUSED = 90 };
 
-/* What identifies a file without reading it. */
+/* Append what identifies a file without reading it. */
 static void add_identity(ttc_text *key, const char *path)
 {
     struct stat found;

@@ -223,7 +223,6 @@ static int extend(work *w, const ttc_model *table)
     return w->model == NULL ? TTC_EXIT_BAD_TABLE : TTC_EXIT_DONE;
 }
 
-/* Find the conditions and the denominators in the extended model. */
 static void bind(work *w)
 {
     uint32_t symbol;

@@ -128,7 +128,6 @@ static bool is_failed(const ttc_output *output)
     return failed;
 }
 
-/* Report why a model's files could not be made. */
 static void complain(const model_files *f, const ttc_kernels *failed)
 {
     const ttc_model *model = f->catalogue->model;
@@ -280,7 +279,6 @@ static int write_files(const ttc_output *output, const char *folder)
     return TTC_EXIT_IO;
 }
 
-/* Report that two tables would write the same files. */
 static void refuse_name(const ttc_model *model, const ttc_model *other, int *status)
 {
     ttc_command_complain(model, (ttc_place){ 1, 1 }, NULL, "the model '%s' would be written twice (%s has this name as well)",

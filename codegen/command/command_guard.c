@@ -85,7 +85,7 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     return ok;
 }
 
-/* In the worker. What libraries print when they end it goes to `words`, for the parent to report. */
+/* Runs in the worker. What libraries print when they end it goes to `words`, and the parent reports it. */
 static void work(ttc_proof_run *run, const bool *settled, int descriptor, int words)
 {
     struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
@@ -189,7 +189,7 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
     settled[index] = true;
 }
 
-/* What a worker that has ended printed first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second. */
+/* Read what an ended worker printed first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second. */
 static void read_words(int descriptor, char *words)
 {
     ssize_t length = read(descriptor, words, WORDS_SIZE - 1);

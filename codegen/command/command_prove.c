@@ -26,7 +26,7 @@ static size_t print_kernels(const ttc_proof_report *report, size_t first)
     return i - 1;
 }
 
-/* What backs a verdict; without --verbose only points that refute, and notes on densities that are not smooth. */
+/* Print what backs a verdict; without --verbose only points that refute, and notes on densities that are not smooth. */
 static void print_backing(const ttc_proof *proof, bool verbose)
 {
     bool is_density = strcmp(proof->kind, "measure") == 0;

@@ -112,7 +112,6 @@ static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; "
     "4 memory is out; 5 a file cannot be read or written; 70 a point contradicts a verdict, which is an error of this program.";
 
-/* Parse a whole number of the command line, in decimal. */
 static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
 {
     char *end = NULL;

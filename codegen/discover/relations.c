@@ -43,7 +43,7 @@ static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given
     fmpz_mpoly_clear(variable, flow->ring->context);
 }
 
-/* One row for each random point with random parameters: logarithmic rates of the factors, and the divergence. */
+/* Each row has, at a random point with random parameters, the logarithmic rates of the factors, and the divergence. */
 static bool fill(nmod_mat_t rows, const factors *f)
 {
     ttc_discovery *d = f->d;

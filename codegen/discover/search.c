@@ -124,8 +124,8 @@ static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *qu
     return good;
 }
 
-/* Of the first new candidates, sparsest first, choose that with the fewest terms when lifted, and add it to the span. Returns its
- * index, or -1 if none is new. *best is set if *lifted: some could be lifted. */
+/* Choose, of the first new candidates, sparsest first, the one with the fewest terms when lifted, and add it to the span. Returns
+ * its index, or -1 if none is new. *best is set if *lifted: some could be lifted. */
 static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, const ttc_question *question,
                     const ttc_ansatz_sector *sector,
                     const nmod_mat_t candidates, ttc_span *span, const ttc_points *points)

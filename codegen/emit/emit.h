@@ -80,7 +80,6 @@ void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_jet(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_jet_lanes(ttc_text *text, const ttc_kernels *kernels);
 
-/* The instruction sets of batched kernels. */
 enum { TTC_ISA_COUNT = 3 };
 extern const char *const ttc_isa_names[TTC_ISA_COUNT], *const ttc_isa_files[TTC_ISA_COUNT];
 
@@ -108,8 +107,8 @@ void ttc_emit_pole_member(ttc_text *text, const ttc_field *field);
  *  table of coordinates does not fit is left out. */
 bool ttc_emit_sections(ttc_text *text, ttc_kernels *kernels, size_t *count);
 
-/** What gives a parameter of another table: a jlt_source of kernel_abi.h; -1 when memory is out. name: of that parameter; value:
- *  its value in this table's names, or with is_root the square of that. */
+/** What gives a parameter of another table: a jlt_source of kernel_abi.h; -1 when memory is out. name: the parameter's name;
+ *  value: its value in this table's names, or with is_root the square of that. */
 int ttc_emit_source(const ttc_model *model, const char *name, ttc_id value, bool is_root);
 
 /** The name of the first parameter of the target to which a reduction onto it gives another quantity than that of its name here,

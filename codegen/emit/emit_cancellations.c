@@ -139,8 +139,8 @@ static void add_operation(const survey *s, ttc_text *out, const ttc_instruction 
     add_formula(s, out, i->c, false, i->op == TTC_OP_FMS);
 }
 
-/* The formula of a value. Labelled values in it stand by their labels, the value itself unless is_whole. A formula beyond the
- * limit is not used, and so not finished. */
+/* Append the formula of a value. Labelled operands stand by their labels; so does the value itself unless is_whole. A formula
+ * beyond the limit is not used, and so not finished. */
 static void add_formula(const survey *s, ttc_text *out, ttc_value value, bool is_whole, bool bracket)
 {
     const ttc_field *field = s->kernels->field;

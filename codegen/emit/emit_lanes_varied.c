@@ -125,7 +125,6 @@ static void begin_stages(ttc_text *text, const ttc_field *field, const char *nam
                           "    enum { row = JLT_BATCH_VECTORS*JLT_LANES };\n", name, tangents);
 }
 
-/* Open the loops over vectors of lanes and over stages. */
 static void begin_loops(ttc_text *text, const ttc_kernels *kernels)
 {
     const size_t n = kernels->field->state_count;

@@ -60,8 +60,9 @@ typedef struct {
  *  outgrows the graph. */
 ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
 
-/** Make each kernel again with sums without cancellation (see fields/simplify.h); kept where no output loses digits, or where no
- *  more do for no more operations. To be called once. Returns false when memory is out; the kernels can then only be destroyed. */
+/** Make each kernel again with sums without cancellation (see fields/simplify.h); the new one is kept where no output loses
+ *  digits, or where no more outputs do than before, for no more operations. To be called once. Returns false when memory is out;
+ *  the kernels can then only be destroyed. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 
 ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind);

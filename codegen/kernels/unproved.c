@@ -17,7 +17,6 @@ static bool holds(const uint32_t *claims, size_t count, uint32_t claim)
     return false;
 }
 
-/* A claim of the table. */
 static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t number)
 {
     const ttc_claim *claim = k->field->model->claims + number;

@@ -57,7 +57,7 @@ typedef struct {
 ttc_program *ttc_program_create(void); /* NULL when memory is out */
 void ttc_program_destroy(ttc_program *program); /* legal on NULL */
 bool ttc_program_failed(const ttc_program *program);
-/* From here on equal operations are not shared, as in a formula evaluated as it stands; inputs and constants are. */
+/* From here on equal operations are not shared, as in a formula evaluated as it stands; equal inputs and constants still are. */
 void ttc_program_keep_duplicates(ttc_program *program);
 
 ttc_value ttc_program_input(ttc_program *program, uint32_t index);

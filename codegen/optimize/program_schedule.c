@@ -17,7 +17,7 @@ typedef struct {
     const ttc_program *program;
     size_t n;
     unsigned *uses;      /* by value: users not yet scheduled */
-    unsigned *waiting;   /* by value: operands not yet scheduled, but leaves */
+    unsigned *waiting;   /* by value: operands not yet scheduled, leaves excluded */
     unsigned *chain;     /* by value: latency of the longest path to an output */
     unsigned char *done;
     long *score;         /* by value, once no operand is missing */

@@ -42,7 +42,7 @@ static ttc_cube divided(const rescaling *r, const ttc_cube *cube)
     return after;
 }
 
-/* By variable, those whose sums contain it, ascending. Rescaling changes no factors, so they are found once. */
+/* For each variable, those whose sums contain it, ascending. Rescaling changes no factors, so they are found once. */
 typedef struct {
     size_t *first; /* by variable, shape (count + 1,): its first user in `all` */
     uint32_t *all;

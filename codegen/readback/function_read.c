@@ -132,7 +132,7 @@ static ttc_value read_expression(reader *r)
     return TTC_NO_VALUE;
 }
 
-/* One line. outputs, shape (count,), has TTC_NO_VALUE where none was set. Returns false when memory is out. */
+/* Read one line. outputs, shape (count,), has TTC_NO_VALUE where none was set. Returns false when memory is out. */
 static bool read_line(reader *r, ttc_value *outputs, size_t count)
 {
     expect(r, "    ");

@@ -12,7 +12,7 @@ bool ttc_print(FILE *stream, const ttc_model *model, ttc_id id, ttc_notation not
 /* As text, followed by `relation`, for free(). NULL where ttc_print is false. */
 char *ttc_print_relation(const ttc_model *model, ttc_id id, const char *relation);
 
-/* In LaTeX, names of Greek letters become letters; what follows `_`, and digits at the end, an index. */
+/* Print a name. In LaTeX, names of Greek letters become letters; what follows `_`, and digits at the end, become an index. */
 void ttc_print_name(FILE *stream, const char *name, ttc_notation notation);
 void ttc_print_symbol(FILE *stream, const ttc_model *model, uint32_t symbol, ttc_notation notation);
 
