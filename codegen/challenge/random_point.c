@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* The member `used`. NULL when memory is out. */
+/* Fills the member `used`. Returns NULL when memory is out. */
 static unsigned char *used_definitions(const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;

@@ -146,7 +146,7 @@ static bool set_polynomials(ttc_ratio *out, const ttc_flow *flow, const ulong *c
     return good;
 }
 
-/* numerator - value * denominator = 0 at all samples has one solution, up to a factor; else returns false. */
+/* Solve numerator - value * denominator = 0 at all samples. Returns false unless the solution is unique up to a factor. */
 static bool solve(ttc_ratio *out, const search *s, size_t j, const int *above, const int *below)
 {
     const ttc_flow *flow = s->flow;

@@ -12,7 +12,7 @@ static void tell(ttc_discovery *d, const ttc_question *question, size_t sector, 
     d->host.progress(d->host.context, text);
 }
 
-/* How many sign changes keep sectors apart: a constant cofactor changes its sign with time. */
+/* How many sign changes keep sectors apart: not the backward one if there is a cofactor, which changes its sign with time. */
 static size_t changes_of(const ttc_discovery *d, const ttc_question *question)
 {
     return !question->keeps_signs ? 0 : d->changes.count - (question->has_cofactor && d->changes.last_is_backwards);

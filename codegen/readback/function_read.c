@@ -164,7 +164,7 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
     return true;
 }
 
-/* The text after the function's head; NULL unless there is one. */
+/* The text after the function's head; NULL unless there is exactly one such head. */
 static const char *find_body(const char *text, const char *name)
 {
     ttc_text head = { 0 };

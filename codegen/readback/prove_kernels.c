@@ -25,7 +25,7 @@ typedef struct {
 typedef struct {
     const ttc_kernels *kernels;
     const ttc_model *model;
-    reading related, free; /* lifted roots obey root^2 = radicand; or are coordinates */
+    reading related, free; /* related: lifted roots obey root^2 = radicand; free: they are coordinates */
     outputs values[TTC_KERNEL_KINDS]; /* of the optimized programs, in `free` */
     ttc_proof_status status;  /* of the kernel that is checked */
     char *remainder;
