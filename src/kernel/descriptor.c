@@ -86,14 +86,19 @@ const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind
     return NULL;
 }
 
+bool jlt_descriptor_proves(const jlt_descriptor *of, const char *kind, const char *name)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(of, kind, name);
+
+    return claim != NULL && claim->verdict == JLT_PROVED;
+}
+
 bool jlt_descriptor_has_poles(const jlt_descriptor *of)
 {
     const jlt_descriptor *general = of->family[0];
 
-    for (unsigned i = 0; i < general->pole_count; i++) {
-        const jlt_claim *claim = jlt_descriptor_claim(general, "pole", general->states[general->poles[i].state].name);
-        if (claim == NULL || claim->verdict != JLT_PROVED) return false;
-    }
+    for (unsigned i = 0; i < general->pole_count; i++)
+        if (!jlt_descriptor_proves(general, "pole", general->states[general->poles[i].state].name)) return false;
     return general->pole_count > 0;
 }
 

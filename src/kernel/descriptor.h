@@ -33,6 +33,9 @@ unsigned jlt_descriptor_operations(const jlt_operation_count *count);
 /** A claim of the model, by kind and name; NULL when its table makes none. */
 const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 
+/** Whether the table makes this claim, and it is proved. */
+bool jlt_descriptor_proves(const jlt_descriptor *of, const char *kind, const char *name);
+
 /** The first claim without a proof that the field itself rests on: of a root or a logarithm, or of its variant, time or
  *  elimination. NULL: none; what is said of the field, as integrals and equilibria are, may lack its proof all the same. */
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of);
