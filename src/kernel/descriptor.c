@@ -190,15 +190,27 @@ jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const do
     return JLT_OK;
 }
 
+const char *jlt_descriptor_condition(const jlt_quantity *param)
+{
+    static const char *const conditions[] = {
+        [JLT_ANY_SIGN] = "", [JLT_POSITIVE] = " > 0", [JLT_NONNEGATIVE] = " >= 0", [JLT_NONZERO] = " != 0"
+    };
+
+    return conditions[param->sign];
+}
+
+bool jlt_descriptor_allows(const jlt_quantity *param, double value)
+{
+    return param->sign == JLT_ANY_SIGN || value > 0.0 || (param->sign == JLT_NONNEGATIVE && value == 0.0)
+           || (param->sign == JLT_NONZERO && value != 0.0);
+}
+
 jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index)
 {
     for (unsigned i = 0; i < descriptor->param_count; i++) {
-        const jlt_sign sign = descriptor->params[i].sign;
         *index = i;
         if (!isfinite(params[i])) return JLT_ERR_NONFINITE;
-        if (sign == JLT_POSITIVE && !(params[i] > 0.0)) return JLT_ERR_DOMAIN;
-        if (sign == JLT_NONNEGATIVE && !(params[i] >= 0.0)) return JLT_ERR_DOMAIN;
-        if (sign == JLT_NONZERO && params[i] == 0.0) return JLT_ERR_DOMAIN;
+        if (!jlt_descriptor_allows(&descriptor->params[i], params[i])) return JLT_ERR_DOMAIN;
     }
     return JLT_OK;
 }

@@ -53,6 +53,12 @@ bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of
 /** Add the claim of this kind and name to a list of that form, unless it is proved or there already. */
 void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
 
+/** What a parameter must be, " > 0" and the like; "" where it may have any value. */
+const char *jlt_descriptor_condition(const jlt_quantity *param);
+
+/** Whether the parameter may have this value, which is finite. */
+bool jlt_descriptor_allows(const jlt_quantity *param, double value);
+
 /* The index of a state or parameter of this name; false when there is none, *index then stays. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);
 bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index);
