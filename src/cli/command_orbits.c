@@ -131,7 +131,6 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
     return JLT_EXIT_DONE;
 }
 
-/* Newton from one point, or the zeros on one line through it. */
 /* Where Newton's method finds none from the start: what attracts it. */
 static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options *o, const double *q)
 {
@@ -145,6 +144,7 @@ static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options
     return JLT_OK;
 }
 
+/* Newton from one point, or the zeros on one line through it. */
 static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;

@@ -95,9 +95,9 @@ void jlt_common_not_swept(const jlt_common *self, const jlt_assign_list *list, c
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path);
 
 /* Read the value of an option. Where it cannot be used, these print why and end the program, as argp does. _list adds assignments
- * to the list, _replace puts them in place of what it has for the same names; _count: a whole number from low to high. */
+ * to the list, _replace puts those of --sweep in place of what it has for the same names; _count: a whole number, low to high. */
 void jlt_common_list(jlt_assign_list *list, const char *text, const char *option);
-void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option);
+void jlt_common_replace(jlt_assign_list *list, const char *text);
 void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 void jlt_common_number(double *value, const char *text, const char *option);
 void jlt_common_positive(double *value, const char *text, const char *option);

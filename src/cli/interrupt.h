@@ -43,6 +43,9 @@ void jlt_interrupt_forget(const jlt_file *file);
 /** Remove the files under way: the program is about to end without their being finished. */
 void jlt_interrupt_abandon(void);
 
+/** Seconds of a clock that nobody sets. It may be read while a signal is met. */
+double jlt_interrupt_clock(void);
+
 /** Fork. The child begins as the program did; in the parent, signals are passed on to it until jlt_interrupt_alone, which
  *  returns the first of them, 0 where there was none. Returns as fork. */
 pid_t jlt_interrupt_fork(void);

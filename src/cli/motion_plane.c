@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/digits.h"
-#include "ext/number.h"
 #include "kernel/descriptor.h"
 
 static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)

@@ -8,6 +8,9 @@
  *  it that a failure of standard output is noticed at the end. */
 jlt_exit jlt_program_begin(void);
 
+/** One run of the command, by itself, with its name for argv[0] already. */
+jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv);
+
 /* Run it, with its name for argv[0]. A command that was interrupted does not return: it has finished its row, and ends the
  * program by the signal. */
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv);

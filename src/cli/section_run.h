@@ -52,7 +52,7 @@ typedef struct {
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
     bool cut;                 /* an interrupt came before the batch was done: its rows are written, for half a second */
-    struct timespec cut_at;
+    double cut_at;
 } jlt_section_run;
 
 /** Whether orbits are followed together: many, an orbit put back onto integrals of a section that tables describe as well, which

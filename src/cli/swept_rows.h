@@ -6,7 +6,7 @@
 #include "cli/common.h"
 #include "cli/grid.h"
 
-enum { JLT_SWEPT_AXES_MAX = 8, JLT_SWEPT_PLACE_MAX = 512 };
+enum { JLT_SWEPT_AXES_MAX = 8 };
 
 /* The caller sets the first six members. */
 typedef struct {
@@ -27,9 +27,6 @@ typedef struct {
     bool has_numbers[2], has_points; /* of those columns, in rows so far; rows in which both have */
     jlt_extent extent[2];            /* of the latter, where has_points */
 } jlt_swept_rows;
-
-/** "k=0.1, E=2", for messages. */
-void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point);
 
 /** What the command wrote at a point: comments, names of columns, rows; "" is nothing. Comments of this point alone stay with
  *  its rows. Columns that the first point had not are left out, and those that this one has not are empty; says so. */
