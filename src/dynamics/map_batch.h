@@ -64,9 +64,10 @@ typedef struct {
 /** Told of every return of each point in order; of several points by several threads at once. */
 typedef void (*jlt_map_batch_observer)(void *context, size_t point, const jlt_map_batch_return *made);
 
-/** As jlt_map_batch_apply, at points each of which has its own flow, by index; flow_of, shape (count,). observer may be NULL. */
+/** As jlt_map_batch_apply forwards, at points each of which has its own flow, by index; flow_of, shape (count,). observer may be
+ *  NULL. */
 JLT_CHECKED jlt_status jlt_map_batch_apply_flows(jlt_map_batch *self, const jlt_map_images *out, const double *q,
-                                                 const size_t *flow_of, size_t count, size_t returns, int time_direction,
+                                                 const size_t *flow_of, size_t count, size_t returns,
                                                  jlt_map_batch_observer observer, void *context);
 
 /** The flows as given, the first and those added, by index. */

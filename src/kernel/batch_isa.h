@@ -17,8 +17,8 @@ unsigned jlt_batch_isa_lanes(void);
  *  which cannot be for a built-in descriptor and lanes >= 2; one that was compiled for lanes has those of jlt_batch_isa_lanes. */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
-/** What these kernels take for p where all lanes have the prepared values p, shape (kernels->prepared,): those of `vectors`
- *  vectors, each (prepared, lanes), for the caller to free(). NULL: memory is out. */
-double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p, unsigned vectors);
+/** What these kernels take for p where all lanes have the prepared values p, shape (kernels->prepared,): shape (prepared, lanes),
+ *  for the caller to free(). NULL: memory is out. */
+double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p);
 
 #endif
