@@ -17,6 +17,9 @@ JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a,
  *  not 0. Errors: NONFINITE, NO_CONVERGENCE, NOMEM. Accuracy: a k-fold root keeps a k-th part of the digits. */
 JLT_CHECKED jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n);
 
+/** Sort eigenvalues by (re, im), ascending. In/out: re, im, and error unless NULL, shape (n,). Cost: n^2. */
+void jlt_eigen_sort(double *re, double *im, double *error, size_t n);
+
 /** The shortest z with least |a z - b|, singular values below cutoff * largest taken as zero.
  *  Out: z, shape (columns,). In: a, shape (rows, columns); b, shape (rows,). Errors: NONFINITE, also where products of entries
  *  overflow, so that the decomposition does not settle; NOMEM. */
